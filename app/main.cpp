@@ -1,0 +1,4 @@
+// The program `swaplight`: one verb a job.
+int main() {
+  return 0;
+}

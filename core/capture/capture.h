@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/color/rgb.h"
+#include "core/json.h"
+
+namespace swaplight {
+
+/// What a light is for on the set.
+enum class Role { Key, Fill, Back, Practical, Kicker, Background, Other };
+[[nodiscard]] std::string roleName(Role role);
+/// Throws InputError that lists the known roles.
+[[nodiscard]] Role roleFromName(const std::string& name);
+
+struct Light {
+  std::string name;  ///< [A-Za-z][A-Za-z0-9_]*
+  Role role = Role::Other;
+  Json extra = Json::object();  ///< keys we do not know, kept
+};
+
+struct Shot {
+  std::string image;  ///< path, relative to the capture's folder
+  /// One linear RGB a light, in the capture's order; {0,0,0} is off, nothing is "unknown: estimate it".
+  std::vector<std::optional<Rgb>> lightColors;
+  float exposureStops = 0;  ///< this shot's exposure over the first one's
+  Json extra = Json::object();
+};
+
+/// Sensor noise: variance = signal / fullWell + read^2, in full-scale units (1 = clipping).
+struct SensorNoise {
+  double read = 0;        ///< >= 0
+  double fullWell = 1e9;  ///< > 0
+  bool operator==(const SensorNoise&) const = default;
+};
+
+/// A set photographed K times while only the colours of its N lights change: `capture.json` (FORMATS 1).
+/// Only the description; CapturePixels are its pictures.
+struct Capture {
+  std::filesystem::path folder;  ///< what its paths are relative to
+  std::filesystem::path file;    ///< where it was read from, for messages; may be empty
+  std::string name;
+  std::string colorSpace = "lin_rec709";  ///< of the image files
+  std::vector<Light> lights;
+  std::vector<Shot> shots;
+  std::optional<std::string> ambient;  ///< picture of the set with every controlled light off
+  std::optional<std::string> dark;     ///< picture with the lens capped
+  std::optional<SensorNoise> noise;
+  std::map<std::string, std::string> truth;  ///< test material: each light's contribution
+  Json extra = Json::object();
+  std::vector<std::string> warnings;  ///< unknown keys and the like, in words
+
+  [[nodiscard]] int lightCount() const { return static_cast<int>(lights.size()); }
+  [[nodiscard]] int shotCount() const { return static_cast<int>(shots.size()); }
+  /// The index of a light by name, or -1.
+  [[nodiscard]] int lightIndex(const std::string& name) const;
+};
+
+/// Reads and checks a manifest. Throws InputError: one line that names the file, what is wrong, what to do
+/// (JSON errors with line and column). Does not open the pictures.
+[[nodiscard]] Capture readCapture(const std::filesystem::path& file);
+/// The same from JSON that is already parsed; `folder` is what its paths are relative to.
+[[nodiscard]] Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
+                                      const std::filesystem::path& file = {});
+[[nodiscard]] Json jsonFromCapture(const Capture& capture);
+/// Writes to a temporary name, then renames.
+void writeCapture(const Capture& capture, const std::filesystem::path& file);
+
+}  // namespace swaplight

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/capture/capture.h"
+#include "core/image/image.h"
+#include "core/progress.h"
+
+namespace swaplight {
+
+/// A capture's pictures: linear light, R G B, all of one size. 1.0 is full scale of the sensor. Values are as
+/// the sensor gave them: exposure differences and ambient light are still in, because noise and clipping are
+/// properties of the raw signal; the dark picture is subtracted.
+struct CapturePixels {
+  std::vector<Image> shots;
+  std::optional<Image> ambient;  ///< at the first shot's exposure
+  /// A shot's value at and above which the sensor was saturated; infinity where nothing clips.
+  std::vector<float> clipLevel;
+  /// The step of the files' coding in linear light at full scale (1/255 ...); 0 for floating point.
+  std::vector<float> quantum;
+  /// True where the files were sRGB-encoded: the step in linear light then grows with the signal.
+  bool encoded = false;
+  std::vector<std::string> warnings;  ///< such as unknown channels, pixels that are not finite
+
+  [[nodiscard]] int width() const { return shots.empty() ? 0 : shots.front().width(); }
+  [[nodiscard]] int height() const { return shots.empty() ? 0 : shots.front().height(); }
+};
+
+/// Reads the pictures and brings them to linear light in the capture's own primaries (acescg, aces2065_1 and
+/// lin_rec709 stay; anything else becomes lin_rec709). Throws InputError: missing or broken file, sizes that
+/// differ (both named with their sizes), unknown colour space (the known ones listed).
+[[nodiscard]] CapturePixels loadCapturePixels(const Capture& capture, const Progress& progress = {});
+
+}  // namespace swaplight

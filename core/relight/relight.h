@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "core/color/rgb.h"
+#include "core/image/image.h"
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// The truth that every other renderer is compared with: out = sum of factor[i] * T[i] + ambientFactor *
+/// ambient, in linear light, float32, per channel. `out` is R G B of the set's size.
+void relight(const SolvedSet& set, std::span<const Rgb> factors, float ambientFactor, ImageSpan out);
+[[nodiscard]] Image relight(const SolvedSet& set, std::span<const Rgb> factors, float ambientFactor = 1);
+
+}  // namespace swaplight

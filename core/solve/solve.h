@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/capture/capture_pixels.h"
+#include "core/progress.h"
+#include "core/solve/solve_options.h"
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// Tells the lights of a capture apart: the one entry point to every estimator.
+/// Throws InputError where the capture cannot be solved (equal lights, more lights than shots can tell, an
+/// estimator that does not fit), Stopped when asked to.
+[[nodiscard]] SolvedSet solve(const Capture& capture, const CapturePixels& pixels,
+                              const SolveOptions& options, const Progress& progress = {});
+
+}  // namespace swaplight
