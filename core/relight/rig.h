@@ -12,12 +12,12 @@ namespace swaplight {
 
 /// How a person gave a light its colour. Kept as given, so that 3200 K stays 3200 K.
 struct LightColor {
-  enum class Kind { White, Hex, LinearRgb, Hsv, Kelvin, Gel };
+  enum class Kind { White, Hex, LinearRgb, Hsv, Kelvin };
   Kind kind = Kind::White;
   Rgb value{1, 1, 1};   ///< Hex: sRGB-encoded 0..1; LinearRgb: linear >= 0; Hsv: degrees/360, 0..1, 0..1
   float kelvin = 6500;  ///< Kelvin: 1000..25000
-  float green = 0;      ///< -1..+1: minus/plus green, 1 = a full gel; with any kind
-  std::string gel;      ///< Gel: maker's letter and number, as L201
+  std::string gel;      ///< a filter over any kind: maker's letter and number, as L201; empty: none
+  float green = 0;      ///< -1..+1: minus/plus green over any kind, 1 = a full gel
   bool operator==(const LightColor&) const = default;
 };
 
