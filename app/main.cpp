@@ -1,4 +1,7 @@
 // The program `swaplight`: one verb a job.
-int main() {
-  return 0;
+#include "app/program.h"
+
+int main(int argc, char** argv) {
+  swaplight::Program program;
+  return program.run(argc, argv);
 }
