@@ -1,0 +1,42 @@
+#include "core/capture/capture.h"
+
+#include <array>
+#include <utility>
+
+#include "core/error.h"
+
+namespace swaplight {
+namespace {
+
+constexpr std::array<std::pair<Role, const char*>, 7> kRoles = {{{Role::Key, "key"},
+                                                                 {Role::Fill, "fill"},
+                                                                 {Role::Back, "back"},
+                                                                 {Role::Practical, "practical"},
+                                                                 {Role::Kicker, "kicker"},
+                                                                 {Role::Background, "background"},
+                                                                 {Role::Other, "other"}}};
+
+}  // namespace
+
+std::string roleName(Role role) {
+  for (const auto& [known, name] : kRoles)
+    if (known == role) return name;
+  return "other";
+}
+
+Role roleFromName(const std::string& name) {
+  std::string list;
+  for (const auto& [role, known] : kRoles) {
+    if (name == known) return role;
+    list += (list.empty() ? "" : ", ") + std::string(known);
+  }
+  throw InputError("the role \"{}\" is not known. Known roles: {}.", name, list);
+}
+
+int Capture::lightIndex(const std::string& light) const {
+  for (size_t i = 0; i < lights.size(); ++i)
+    if (lights[i].name == light) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace swaplight

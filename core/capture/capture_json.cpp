@@ -1,0 +1,234 @@
+#include <cmath>
+
+#include "core/capture/capture.h"
+#include "core/capture/light_name.h"
+#include "core/error.h"
+#include "core/file/json_fields.h"
+#include "core/file/json_file.h"
+
+namespace swaplight {
+namespace {
+
+constexpr const char* kFormat = "swaplight-capture";
+constexpr int kVersion = 1;
+constexpr double kMostStops = 40;
+
+/// Keeps what a newer or another program wrote, and says so.
+Json keepUnknown(const JsonFields& fields, std::vector<std::string>& warnings) {
+  Json unknown = fields.unknown();
+  for (const auto& [key, value] : unknown.items())
+    warnings.push_back(fmt::format("{}: the unknown key \"{}\" is kept and not used", fields.where(), key));
+  return unknown;
+}
+
+void checkFormat(JsonFields& fields, std::vector<std::string>& warnings) {
+  const auto format = fields.text("format");
+  if (!format)
+    warnings.push_back(fmt::format("{}: \"format\" is missing, {} assumed", fields.where(), kFormat));
+  if (format.value_or(kFormat) != kFormat)
+    throw InputError("{}: \"format\" is \"{}\", expected \"{}\".", fields.where(), *format, kFormat);
+  const auto version = fields.number("version", 0, 1e9);
+  if (!version)
+    warnings.push_back(fmt::format("{}: \"version\" is missing, {} assumed", fields.where(), kVersion));
+  const double found = version.value_or(kVersion);
+  if (found > kVersion)
+    throw InputError("{}: is version {} of {}, this program reads up to {}. Use a newer swaplight.",
+                     fields.where(), found, kFormat, kVersion);
+  if (found < 1) throw InputError("{}: \"version\" is {}, expected {}.", fields.where(), found, kVersion);
+}
+
+std::vector<Light> lightsFromJson(JsonFields& fields, std::vector<std::string>& warnings) {
+  const Json& list = fields.list("lights", "a list of lights, such as [{\"name\": \"key\"}]");
+  if (list.empty())
+    throw InputError("{}: has no lights. Name at least one under \"lights\".", fields.where());
+  std::vector<Light> lights;
+  std::vector<std::string> names;
+  for (size_t i = 0; i < list.size(); ++i) {
+    JsonFields light(list[i], fmt::format("{}: light {}", fields.where(), i + 1));
+    const auto name = light.text("name");
+    if (!name) throw InputError("{}: \"name\" is missing.", light.where());
+    const std::string role = light.text("role").value_or("other");
+    try {
+      lights.push_back({*name, roleFromName(role), keepUnknown(light, warnings)});
+    } catch (const InputError& error) {
+      throw InputError("{}: {}", light.where(), error.what());
+    }
+    names.push_back(*name);
+  }
+  checkLightNames(names, fields.where());
+  return lights;
+}
+
+std::optional<Rgb> colorFromJson(const Json& json, const std::string& where) {
+  if (json.is_null()) return std::nullopt;
+  const std::string expected = "expected [red, green, blue] in linear light, or null for unknown";
+  if (!json.is_array() || json.size() != 3)
+    throw InputError("{}: is {}, {}.", where, describeJson(json), expected);
+  Rgb color(0);
+  for (int c = 0; c < 3; ++c) {
+    const Json& part = json[static_cast<size_t>(c)];
+    if (!part.is_number()) throw InputError("{}: holds {}, {}.", where, describeJson(part), expected);
+    const double value = part.get<double>();
+    if (value < 0)
+      throw InputError("{}: holds the negative number {}: light cannot be less than none. Give 0 or more.",
+                       where, part.dump());
+    color[c] = static_cast<float>(value);
+    if (!std::isfinite(color[c]))
+      throw InputError("{}: holds {}, which is not finite. Give a number near 0..1.", where, part.dump());
+  }
+  return color;
+}
+
+std::vector<std::optional<Rgb>> colorsFromJson(JsonFields& shot, const std::vector<Light>& lights) {
+  const Json& list = shot.list("light_colors", "one [red, green, blue] a light");
+  if (list.size() != lights.size())
+    throw InputError(
+        "{}: \"light_colors\" has {} colour{}, the capture has {} light{}. Give one colour a light.",
+        shot.where(), list.size(), list.size() == 1 ? "" : "s", lights.size(), lights.size() == 1 ? "" : "s");
+  std::vector<std::optional<Rgb>> colors;
+  for (size_t i = 0; i < list.size(); ++i)
+    colors.push_back(
+        colorFromJson(list[i], fmt::format("{}: the colour of {}", shot.where(), lights[i].name)));
+  return colors;
+}
+
+std::string requiredPath(JsonFields& fields, const std::string& key) {
+  const auto path = fields.text(key);
+  if (!path) throw InputError("{}: \"{}\" is missing, expected the path of a picture.", fields.where(), key);
+  if (path->empty())
+    throw InputError("{}: \"{}\" is empty, expected the path of a picture.", fields.where(), key);
+  return *path;
+}
+
+std::vector<Shot> shotsFromJson(JsonFields& fields, const std::vector<Light>& lights,
+                                std::vector<std::string>& warnings) {
+  const Json& list = fields.list("shots", "a list of shots");
+  if (list.empty()) throw InputError("{}: has no shots. List at least one under \"shots\".", fields.where());
+  std::vector<Shot> shots;
+  for (size_t k = 0; k < list.size(); ++k) {
+    JsonFields fieldsOfShot(list[k], fmt::format("{}: shot {}", fields.where(), k + 1));
+    Shot shot;
+    shot.image = requiredPath(fieldsOfShot, "image");
+    fieldsOfShot.setWhere(fmt::format("{} ({})", fieldsOfShot.where(), shot.image));
+    shot.lightColors = colorsFromJson(fieldsOfShot, lights);
+    shot.exposureStops =
+        static_cast<float>(fieldsOfShot.number("exposure_stops", -kMostStops, kMostStops).value_or(0));
+    shot.extra = keepUnknown(fieldsOfShot, warnings);
+    shots.push_back(std::move(shot));
+  }
+  return shots;
+}
+
+std::optional<std::string> optionalPath(JsonFields& fields, const std::string& key) {
+  const Json* value = fields.find(key);
+  if (!value || value->is_null()) return std::nullopt;
+  return requiredPath(fields, key);
+}
+
+/// Unknown fields go into extra["noise"].
+std::optional<SensorNoise> noiseFromJson(JsonFields& fields, Json& extra,
+                                         std::vector<std::string>& warnings) {
+  const Json* json = fields.find("noise");
+  if (!json || json->is_null()) return std::nullopt;
+  JsonFields noise(*json, fields.where() + ": noise");
+  SensorNoise result;
+  result.read = noise.number("read", 0, 1).value_or(result.read);
+  result.fullWell = noise.number("full_well", 1, 1e15).value_or(result.fullWell);
+  if (Json rest = keepUnknown(noise, warnings); !rest.empty()) extra["noise"] = std::move(rest);
+  return result;
+}
+
+std::map<std::string, std::string> truthFromJson(JsonFields& fields) {
+  std::map<std::string, std::string> truth;
+  const Json* json = fields.find("truth");
+  if (!json || json->is_null()) return truth;
+  JsonFields paths(*json, fields.where() + ": truth");
+  for (const auto& [light, path] : json->items()) truth[light] = requiredPath(paths, light);
+  return truth;
+}
+
+std::string defaultName(const Capture& capture) {
+  const std::filesystem::path folder = std::filesystem::absolute(capture.folder).lexically_normal();
+  return folder.has_filename() ? folder.filename().string() : folder.parent_path().filename().string();
+}
+
+Json jsonFromColor(const std::optional<Rgb>& color) {
+  if (!color) return nullptr;
+  return {jsonNumber(color->r), jsonNumber(color->g), jsonNumber(color->b)};
+}
+
+/// In the order of the lights.
+Json jsonFromTruth(const Capture& capture) {
+  Json json = Json::object();
+  for (const Light& light : capture.lights)
+    if (const auto path = capture.truth.find(light.name); path != capture.truth.end())
+      json[light.name] = path->second;
+  for (const auto& [light, path] : capture.truth) json[light] = path;
+  return json;
+}
+
+Json jsonFromShot(const Shot& shot) {
+  Json json = {{"image", shot.image}};
+  Json& colors = json["light_colors"] = Json::array();
+  for (const auto& color : shot.lightColors) colors.push_back(jsonFromColor(color));
+  if (shot.exposureStops != 0) json["exposure_stops"] = jsonNumber(shot.exposureStops);
+  json.update(shot.extra);
+  return json;
+}
+
+}  // namespace
+
+Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
+                        const std::filesystem::path& file) {
+  Capture capture;
+  capture.folder = folder;
+  capture.file = file;
+  JsonFields fields(json, file.empty() ? "the capture" : file.string());
+  checkFormat(fields, capture.warnings);
+  capture.name = fields.text("name").value_or(defaultName(capture));
+  const auto colorSpace = fields.text("color_space");
+  if (colorSpace) capture.colorSpace = *colorSpace;
+  if (!colorSpace)
+    capture.warnings.push_back(
+        fmt::format("{}: \"color_space\" is missing, {} assumed", fields.where(), capture.colorSpace));
+  capture.lights = lightsFromJson(fields, capture.warnings);
+  capture.shots = shotsFromJson(fields, capture.lights, capture.warnings);
+  capture.ambient = optionalPath(fields, "ambient");
+  capture.dark = optionalPath(fields, "dark");
+  Json noiseExtra = Json::object();
+  capture.noise = noiseFromJson(fields, noiseExtra, capture.warnings);
+  capture.truth = truthFromJson(fields);
+  capture.extra = keepUnknown(fields, capture.warnings);
+  capture.extra.update(noiseExtra);
+  return capture;
+}
+
+Json jsonFromCapture(const Capture& capture) {
+  Json json = {{"format", kFormat},
+               {"version", kVersion},
+               {"name", capture.name},
+               {"color_space", capture.colorSpace}};
+  Json& lights = json["lights"] = Json::array();
+  for (const Light& light : capture.lights) {
+    lights.push_back({{"name", light.name}, {"role", roleName(light.role)}});
+    lights.back().update(light.extra);
+  }
+  Json& shots = json["shots"] = Json::array();
+  for (const Shot& shot : capture.shots) shots.push_back(jsonFromShot(shot));
+  if (capture.ambient) json["ambient"] = *capture.ambient;
+  if (capture.dark) json["dark"] = *capture.dark;
+  if (capture.noise) json["noise"] = {{"read", capture.noise->read}, {"full_well", capture.noise->fullWell}};
+  if (!capture.truth.empty()) json["truth"] = jsonFromTruth(capture);
+  json.update(capture.extra, true);
+  return json;
+}
+
+Capture readCapture(const std::filesystem::path& file) {
+  return captureFromJson(readJson(file), file.parent_path(), file);
+}
+
+void writeCapture(const Capture& capture, const std::filesystem::path& file) {
+  writeJson(jsonFromCapture(capture), file);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace swaplight {
+
+/// A file on its way: written under a temporary name beside its target, then renamed, so that nobody ever
+/// sees half a file and a failure leaves the old one as it was. Not committed, the temporary is removed.
+///
+///   AtomicFile file("frame.exr");
+///   ... write file.temporary() ...
+///   file.commit();
+class AtomicFile {
+ public:
+  /// Throws InputError where the target cannot be written: its folder is missing or not writable, it is a
+  /// folder or a device. A symbolic link is followed: the file that it names is replaced.
+  explicit AtomicFile(const std::filesystem::path& target);
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();
+
+  /// Exists, empty; has the target's extension.
+  [[nodiscard]] const std::filesystem::path& temporary() const { return m_temporary; }
+
+  /// Flushes to the disk and renames. Throws InputError: the disk is full, an I/O error.
+  void commit();
+
+  /// For a writer that failed: throws InputError that names the target, and the full disk if that is why;
+  /// otherwise `detail`, the writer's own words.
+  [[noreturn]] void fail(std::string_view detail) const;
+
+ private:
+  std::filesystem::path m_target;  ///< as the person named it, for messages
+  std::filesystem::path m_resolved;
+  std::filesystem::path m_temporary;
+  bool m_committed = false;
+};
+
+/// Writes the bytes, atomically. Throws InputError as AtomicFile does.
+void writeFile(const std::filesystem::path& file, std::string_view bytes);
+
+/// A whole file as bytes. Throws InputError where it is missing, a folder, unreadable or above `limit` bytes.
+[[nodiscard]] std::string readFile(const std::filesystem::path& file, size_t limit);
+
+}  // namespace swaplight

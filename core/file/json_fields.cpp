@@ -1,0 +1,63 @@
+#include "core/file/json_fields.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+
+namespace swaplight {
+
+std::string describeJson(const Json& value) {
+  if (value.is_null()) return "null";
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+  if (value.is_number()) return fmt::format("the number {}", value.dump());
+  if (value.is_string()) return fmt::format("the text \"{}\"", value.get<std::string>().substr(0, 60));
+  if (value.is_array()) return fmt::format("a list of {}", value.size());
+  return "an object";
+}
+
+JsonFields::JsonFields(const Json& object, std::string where) : m_object(object), m_where(std::move(where)) {
+  if (!object.is_object())
+    throw InputError("{}: is {}, expected an object {{...}}.", m_where, describeJson(object));
+}
+
+const Json* JsonFields::find(const std::string& key) {
+  m_known.insert(key);
+  const auto found = m_object.find(key);
+  return found == m_object.end() ? nullptr : &*found;
+}
+
+const Json& JsonFields::list(const std::string& key, const std::string& what) {
+  const Json* value = find(key);
+  if (!value) throw InputError("{}: \"{}\" is missing, expected {}.", m_where, key, what);
+  if (!value->is_array())
+    throw InputError("{}: \"{}\" is {}, expected {}.", m_where, key, describeJson(*value), what);
+  return *value;
+}
+
+std::optional<std::string> JsonFields::text(const std::string& key) {
+  const Json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_string())
+    throw InputError("{}: \"{}\" is {}, expected a text.", m_where, key, describeJson(*value));
+  return value->get<std::string>();
+}
+
+std::optional<double> JsonFields::number(const std::string& key, double low, double high) {
+  const Json* value = find(key);
+  if (!value) return std::nullopt;
+  const double number = value->is_number() ? value->get<double>() : std::nan("");
+  if (!(number >= low && number <= high))
+    throw InputError("{}: \"{}\" is {}, expected a number from {} to {}.", m_where, key, describeJson(*value),
+                     low, high);
+  return number;
+}
+
+Json JsonFields::unknown() const {
+  Json rest = Json::object();
+  for (const auto& [key, value] : m_object.items())
+    if (!m_known.contains(key)) rest[key] = value;
+  return rest;
+}
+
+}  // namespace swaplight

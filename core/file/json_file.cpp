@@ -1,0 +1,69 @@
+#include "core/file/json_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/file/atomic_file.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kLargestFile = size_t{256} << 20;
+constexpr int kDeepest = 100;  // nothing of ours nests deeper; bounds the recursion of those who walk it
+
+/// "line 3, column 17" of a byte of the text.
+std::string lineAndColumn(std::string_view text, size_t byte) {
+  const std::string_view before = text.substr(0, byte);
+  const size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
+  return fmt::format("line {}, column {}", 1 + std::count(before.begin(), before.end(), '\n'),
+                     1 + before.size() - lineStart);
+}
+
+/// Where, the parser's own words, and what people usually got wrong.
+std::string syntaxError(std::string_view text, const Json::parse_error& error) {
+  const std::string_view all = error.what();
+  const size_t cause = std::min(all.find("syntax error"), all.size());
+  const std::string_view words = all.substr(cause, all.find("; last read") - cause);
+  const size_t byte = std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0);
+  const std::string_view rest = text.substr(byte);
+  const bool number = rest.starts_with("NaN") || rest.starts_with("Inf");
+  return fmt::format("{}: {}{}", lineAndColumn(text, byte), words,
+                     number ? " (JSON knows no NaN and no Infinity: give finite numbers)" : "");
+}
+
+}  // namespace
+
+Json parseJson(const std::string& text, const std::string& name) {
+  try {
+    return Json::parse(text, [&](int depth, Json::parse_event_t, const Json&) {
+      if (depth > kDeepest) throw InputError("{}: is nested deeper than {} levels.", name, kDeepest);
+      return true;
+    });
+  } catch (const Json::parse_error& error) {
+    throw InputError("{}: {}", name, syntaxError(text, error));
+  } catch (const Json::out_of_range& error) {
+    // The message quotes the number but does not say where it stands.
+    const std::string words = error.what();
+    const size_t from = words.find('\'') + 1;
+    const std::string number = words.substr(from, words.rfind('\'') - from);
+    throw InputError("{}: {}: the number {} is too large.", name, lineAndColumn(text, text.find(number)),
+                     number);
+  }
+}
+
+Json readJson(const std::filesystem::path& file) {
+  return parseJson(readFile(file, kLargestFile), file.string());
+}
+
+void writeJson(const Json& json, const std::filesystem::path& file) {
+  writeFile(file, json.dump(1) + "\n");
+}
+
+Json jsonNumber(float value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::stod(fmt::format("{}", value));
+}
+
+}  // namespace swaplight
