@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+
+namespace swaplight {
+
+/// Which part of a picture a viewer shows, and how large. A point of the picture p is seen at (p - left/top) *
+/// zoom; pixel (0, 0) of the picture covers 0..1.
+struct ViewWindow {
+  double left = 0;  ///< picture coordinate at the window's left edge
+  double top = 0;
+  double zoom = 1;  ///< window pixels a picture pixel, > 0
+  int width = 0;    ///< of the window, in pixels
+  int height = 0;
+  bool operator==(const ViewWindow&) const = default;
+
+  [[nodiscard]] double pictureX(double windowX) const { return left + windowX / zoom; }
+  [[nodiscard]] double pictureY(double windowY) const { return top + windowY / zoom; }
+  [[nodiscard]] double windowX(double pictureX) const { return (pictureX - left) * zoom; }
+  [[nodiscard]] double windowY(double pictureY) const { return (pictureY - top) * zoom; }
+};
+
+/// The zoom at which a whole picture is seen.
+[[nodiscard]] inline double fitZoom(int pictureWidth, int pictureHeight, int width, int height) {
+  return std::min(static_cast<double>(width) / std::max(1, pictureWidth),
+                  static_cast<double>(height) / std::max(1, pictureHeight));
+}
+
+}  // namespace swaplight
