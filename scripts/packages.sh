@@ -4,7 +4,7 @@ build_packages=(g++ cmake ninja-build pkg-config ccache
   libopenimageio-dev libopencolorio-dev libopencv-dev libopencv-contrib-dev libtbb-dev libeigen3-dev
   libfmt-dev nlohmann-json3-dev libcli11-dev libglm-dev
   libglfw3-dev libimgui-dev libstb-dev libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl1 libfreetype-dev
-  fonts-inter)
+  fonts-inter fonts-material-design-icons-iconfont)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev
   python3 python3-numpy python3-openimageio openimageio-tools
   xvfb xdotool x11-utils x11-apps imagemagick)
