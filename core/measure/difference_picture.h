@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/image/image.h"
+#include "core/measure/difference.h"
+
+namespace swaplight {
+
+/// The difference of each pixel in false colour (viridis from 0, or from the smallest value for psnr, to
+/// `maximum`) with a legend on its right. Pixels that are not finite are magenta. maximum 0: the 99th
+/// percentile, rounded up to a friendly number. R G B, sRGB code values.
+[[nodiscard]] Image drawDifferenceMap(const Difference& difference, double maximum = 0);
+
+/// A box plot a metric, side by side. Each has its own axis.
+[[nodiscard]] Image drawDifferencePlot(const std::vector<Difference>& differences);
+
+}  // namespace swaplight

@@ -1,0 +1,107 @@
+#include "core/measure/evaluate.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <span>
+
+#include "core/error.h"
+#include "core/image/image_io.h"
+#include "core/measure/difference_picture.h"
+#include "core/measure/lab.h"
+#include "core/measure/plot.h"
+
+namespace swaplight {
+namespace {
+
+// R G B of a file, whatever else it holds.
+Image colorOf(const Image& image, const std::filesystem::path& file) {
+  int channels[3] = {image.channelIndex("R"), image.channelIndex("G"), image.channelIndex("B")};
+  if (channels[0] < 0 || channels[1] < 0 || channels[2] < 0) {
+    const bool grey = image.channelCount() == 1 || image.channelCount() == 2;  // Y, or Y and alpha
+    if (!grey)
+      throw InputError("{}: has no channels R, G and B, but {}", file.string(),
+                       fmt::join(image.spec().channels, ", "));
+    std::fill_n(channels, 3, 0);
+  }
+  Image color(ImageSpec::rgb(image.width(), image.height()));
+  for (int c = 0; c < 3; ++c) std::copy_n(image.plane(channels[c]), image.pixelCount(), color.plane(c));
+  return color;
+}
+
+void linearize(Image& image) {
+  for (int c = 0; c < 3; ++c)
+    for (float& v : std::span(image.plane(c), image.pixelCount())) v = static_cast<float>(linearFromSrgb(v));
+}
+
+}  // namespace
+
+Evaluation evaluate(const std::filesystem::path& test, const std::filesystem::path& reference,
+                    const EvaluateOptions& options) {
+  const ImageFile testFile = readImage(test);
+  const ImageFile referenceFile = readImage(reference);
+  PicturePair pair{colorOf(testFile.image, test), colorOf(referenceFile.image, reference)};
+  if (pair.test.width() != pair.reference.width() || pair.test.height() != pair.reference.height())
+    throw InputError("{} is {}x{}, {} is {}x{}: only pictures of one size can be compared", test.string(),
+                     pair.test.width(), pair.test.height(), reference.string(), pair.reference.width(),
+                     pair.reference.height());
+
+  // Bring both to one encoding and exposure.
+  const bool testEncoded = !testFile.info.isFloat;
+  const bool referenceEncoded = !referenceFile.info.isFloat;
+  pair.encoded = testEncoded && referenceEncoded;
+  if (testEncoded && !referenceEncoded) linearize(pair.test);
+  if (referenceEncoded && !testEncoded) linearize(pair.reference);
+  if (options.scale && !(std::isfinite(*options.scale) && *options.scale > 0))
+    throw InputError("scale {}: give a number above 0, as the factor that linear light is shown with",
+                     *options.scale);
+  if (!testEncoded && !referenceEncoded)
+    pair.scale = options.scale.value_or(displayScale(pair.reference.view()));
+
+  Evaluation result{
+      test.string(), reference.string(), pair.test.width(), pair.test.height(), pair.encoded, pair.scale, {}};
+  for (const Metric metric : options.metrics) result.differences.push_back(difference(pair, metric));
+
+  if (!options.plot.empty()) writeImage(drawDifferencePlot(result.differences), options.plot);
+  if (!options.map.empty())
+    writeImage(drawDifferenceMap(result.differences.front(), options.mapMaximum), options.map);
+  return result;
+}
+
+Json jsonFromEvaluation(const Evaluation& e) {
+  Json json = {{"test", e.test},
+               {"reference", e.reference},
+               {"width", e.width},
+               {"height", e.height},
+               {"encoding", e.encoded ? "srgb" : "linear"},
+               {"scale", e.scale}};
+  for (const Difference& d : e.differences) {
+    Json& metric = json[metricName(d.metric)];
+    metric["value"] = d.value;
+    metric.update(jsonFromStatistics(d.statistics));
+  }
+  return json;
+}
+
+std::string textFromEvaluation(const Evaluation& e) {
+  std::string text =
+      fmt::format("{} against {}\n{} x {} pixels, {}\n", e.test, e.reference, e.width, e.height,
+                  e.encoded ? std::string("sRGB code values 0..1")
+                            : fmt::format("linear light, shown times {:.4g}", e.scale));
+  if (const size_t lost = e.differences.front().statistics.notFinite)
+    text += fmt::format("{} pixels are not finite in both pictures and were left out\n", lost);
+  text += fmt::format("{:8}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n",
+                      "metric", "value", "mean", "median", "p95", "p99", "max", "std", "q1", "q3", "whisker-",
+                      "whisker+", "outliers");
+  for (const Difference& d : e.differences) {
+    const Statistics& s = d.statistics;
+    text += fmt::format("{:8}", metricName(d.metric));
+    for (const double v :
+         {d.value, s.mean, s.median, s.p95, s.p99, s.max, s.std, s.q1, s.q3, s.whiskerLow, s.whiskerHigh})
+      text += fmt::format("{:>10.4g}", v);
+    text += fmt::format("{:>10}\n", s.outliers);
+  }
+  return text;
+}
+
+}  // namespace swaplight
