@@ -27,6 +27,7 @@ std::vector<double> linearTicks(double low, double high) {
 
 std::vector<double> logTicks(double low, double high) {
   const double decades = std::log10(high / low);
+  if (decades < 1) return linearTicks(low, high);
   const int every = std::max(1, static_cast<int>(std::ceil(decades / 8)));
   std::vector<double> ticks;
   for (int e = static_cast<int>(std::floor(std::log10(low))); e <= std::ceil(std::log10(high)); e += every)

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <stdexcept>
 
@@ -43,7 +44,22 @@ void drawSeries(PlotCanvas& canvas, const PlotFrame& frame, const AxisScale& x, 
   }
 }
 
-// Names of the series in the frame's upper right corner, on white.
+// How much of the series a box would cover.
+int coveredBy(const cv::Rect2d& box, const PlotFrame& frame, const std::vector<ScatterPlot::Series>& series) {
+  int covered = 0;
+  for (const auto& s : series)
+    for (size_t i = 0; i < s.x.size(); ++i) {
+      const cv::Point2d point = frame.at(s.x[i], s.y[i]);
+      covered += box.contains(point) ? 4 : 0;
+      if (i < s.labels.size()) covered += box.contains(point + cv::Point2d(25, -9)) ? 4 : 0;
+      if (i == 0 || s.style == ScatterPlot::Style::Points) continue;
+      const cv::Point2d before = frame.at(s.x[i - 1], s.y[i - 1]);
+      for (const double t : {.2, .4, .6, .8}) covered += box.contains(before + t * (point - before)) ? 1 : 0;
+    }
+  return covered;
+}
+
+// Names of the series on white, in the corner of the frame where they cover least.
 void drawLegend(PlotCanvas& canvas, const PlotFrame& frame, const std::vector<ScatterPlot::Series>& series) {
   int width = 0;
   int rows = 0;
@@ -54,8 +70,20 @@ void drawLegend(PlotCanvas& canvas, const PlotFrame& frame, const std::vector<Sc
   }
   if (rows == 0) return;
   const double step = kTextHeight * 1.4;
-  const cv::Rect2d box(frame.inner().br().x - width - 46., frame.inner().y + 6., width + 40.,
-                       rows * step + 8);
+  const cv::Rect2d inner = frame.inner();
+  const cv::Size2d size(width + 40., rows * step + 8);
+  const double left = inner.x + 6;
+  const double right = inner.br().x - size.width - 6;
+  const double top = inner.y + 6;
+  const double bottom = inner.br().y - size.height - 6;
+  cv::Rect2d box;
+  int least = INT_MAX;
+  for (const cv::Point2d corner : {cv::Point2d(right, top), {left, top}, {right, bottom}, {left, bottom}}) {
+    const int covered = coveredBy({corner, size}, frame, series);
+    if (covered >= least) continue;
+    least = covered;
+    box = {corner, size};
+  }
   canvas.rectangle(box, cv::Scalar::all(255), PlotCanvas::kGrid);
   double y = box.y + 4 + step / 2;
   for (size_t i = 0; i < series.size(); ++i) {
