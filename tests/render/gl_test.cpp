@@ -1,0 +1,24 @@
+#include "tests/render/gl_test.h"
+
+#include <epoxy/gl.h>
+
+namespace swaplight {
+
+GlStateSnapshot::GlStateSnapshot() {
+  for (const GLenum name :
+       {GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_ACTIVE_TEXTURE, GL_TEXTURE_BINDING_2D,
+        GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_3D, GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING,
+        GL_BLEND, GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_EQUATION_RGB, GL_SCISSOR_TEST, GL_DEPTH_TEST,
+        GL_CULL_FACE, GL_FRAMEBUFFER_SRGB, GL_UNPACK_ALIGNMENT, GL_PACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH}) {
+    int value = 0;
+    glGetIntegerv(name, &value);
+    values.push_back(value);
+  }
+  for (const GLenum name : {GL_VIEWPORT, GL_COLOR_WRITEMASK}) {
+    int four[4]{};
+    glGetIntegerv(name, four);
+    values.insert(values.end(), four, four + 4);
+  }
+}
+
+}  // namespace swaplight
