@@ -53,6 +53,14 @@ std::optional<double> JsonFields::number(const std::string& key, double low, dou
   return number;
 }
 
+std::optional<bool> JsonFields::boolean(const std::string& key) {
+  const Json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_boolean())
+    throw InputError("{}: \"{}\" is {}, expected true or false.", m_where, key, describeJson(*value));
+  return value->get<bool>();
+}
+
 Json JsonFields::unknown() const {
   Json rest = Json::object();
   for (const auto& [key, value] : m_object.items())

@@ -23,6 +23,7 @@ class JsonFields {
   std::optional<std::string> text(const std::string& key);
   /// A finite number in [low, high].
   std::optional<double> number(const std::string& key, double low, double high);
+  std::optional<bool> boolean(const std::string& key);
 
   /// The fields that nobody asked for.
   [[nodiscard]] Json unknown() const;

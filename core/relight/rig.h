@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/capture/capture.h"
 #include "core/color/rgb.h"
 #include "core/json.h"
 
@@ -30,6 +31,8 @@ struct LightSetting {
   bool on = true;
   bool solo = false;
   bool mute = false;
+  Role role = Role::Other;
+  bool ratioLock = false;  ///< keeps its ratio to the other locked lights when one of them is dimmed
   bool operator==(const LightSetting&) const = default;
 };
 
@@ -42,6 +45,18 @@ struct Rig {
 
 /// Every light on, at unit white.
 [[nodiscard]] Rig defaultRig(std::span<const std::string> lightNames);
+/// The same for the lights of a capture, with their roles.
+[[nodiscard]] Rig defaultRig(const Capture& capture);
+
+/// `rig` for exactly the lights of `capture`, in its order; lights that it does not name stay unit white.
+/// Throws InputError, listing the known lights, where it names one that the capture does not have.
+[[nodiscard]] Rig rigFor(const Capture& capture, const Rig& rig);
+
+/// The light of this name. Throws InputError that lists the known ones.
+[[nodiscard]] LightSetting& findLight(Rig& rig, const std::string& name);
+
+/// The linear Rec.709 colour alone, gel and green included. Whites have luminance 1, less what a gel takes.
+[[nodiscard]] Rgb colorFactor(const LightColor& color);
 
 /// The linear Rec.709 factor on a light's contribution: colour x 2^stops x multiplier, or 0 where it is off.
 /// Does not look at solo.
@@ -50,11 +65,12 @@ struct Rig {
 /// The factors of all lights, solo and mute applied: where any light is solo, the others are off.
 [[nodiscard]] std::vector<Rgb> rigFactors(const Rig& rig);
 
-/// Parses a SETTING (FORMATS 4) such as "3200K,+1st" onto a setting. Throws InputError that quotes the part
-/// that is wrong and lists what would be right.
-void applySetting(LightSetting& setting, const std::string& text);
-
+/// A rig as JSON (FORMATS 3): for every light its name, its colour as a SETTING's text (see setting.h),
+/// stops, multiplier, on, solo, mute, role and ratio lock.
 [[nodiscard]] Json jsonFromRig(const Rig& rig);
-[[nodiscard]] Rig rigFromJson(const Json& json);
+/// What is missing is as in a new light. `where` begins the messages. Throws InputError.
+[[nodiscard]] Rig rigFromJson(const Json& json, const std::string& where = "rig");
+/// A rig that is a file of its own, so that it serves for many sets. Throws InputError.
+[[nodiscard]] Rig readRig(const std::filesystem::path& file);
 
 }  // namespace swaplight

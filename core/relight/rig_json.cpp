@@ -1,0 +1,82 @@
+#include "core/error.h"
+#include "core/file/json_fields.h"
+#include "core/file/json_file.h"
+#include "core/relight/rig.h"
+#include "core/relight/setting.h"
+
+namespace swaplight {
+namespace {
+
+constexpr const char* kFormat = "swaplight-rig";
+constexpr int kVersion = 1;
+constexpr double kMostStops = 30;
+constexpr double kLargestFactor = 1e9;
+
+LightSetting settingFromJson(const Json& json, const std::string& where) {
+  JsonFields fields(json, where);
+  LightSetting light;
+  const auto name = fields.text("name");
+  if (!name) throw InputError("{}: \"name\" is missing.", where);
+  light.light = *name;
+  fields.setWhere(fmt::format("{} ({})", where, *name));
+  try {
+    if (const auto color = fields.text("color")) applySetting(light, *color);
+    if (const auto role = fields.text("role")) light.role = roleFromName(*role);
+  } catch (const InputError& error) {
+    throw InputError("{}: {}", fields.where(), error.what());
+  }
+  const auto number = [&](const char* key, double low, double high, float missing) {
+    return static_cast<float>(fields.number(key, low, high).value_or(missing));
+  };
+  light.stops = number("stops", -kMostStops, kMostStops, light.stops);
+  light.multiplier = number("multiplier", 0, kLargestFactor, light.multiplier);
+  light.on = fields.boolean("on").value_or(light.on);
+  light.solo = fields.boolean("solo").value_or(false);
+  light.mute = fields.boolean("mute").value_or(false);
+  light.ratioLock = fields.boolean("ratio_lock").value_or(false);
+  return light;
+}
+
+Json jsonFromSetting(const LightSetting& light) {
+  return {{"name", light.light},
+          {"role", roleName(light.role)},
+          {"color", colorText(light.color)},
+          {"stops", jsonNumber(light.stops)},
+          {"multiplier", jsonNumber(light.multiplier)},
+          {"on", light.on},
+          {"solo", light.solo},
+          {"mute", light.mute},
+          {"ratio_lock", light.ratioLock}};
+}
+
+}  // namespace
+
+Json jsonFromRig(const Rig& rig) {
+  Json lights = Json::array();
+  for (const LightSetting& light : rig.lights) lights.push_back(jsonFromSetting(light));
+  return {
+      {"format", kFormat}, {"version", kVersion}, {"lights", lights}, {"ambient", jsonNumber(rig.ambient)}};
+}
+
+Rig rigFromJson(const Json& json, const std::string& where) {
+  JsonFields fields(json, where);
+  const std::string format = fields.text("format").value_or(kFormat);
+  if (format != kFormat)
+    throw InputError("{}: \"format\" is \"{}\", expected \"{}\".", where, format, kFormat);
+  const double version = fields.number("version", 1, 1e9).value_or(kVersion);
+  if (version > kVersion)
+    throw InputError("{}: is version {} of {}, this program reads up to {}. Use a newer swaplight.", where,
+                     version, kFormat, kVersion);
+  Rig rig;
+  for (const Json& light :
+       fields.list("lights", "a list such as [{\"name\": \"key\", \"color\": \"3200K\"}]"))
+    rig.lights.push_back(settingFromJson(light, fmt::format("{}: light {}", where, rig.lights.size() + 1)));
+  rig.ambient = static_cast<float>(fields.number("ambient", 0, kLargestFactor).value_or(1));
+  return rig;
+}
+
+Rig readRig(const std::filesystem::path& file) {
+  return rigFromJson(readJson(file), file.string());
+}
+
+}  // namespace swaplight
