@@ -1,43 +1,11 @@
 #include "core/image/half.h"
 
-#include <bit>
-
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
 
 namespace swaplight {
 namespace {
-
-uint16_t halfFromFloat(float value) {
-  const uint32_t bits = std::bit_cast<uint32_t>(value);
-  const uint32_t sign = bits >> 16 & 0x8000;
-  const uint32_t magnitude = bits & 0x7fffffff;
-  uint32_t half = 0;
-  if (magnitude > 0x7f800000) {
-    half = 0x7e00;
-  } else if (magnitude >= 0x477ff000) {  // rounds beyond 65504
-    half = 0x7c00;
-  } else if (magnitude >= 0x38800000) {
-    const uint32_t rebiased = magnitude - 0x38000000;
-    half = (rebiased + 0xfff + (rebiased >> 13 & 1)) >> 13;
-  } else {
-    // Denormal: adding 0.5 leaves the value, rounded to steps of 2^-24, in the low bits.
-    half = std::bit_cast<uint32_t>(std::bit_cast<float>(magnitude) + 0.5F) - std::bit_cast<uint32_t>(0.5F);
-  }
-  return static_cast<uint16_t>(sign | half);
-}
-
-float floatFromHalf(uint16_t half) {
-  const uint32_t sign = static_cast<uint32_t>(half & 0x8000) << 16;
-  const uint32_t magnitude = half & 0x7fff;
-  uint32_t bits = 0;
-  if (magnitude >= 0x7c00)
-    bits = magnitude << 13 | 0x7f800000;
-  else
-    bits = std::bit_cast<uint32_t>(std::bit_cast<float>(magnitude << 13) * 0x1p112F);
-  return std::bit_cast<float>(sign | bits);
-}
 
 #if defined(__x86_64__)
 // By hand, because g++ 12 does not vectorise conversions to and from half.

@@ -18,6 +18,7 @@ struct ImageFileInfo {
   bool isFloat = false;
   int parts = 1;
   std::map<std::string, std::string> text;  ///< text attributes of the header
+  bool operator==(const ImageFileInfo&) const = default;
 };
 
 struct ImageFile {
@@ -25,24 +26,30 @@ struct ImageFile {
   ImageFileInfo info;
 };
 
-/// Reads a picture with all its channels. Parts of a multi-part EXR become layers (part name + dot +
-/// channel). EXR, PNG, TIFF, JPEG, Radiance HDR, camera raw (developed to linear camera RGB: no gamma, no
-/// automatic brightening, highlights not clipped, no white balance). Throws InputError that names the file.
+/// Reads a picture with all its channels. EXR, PNG, TIFF, JPEG, Radiance HDR, camera raw (developed to linear
+/// camera RGB: no gamma, no automatic brightening, highlights not clipped, no white balance). The image is
+/// the display window: what a smaller data window leaves out is 0. Parts of a multi-part EXR become layers
+/// (part name + dot + channel; a first part called rgb, rgba, main or beauty keeps its plain names). Alpha is
+/// not multiplied in. The spec's colour space is what the file says or its format implies (lin_rec709,
+/// acescg, aces2065_1, srgb, raw). Throws InputError that names the file: missing, not a picture, truncated,
+/// empty, too large.
 [[nodiscard]] ImageFile readImage(const std::filesystem::path& file);
 /// Header only: channel names and size.
 [[nodiscard]] ImageSpec readImageSpec(const std::filesystem::path& file, ImageFileInfo* info = nullptr);
 
 struct WriteOptions {
-  std::string pixelType;  ///< half | float | uint8 | uint16; empty: half for EXR, float for HDR, uint8 for
-                          ///< JPEG and PNG, uint16 for TIFF
-  std::vector<std::string> channelTypes;    ///< EXR: a type a channel, instead of pixelType
-  std::string compression;                  ///< empty: the format's own (EXR: zip)
+  /// half | float | uint8 | uint16; empty: half for EXR, float for HDR, uint8 for JPEG and PNG, uint16 for
+  /// TIFF. What a type cannot hold is clamped: half to +-65504, integers to 0..1 (NaN becomes 0 there).
+  std::string pixelType;
+  std::vector<std::string> channelTypes;    ///< EXR: half or float a channel, instead of pixelType
+  std::string compression;                  ///< empty: the format's own (EXR, TIFF: zip)
   std::map<std::string, std::string> text;  ///< attributes to put into the header
   int jpegQuality = 95;
 };
 
 /// Writes to a temporary name beside the file, then renames. The format follows the extension. Pixels are
-/// written as they are: no colour conversion. Throws InputError where it cannot be written.
+/// written as they are: no colour conversion. An EXR is told the chromaticities of the image's colour space,
+/// where they are known. Throws InputError where it cannot be written.
 void writeImage(const Image& image, const std::filesystem::path& file, const WriteOptions& options = {});
 
 }  // namespace swaplight

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace swaplight {
+
+/// The format of a picture by its first bytes (camera raw: by its extension): openexr, png, tiff, jpeg, hdr
+/// or raw, as OpenImageIO calls them. Throws InputError where the file is missing, empty, or none of these.
+[[nodiscard]] std::string imageFormatOf(const std::filesystem::path& file);
+
+/// The format that a file's extension asks for when writing: openexr, png, tiff, jpeg or hdr. Throws
+/// InputError that lists the extensions.
+[[nodiscard]] std::string imageFormatForWriting(const std::filesystem::path& file);
+
+/// Throws InputError where a picture would not fit into this machine's memory; `name` is the file.
+void checkImageFits(const std::string& name, int width, int height, int channels);
+
+/// Finds what decoders pass over without a word or complain of on standard error: a JPEG that ends in the
+/// middle of its picture (they pad it with grey), a PNG that ends early or whose checksums are wrong. Throws
+/// InputError.
+void checkIntegrity(const std::filesystem::path& file, const std::string& format);
+
+}  // namespace swaplight

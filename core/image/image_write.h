@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/color/chromaticities.h"
+#include "core/image/pixel_pack.h"
+#include "core/progress.h"
+
+namespace swaplight {
+
+/// A channel that is to be written: somebody else's plane, rows without gaps.
+struct ChannelToWrite {
+  std::string name;
+  const float* plane = nullptr;
+  PixelType type = PixelType::Half;
+};
+
+/// A part of a file; formats other than EXR have one, without a name.
+struct PartToWrite {
+  std::string name;
+  std::vector<ChannelToWrite> channels;
+};
+
+/// A file that is to be written, straight from planes that may belong to many images.
+struct FileToWrite {
+  int width = 0;
+  int height = 0;
+  std::vector<PartToWrite> parts;
+  std::string colorSpace;                   ///< srgb, or one with chromaticities; others are not said
+  std::string compression;                  ///< empty: zip for EXR and TIFF
+  std::map<std::string, std::string> text;  ///< attributes for the header
+  int jpegQuality = 95;
+};
+
+/// Writes to a temporary name, then renames. Throws InputError where it cannot be written.
+void writeChannels(const FileToWrite& contents, const std::filesystem::path& file,
+                   const Progress& progress = {});
+
+}  // namespace swaplight

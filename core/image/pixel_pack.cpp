@@ -1,0 +1,140 @@
+#include "core/image/pixel_pack.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "core/error.h"
+#include "core/image/half.h"
+#include "core/parallel.h"
+#include "core/simd.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kGrain = 16;  // rows
+
+template <typename T>
+inline T load(const std::byte* from) {
+  T value;
+  std::memcpy(&value, from, sizeof(T));
+  return value;
+}
+
+template <typename T>
+inline void store(std::byte* to, T value) {
+  std::memcpy(to, &value, sizeof(T));
+}
+
+inline float quantised(float value, float steps) {
+  const float scaled = value * steps + 0.5F;
+  return scaled > 0 ? (scaled < steps ? scaled : steps) : 0;  // NaN fails the first comparison
+}
+
+SWAPLIGHT_SIMD
+void unpackRow(const std::byte* in, size_t stride, PixelType type, float* out, int width) {
+  const auto count = static_cast<size_t>(width);
+  switch (type) {
+    case PixelType::UInt8:
+      for (size_t i = 0; i < count; ++i) out[i] = static_cast<float>(load<uint8_t>(in + i * stride)) / 255.0F;
+      break;
+    case PixelType::UInt16:
+      for (size_t i = 0; i < count; ++i)
+        out[i] = static_cast<float>(load<uint16_t>(in + i * stride)) / 65535.0F;
+      break;
+    case PixelType::UInt32:
+      for (size_t i = 0; i < count; ++i) out[i] = static_cast<float>(load<uint32_t>(in + i * stride));
+      break;
+    case PixelType::Half:
+      for (size_t i = 0; i < count; ++i) out[i] = floatFromHalf(load<uint16_t>(in + i * stride));
+      break;
+    case PixelType::Float:
+      for (size_t i = 0; i < count; ++i) out[i] = load<float>(in + i * stride);
+      break;
+  }
+}
+
+SWAPLIGHT_SIMD
+void packRow(const float* in, PixelType type, std::byte* out, size_t stride, int width) {
+  const auto count = static_cast<size_t>(width);
+  switch (type) {
+    case PixelType::UInt8:
+      for (size_t i = 0; i < count; ++i) store(out + i * stride, static_cast<uint8_t>(quantised(in[i], 255)));
+      break;
+    case PixelType::UInt16:
+      for (size_t i = 0; i < count; ++i)
+        store(out + i * stride, static_cast<uint16_t>(quantised(in[i], 65535)));
+      break;
+    case PixelType::UInt32:
+      for (size_t i = 0; i < count; ++i) store(out + i * stride, static_cast<uint32_t>(in[i]));
+      break;
+    case PixelType::Half:
+      for (size_t i = 0; i < count; ++i) store(out + i * stride, halfFromFloat(clampedToHalf(in[i])));
+      break;
+    case PixelType::Float:
+      for (size_t i = 0; i < count; ++i) store(out + i * stride, in[i]);
+      break;
+  }
+}
+
+constexpr std::array<std::pair<PixelType, const char*>, 5> kNames = {{{PixelType::UInt8, "uint8"},
+                                                                      {PixelType::UInt16, "uint16"},
+                                                                      {PixelType::UInt32, "uint32"},
+                                                                      {PixelType::Half, "half"},
+                                                                      {PixelType::Float, "float"}}};
+
+}  // namespace
+
+size_t bytesOf(PixelType type) {
+  if (type == PixelType::UInt8) return 1;
+  return type == PixelType::UInt16 || type == PixelType::Half ? 2 : 4;
+}
+
+std::string pixelTypeName(PixelType type) {
+  for (const auto& [known, name] : kNames)
+    if (known == type) return name;
+  return {};
+}
+
+PixelType pixelTypeFromName(const std::string& name) {
+  for (const auto& [type, known] : kNames)
+    if (name == known && type != PixelType::UInt32) return type;
+  throw InputError("the pixel type \"{}\" is not known. Known types: uint8, uint16, half, float.", name);
+}
+
+PackedLayout::PackedLayout(std::vector<PixelType> channelTypes) : types(std::move(channelTypes)) {
+  for (const PixelType type : types) {
+    offsets.push_back(pixelBytes);
+    pixelBytes += bytesOf(type);
+  }
+}
+
+void unpackPixels(const std::byte* rows, const PackedLayout& layout, int packedWidth, int firstX,
+                  const ImageSpan& out) {
+  const size_t rowBytes = layout.pixelBytes * static_cast<size_t>(packedWidth);
+  const size_t skipped = layout.pixelBytes * static_cast<size_t>(firstX);
+  parallelRows(out.height, kGrain, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int c = 0; c < out.channels; ++c) {
+        const auto channel = static_cast<size_t>(c);
+        const std::byte* row = rows + static_cast<size_t>(y) * rowBytes + skipped + layout.offsets[channel];
+        unpackRow(row, layout.pixelBytes, layout.types[channel], out.row(c, y), out.width);
+      }
+  });
+}
+
+void packPixels(std::span<const float* const> planes, int width, int height, const PackedLayout& layout,
+                std::byte* rows) {
+  const size_t rowBytes = layout.pixelBytes * static_cast<size_t>(width);
+  parallelRows(height, kGrain, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (size_t c = 0; c < planes.size(); ++c) {
+        const float* row = planes[c] + static_cast<ptrdiff_t>(y) * width;
+        std::byte* packed = rows + static_cast<size_t>(y) * rowBytes + layout.offsets[c];
+        packRow(row, layout.types[c], packed, layout.pixelBytes, width);
+      }
+  });
+}
+
+}  // namespace swaplight

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/image/image.h"
+
+namespace swaplight {
+
+/// How a file stores a number.
+enum class PixelType { UInt8, UInt16, UInt32, Half, Float };
+[[nodiscard]] size_t bytesOf(PixelType type);
+[[nodiscard]] std::string pixelTypeName(PixelType type);
+/// Throws InputError that lists the known: uint8, uint16, half, float.
+[[nodiscard]] PixelType pixelTypeFromName(const std::string& name);
+
+/// Pixels as files hold them: row after row, a pixel's channels side by side, each of its own type.
+struct PackedLayout {
+  explicit PackedLayout(std::vector<PixelType> channelTypes);
+  std::vector<PixelType> types;
+  std::vector<size_t> offsets;  ///< of each channel in a pixel, bytes
+  size_t pixelBytes = 0;
+};
+
+/// Packed rows to planes, in parallel. `rows` holds out.height rows of `packedWidth` pixels, of which those
+/// from `firstX` on are wanted. 8 and 16-bit integers are scaled to 0..1, 32-bit ones are not.
+void unpackPixels(const std::byte* rows, const PackedLayout& layout, int packedWidth, int firstX,
+                  const ImageSpan& out);
+
+/// Planes (row y at planes[c] + y * width) to packed rows, in parallel. What a type cannot hold is clamped:
+/// half to +-65504, integers to 0..1 and NaN to 0.
+void packPixels(std::span<const float* const> planes, int width, int height, const PackedLayout& layout,
+                std::byte* rows);
+
+}  // namespace swaplight
