@@ -1,7 +1,8 @@
 // The program `swaplight`: one verb a job.
-#include "app/program.h"
+#include "app/verbs.h"
 
 int main(int argc, char** argv) {
   swaplight::Program program;
+  addEvaluateVerb(program);
   return program.run(argc, argv);
 }

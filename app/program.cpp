@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kBadInput = 2;
 constexpr int kOutOfResources = 3;
+constexpr int kMostThreads = 1024;
 
 int fail(int code, std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
@@ -29,12 +30,13 @@ Program::Program() : m_app("Relight a set that has already been photographed.", 
 
 CLI::App& Program::addVerb(const std::string& name, const std::string& description, Run run) {
   CLI::App* app = m_app.add_subcommand(name, description);
+  app->footer("");
   Verb& verb = m_verbs.emplace_back(Verb{app, {}, std::move(run)});
   app->add_flag("--json", verb.options.json, "Print one JSON object on standard output")->group("Common");
   app->add_flag("-q,--quiet", verb.options.quiet, "Only errors on standard error")->group("Common");
   app->add_flag("-v,--verbose", verb.options.verbose, "Say more")->group("Common");
   app->add_option("--threads", verb.options.threads, "How many threads to use (default: one a core)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, kMostThreads).description(""))
       ->type_name("N")
       ->group("Common");
   return *app;

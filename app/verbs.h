@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/program.h"
+
+namespace swaplight {
+
+// One file a verb: each adds itself, its options and what it does to the program.
+
+void addEvaluateVerb(Program& program);
+
+}  // namespace swaplight

@@ -1,0 +1,43 @@
+"""What holds for every verb: help, version, threads, wrong calls."""
+import os
+import subprocess
+import unittest
+
+import swaplight_cli as cli
+
+
+class CommonTest(cli.CliTest):
+    def test_version_names_the_program(self):
+        self.assertRegex(self.succeed('--version').stdout, r'^swaplight \d+\.\d+\.\d+\n$')
+
+    def test_help_lists_the_verbs_and_every_verb_has_help(self):
+        overview = self.succeed('--help').stdout
+        verbs = [line.split()[0] for line in overview.split('Subcommands:')[1].splitlines() if line.startswith('  ')]
+        self.assertIn('evaluate', verbs)
+        for verb in verbs:
+            text = self.succeed(verb, '--help').stdout
+            for option in ('--help', '--json', '--quiet', '--verbose', '--threads'):
+                self.assertIn(option, text, verb)
+
+    def test_a_wrong_call_is_one_line_and_exit_2(self):
+        self.fail(naming='evaluate')
+        self.fail('develop', naming=['develop', 'evaluate'])
+        self.fail('--frobnicate', naming='--frobnicate')
+        self.fail('evaluate', 'a.exr', naming=['REFERENCE', '--help'])
+        self.fail('evaluate', 'a.exr', 'b.exr', '--frobnicate', naming=['--frobnicate', '--help'])
+        self.fail('evaluate', 'a.exr', 'b.exr', '--threads', 'many', naming='--threads')
+        self.fail('evaluate', 'a.exr', 'b.exr', '--threads', '-1', naming='--threads')
+
+    @unittest.skipUnless(os.path.exists('/dev/full'), 'no /dev/full here')
+    def test_standard_output_that_cannot_be_written_is_an_error(self):
+        path = self.path('a.exr')
+        cli.write_image(path, cli.contributions(1)[0])
+        with open('/dev/full', 'w') as full:
+            result = subprocess.run([cli.PROGRAM, 'evaluate', path, path], stdout=full, stderr=subprocess.PIPE,
+                                    text=True)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn('standard output', result.stderr)
+
+
+if __name__ == '__main__':
+    cli.main()
