@@ -36,5 +36,7 @@ struct SolveOptions {
 };
 
 [[nodiscard]] Json jsonFromSolveOptions(const SolveOptions& options);
+/// What is missing is at its default. `where` begins the messages. Throws InputError.
+[[nodiscard]] SolveOptions solveOptionsFromJson(const Json& json, const std::string& where = "solve");
 
 }  // namespace swaplight
