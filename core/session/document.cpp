@@ -1,0 +1,25 @@
+#include "core/session/document.h"
+
+#include <algorithm>
+
+namespace swaplight {
+
+size_t documentBytes(const Document& document, const Document& /*before*/) {
+  size_t bytes = sizeof(Document) + document.source.native().size();
+  for (const LightSetting& light : document.rig.lights)
+    bytes += sizeof(LightSetting) + light.light.size() + light.color.gel.size();
+  return bytes;
+}
+
+Rig fitRig(const Rig& rig, const Capture& capture) {
+  Rig fitted = defaultRig(capture);
+  fitted.ambient = rig.ambient;
+  for (LightSetting& setting : fitted.lights) {
+    const auto known = std::find_if(rig.lights.begin(), rig.lights.end(),
+                                    [&](const LightSetting& other) { return other.light == setting.light; });
+    if (known != rig.lights.end()) setting = *known;
+  }
+  return fitted;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/relight/rig.h"
+#include "core/solve/solve_options.h"
+
+namespace swaplight {
+
+/// The colour management of the picture on the monitor; empty names stand for the configuration's own.
+struct DisplayChoice {
+  std::string display;
+  std::string view;
+  bool operator==(const DisplayChoice&) const = default;
+};
+
+/// Everything of a session that is the person's work: saved, and undone by going back to an earlier value.
+/// A value: cheap to copy, because what is heavy is shared and never changed in place. Where the person is
+/// looking (zoom, panels) is no part of it.
+struct Document {
+  std::filesystem::path source;  ///< a capture or a solved set, absolute; empty where nothing is open
+  SolveOptions solve;            ///< how a capture is solved; without meaning for a solved set
+  Rig rig;                       ///< in the source's order of lights
+  DisplayChoice display;
+  bool operator==(const Document&) const = default;
+};
+
+/// Bytes that `document` holds and `before` does not share: what keeping it in the history costs.
+[[nodiscard]] size_t documentBytes(const Document& document, const Document& before);
+
+/// The rig for exactly the lights of a capture, in its order: settings are taken from `rig` by name, lights
+/// that it does not know are as captured, lights that the capture does not have are left out.
+[[nodiscard]] Rig fitRig(const Rig& rig, const Capture& capture);
+
+}  // namespace swaplight

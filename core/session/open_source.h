@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/progress.h"
+#include "core/solve/solve_options.h"
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// What a path that a person has chosen can be.
+enum class SourceKind { Capture, SolvedSet, Session, Folder, Other };
+
+/// By extension, and for EXR by the header. A folder with a capture.json is that capture.
+[[nodiscard]] SourceKind sourceKind(const std::filesystem::path& path);
+
+/// The file that is meant: the capture.json of a folder, else the path itself; absolute.
+[[nodiscard]] std::filesystem::path sourceFile(const std::filesystem::path& path);
+
+/// A set from a solved file or, solving it, from a capture. Throws InputError, which says what can be opened,
+/// for anything else; Stopped when asked to.
+[[nodiscard]] SolvedSet openSource(const std::filesystem::path& path, const SolveOptions& options,
+                                   const Progress& progress = {});
+
+}  // namespace swaplight

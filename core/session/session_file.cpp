@@ -1,0 +1,98 @@
+#include "core/session/session_file.h"
+
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "core/file/json_fields.h"
+#include "core/file/json_file.h"
+#include "core/session/unknown_keys.h"
+
+namespace swaplight {
+namespace {
+
+constexpr const char* kFormat = "swaplight-session";
+
+std::string writtenPath(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  if (path.empty() || folder.empty()) return path.generic_string();
+  return std::filesystem::absolute(path)
+      .lexically_normal()
+      .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
+      .generic_string();
+}
+
+std::filesystem::path readPath(const std::string& text, const std::filesystem::path& folder) {
+  if (text.empty()) return {};
+  return std::filesystem::absolute(folder / text).lexically_normal();
+}
+
+Json jsonFromDisplay(const DisplayChoice& display) {
+  return Json{{"display", display.display}, {"view", display.view}};
+}
+
+DisplayChoice displayFromJson(const Json& json, const std::string& where) {
+  JsonFields fields(json, where);
+  return {fields.text("display").value_or(""), fields.text("view").value_or("")};
+}
+
+std::vector<std::string> topLevelNames(const Json& unknown) {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : unknown.items()) names.push_back(key);
+  return names;
+}
+
+}  // namespace
+
+Json jsonFromSession(const Session& session, const std::filesystem::path& folder) {
+  const Document& document = session.document;
+  Json json;
+  json["format"] = kFormat;
+  json["version"] = session.version;
+  json["source"] = writtenPath(document.source, folder);
+  json["solve"] = jsonFromSolveOptions(document.solve);
+  json["rig"] = jsonFromRig(document.rig);
+  json["display"] = jsonFromDisplay(document.display);
+  if (!session.studio.empty()) json["studio"] = session.studio;
+  keepUnknownKeys(json, session.unknown);
+  return json;
+}
+
+Session sessionFromJson(const Json& json, const std::filesystem::path& folder, const std::string& name) {
+  JsonFields fields(json, name);
+  if (fields.text("format").value_or("") != kFormat)
+    throw InputError("{}: not a session: its \"format\" is not \"{}\"", name, kFormat);
+  Session session;
+  session.version = static_cast<int>(fields.number("version", 1, 1e6).value_or(kSessionVersion));
+  session.document.source = readPath(fields.text("source").value_or(""), folder);
+  if (const Json* solve = fields.find("solve"))
+    session.document.solve = solveOptionsFromJson(*solve, name + ": solve");
+  if (const Json* rig = fields.find("rig")) session.document.rig = rigFromJson(*rig, name + ": rig");
+  if (const Json* display = fields.find("display"))
+    session.document.display = displayFromJson(*display, name + ": display");
+  if (const Json* studio = fields.find("studio")) session.studio = *studio;
+
+  session.unknown = unknownKeys(json, jsonFromSession(session, folder));
+  const std::vector<std::string> strangers = topLevelNames(session.unknown);
+  if (session.version > kSessionVersion)
+    session.warnings.push_back(fmt::format(
+        "{}: written by a newer Swaplight (version {}, this one knows {}). What this one does not "
+        "understand is kept when you save.",
+        name, session.version, kSessionVersion));
+  else if (!strangers.empty())
+    session.warnings.push_back(
+        fmt::format("{}: unknown keys are kept: {}", name, fmt::join(strangers, ", ")));
+  return session;
+}
+
+Session readSession(const std::filesystem::path& file) {
+  return sessionFromJson(readJson(file), std::filesystem::absolute(file).parent_path(), file.string());
+}
+
+void writeSession(const Session& session, const std::filesystem::path& file) {
+  writeJson(jsonFromSession(session, std::filesystem::absolute(file).parent_path()), file);
+}
+
+bool isSessionFile(const std::filesystem::path& file) {
+  return file.extension() == ".swaplight";
+}
+
+}  // namespace swaplight
