@@ -4,8 +4,8 @@
 
 namespace swaplight {
 
-/// Which part of a picture a viewer shows, and how large. A point of the picture p is seen at (p - left/top) *
-/// zoom; pixel (0, 0) of the picture covers 0..1.
+/// Which part of a picture a viewer shows, and how large. A point of the picture p is seen at (p - left/top)
+/// * zoom; pixel (0, 0) of the picture covers 0..1.
 struct ViewWindow {
   double left = 0;  ///< picture coordinate at the window's left edge
   double top = 0;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "core/image/image.h"
+
+namespace swaplight {
+
+/// A picture and its halves: level 0 is the picture, level n + 1 is level n with every 2 x 2 pixels averaged
+/// (a last odd row or column averages what there is). So that a small view of a large picture reads few
+/// pixels and does not flicker.
+class Pyramid {
+ public:
+  /// The picture must outlive the pyramid. Builds every level down to a side of 64.
+  explicit Pyramid(ImageView picture);
+
+  [[nodiscard]] int levels() const { return static_cast<int>(m_halves.size()) + 1; }
+  [[nodiscard]] ImageView level(int index) const {
+    return index == 0 ? m_picture : m_halves[static_cast<size_t>(index) - 1].view();
+  }
+  [[nodiscard]] int width() const { return m_picture.width; }
+  [[nodiscard]] int height() const { return m_picture.height; }
+
+ private:
+  ImageView m_picture;
+  std::vector<Image> m_halves;
+};
+
+/// Every 2 x 2 pixels averaged.
+[[nodiscard]] Image halveImage(ImageView image);
+
+}  // namespace swaplight

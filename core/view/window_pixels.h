@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "core/color/rgb.h"
+#include "core/view/pyramid.h"
+#include "core/view/view_window.h"
+
+namespace swaplight {
+
+/// One addend of what is shown: a picture of three channels, or of one that counts for all three, times a
+/// factor.
+struct ViewLayer {
+  const Pyramid* picture = nullptr;
+  Rgb factor{1, 1, 1};
+};
+
+/// Brings a row of linear pixels to the monitor: `count` pixels as 8-bit R G B A. Called from several
+/// threads.
+using RowCodes =
+    std::function<void(const float* r, const float* g, const float* b, int count, uint8_t* rgba)>;
+
+/// The pixels of a window: the layers' sum at the window's size, through `codes`, into rows of
+/// window.width * 4 bytes. The layers are of one size, and the window lies inside of them. Shrunk pictures
+/// are read from the nearest level of their pyramid and interpolated; enlarged ones show their pixels as
+/// squares. What is read is what is seen: each visible pixel of that level once, whatever the number of
+/// layers.
+void windowPixels(std::span<const ViewLayer> layers, const ViewWindow& window, const RowCodes& codes,
+                  uint8_t* rgba);
+
+/// The same before `codes`: linear R G B of the window's size.
+void windowLinear(std::span<const ViewLayer> layers, const ViewWindow& window, ImageSpan out);
+
+}  // namespace swaplight

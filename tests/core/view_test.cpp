@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/view/window_pixels.h"
+
+namespace swaplight {
+namespace {
+
+Image gradient(int width, int height) {
+  Image image(ImageSpec::rgb(width, height));
+  const ImageSpan pixels = image.span();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      pixels.at(0, x, y) = static_cast<float>(x);
+      pixels.at(1, x, y) = static_cast<float>(y);
+      pixels.at(2, x, y) = 1;
+    }
+  return image;
+}
+
+Image shown(std::span<const ViewLayer> layers, const ViewWindow& window) {
+  Image out(ImageSpec::rgb(window.width, window.height));
+  windowLinear(layers, window, out.span());
+  return out;
+}
+
+TEST(WindowPixels, AtOneToOneAreTheSumOfTheLayersToTheBit) {
+  const Image picture = gradient(101, 67);
+  const Pyramid pyramid(picture.view());
+  const ViewLayer layers[] = {{&pyramid, {1, 2, 0.5F}}, {&pyramid, {0.25F, 0, 1}}};
+  const Image out = shown(layers, {13, 7, 1, 40, 30});
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) {
+      EXPECT_EQ(out.view().at(0, x, y), 1.25F * static_cast<float>(x + 13));
+      EXPECT_EQ(out.view().at(1, x, y), 2.0F * static_cast<float>(y + 7));
+      EXPECT_EQ(out.view().at(2, x, y), 1.5F);
+    }
+}
+
+TEST(WindowPixels, EnlargedShowSquares) {
+  const Image picture = gradient(16, 16);
+  const Pyramid pyramid(picture.view());
+  const ViewLayer layer{&pyramid};
+  const Image out = shown({&layer, 1}, {2.5, 1, 8, 80, 60});
+  for (int x = 0; x < 80; ++x)
+    EXPECT_EQ(out.view().at(0, x, 5), std::floor(2.5F + (static_cast<float>(x) + 0.5F) / 8));
+  for (int y = 0; y < 60; ++y)
+    EXPECT_EQ(out.view().at(1, 5, y), std::floor(1 + (static_cast<float>(y) + 0.5F) / 8));
+}
+
+TEST(WindowPixels, ShrunkKeepTheirPlace) {
+  const Image picture = gradient(1024, 768);
+  const Pyramid pyramid(picture.view());
+  const ViewLayer layer{&pyramid};
+  for (const double zoom : {0.9, 0.71, 0.5, 0.3, 0.11}) {
+    const ViewWindow window{100, 50, zoom, 60, 40};
+    const Image out = shown({&layer, 1}, window);
+    for (int y = 1; y < 39; ++y)
+      for (int x = 1; x < 59; ++x) {
+        EXPECT_NEAR(out.view().at(0, x, y), window.pictureX(x + 0.5) - 0.5, 1e-2) << zoom;
+        EXPECT_NEAR(out.view().at(1, x, y), window.pictureY(y + 0.5) - 0.5, 1e-2) << zoom;
+      }
+  }
+}
+
+TEST(WindowPixels, AGreyLayerCountsForAllChannels) {
+  Image grey(ImageSpec{8, 8, {"Y"}, "data"}, 0.5F);
+  const Pyramid pyramid(grey.view());
+  const ViewLayer layer{&pyramid};
+  const Image out = shown({&layer, 1}, {0, 0, 1, 8, 8});
+  for (int c = 0; c < 3; ++c) EXPECT_EQ(out.view().at(c, 3, 3), 0.5F);
+}
+
+TEST(Pyramid, OddSidesAverageWhatThereIs) {
+  Image image(ImageSpec{5, 3, {"Y"}, "data"});
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 5; ++x) image.span().at(0, x, y) = static_cast<float>(x);
+  const Image half = halveImage(image.view());
+  EXPECT_EQ(half.width(), 3);
+  EXPECT_EQ(half.height(), 2);
+  EXPECT_EQ(half.view().at(0, 0, 0), 0.5F);
+  EXPECT_EQ(half.view().at(0, 2, 1), 4.0F);
+}
+
+}  // namespace
+}  // namespace swaplight
