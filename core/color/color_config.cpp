@@ -1,0 +1,244 @@
+#include "core/color/color_config.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "core/color/color_config_impl.h"
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace swaplight {
+namespace {
+
+/// The names that every capture may use (FORMATS 1), whatever configuration is in use.
+constexpr std::array<const char*, 5> kAlwaysKnown = {"lin_rec709", "srgb", "acescg", "aces2065_1", "raw"};
+constexpr int kGrain = 16;  // rows
+
+std::string join(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// OpenColorIO's words in one line.
+std::string oneLine(std::string words) {
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  return words;
+}
+
+template <typename Work>
+auto inWords(const std::string& config, const Work& work) {
+  try {
+    return work();
+  } catch (const OCIO::Exception& error) {
+    throw InputError("{}: OpenColorIO: {}", config, oneLine(error.what()));
+  }
+}
+
+/// Finds a colour space that a foreign configuration and the built-in one both have: by its interchange role,
+/// by the names that the usual configurations give it, or by the guess that its scene-linear is Rec.709.
+void findBridge(ColorConfig::Impl& impl) {
+  const std::array<std::array<const char*, 2>, 10> candidates = {{{"aces2065_1", "aces_interchange"},
+                                                                  {"aces2065_1", "ACES2065-1"},
+                                                                  {"aces2065_1", "ACES - ACES2065-1"},
+                                                                  {"acescg", "ACEScg"},
+                                                                  {"acescg", "ACES - ACEScg"},
+                                                                  {"lin_rec709", "lin_rec709"},
+                                                                  {"lin_rec709", "Linear Rec.709 (sRGB)"},
+                                                                  {"lin_rec709", "Utility - Linear - sRGB"},
+                                                                  {"lin_rec709", "scene_linear"},
+                                                                  {"lin_rec709", "linear"}}};
+  for (const auto& [ours, theirs] : candidates) {
+    const auto space = impl.config->getColorSpace(theirs);
+    if (!space || space->isData()) continue;
+    impl.bridgeBuiltin = ours;
+    impl.bridgeHere = space->getName();
+    return;
+  }
+}
+
+const OCIO::ConstConfigRcPtr& sharedBuiltin() {
+  static const OCIO::ConstConfigRcPtr config = builtinConfig();
+  return config;
+}
+
+/// One processor that does one thing after the other.
+OCIO::ConstProcessorRcPtr chain(const OCIO::ConstConfigRcPtr& config, const OCIO::ConstProcessorRcPtr& first,
+                                const OCIO::ConstProcessorRcPtr& second) {
+  const auto both = OCIO::GroupTransform::Create();
+  both->appendTransform(first->createGroupTransform());
+  both->appendTransform(second->createGroupTransform());
+  return config->getProcessor(both);
+}
+
+OCIO::ConstProcessorRcPtr viewIn(const OCIO::ConstConfigRcPtr& config, const std::string& from,
+                                 const std::string& display, const std::string& view) {
+  const auto transform = OCIO::DisplayViewTransform::Create();
+  transform->setSrc(from.c_str());
+  transform->setDisplay(display.c_str());
+  transform->setView(view.c_str());
+  return config->getProcessor(transform);
+}
+
+/// Runs a processor over the first three planes, bands of rows in parallel.
+void applyProcessor(const OCIO::ConstProcessorRcPtr& processor, const ImageSpan& image) {
+  if (processor->isNoOp()) return;
+  // Lossless: the default optimisation replaces powers by approximations.
+  const auto cpu = processor->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32,
+                                                       OCIO::OPTIMIZATION_LOSSLESS);
+  constexpr auto kFloat = static_cast<ptrdiff_t>(sizeof(float));
+  parallelRows(image.height, kGrain, [&](int begin, int end) {
+    OCIO::PlanarImageDesc band(image.row(0, begin), image.row(1, begin), image.row(2, begin), nullptr,
+                               image.width, end - begin, OCIO::BIT_DEPTH_F32, kFloat,
+                               image.rowStride * kFloat);
+    cpu->apply(band);
+  });
+}
+
+void checkThreeChannels(const ImageSpan& image) {
+  if (image.channels < 3)
+    throw InputError("a picture with {} channels has no colour to convert, expected R, G, B.",
+                     image.channels);
+}
+
+void clampToUnit(const ImageSpan& image) {
+  parallelRows(image.height, kGrain, [&](int begin, int end) {
+    for (int c = 0; c < 3; ++c)
+      for (int y = begin; y < end; ++y) {
+        float* row = image.row(c, y);
+        for (int x = 0; x < image.width; ++x) row[x] = row[x] > 0 ? (row[x] < 1 ? row[x] : 1) : 0;  // NaN: 0
+      }
+  });
+}
+
+}  // namespace
+
+bool ColorConfig::Impl::has(const std::string& colorSpace) const {
+  return config->getColorSpace(colorSpace.c_str()) != nullptr;
+}
+
+OCIO::ConstProcessorRcPtr ColorConfig::Impl::conversion(const std::string& from,
+                                                        const std::string& to) const {
+  return inWords(name, [&]() -> OCIO::ConstProcessorRcPtr {
+    const OCIO::ConstConfigRcPtr& known = sharedBuiltin();
+    const auto in = [&](const char* a, const char* b) { return config->getProcessor(a, b); };
+    const auto inBuiltin = [&](const char* a, const char* b) { return known->getProcessor(a, b); };
+    const bool fromHere = has(from);
+    const bool toHere = has(to);
+    if (fromHere && toHere) return in(from.c_str(), to.c_str());
+    if (!fromHere && !toHere) return inBuiltin(from.c_str(), to.c_str());
+    if (fromHere)
+      return chain(config, in(from.c_str(), bridgeHere.c_str()),
+                   inBuiltin(bridgeBuiltin.c_str(), to.c_str()));
+    return chain(config, inBuiltin(from.c_str(), bridgeBuiltin.c_str()), in(bridgeHere.c_str(), to.c_str()));
+  });
+}
+
+OCIO::ConstProcessorRcPtr ColorConfig::Impl::view(const std::string& from, const std::string& display,
+                                                  const std::string& view) const {
+  return inWords(name, [&]() -> OCIO::ConstProcessorRcPtr {
+    if (has(from)) return viewIn(config, from, display, view);
+    return chain(config, sharedBuiltin()->getProcessor(from.c_str(), bridgeBuiltin.c_str()),
+                 viewIn(config, bridgeHere, display, view));
+  });
+}
+
+ColorConfig::ColorConfig(const std::string& ocioFile) : m_impl(std::make_unique<Impl>()) {
+  OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
+  m_impl->name = ocioFile.empty() ? "built-in" : ocioFile;
+  if (ocioFile.empty()) {
+    m_impl->config = sharedBuiltin();
+    return;
+  }
+  inWords(ocioFile, [&] {
+    m_impl->config = OCIO::Config::CreateFromFile(ocioFile.c_str());
+    m_impl->config->validate();
+    findBridge(*m_impl);
+  });
+  if (m_impl->bridgeHere.empty())
+    throw InputError(
+        "{}: OpenColorIO: the configuration has no scene-linear colour space. Give it the role "
+        "scene_linear or aces_interchange.",
+        ocioFile);
+}
+
+ColorConfig::~ColorConfig() = default;
+
+const ColorConfig& ColorConfig::current() {
+  static const ColorConfig config([] {
+    const char* file = std::getenv("OCIO");  // NOLINT(concurrency-mt-unsafe)
+    return std::string(file ? file : "");
+  }());
+  return config;
+}
+
+std::string ColorConfig::name() const {
+  return m_impl->name;
+}
+
+std::vector<std::string> ColorConfig::colorSpaces() const {
+  std::vector<std::string> names;
+  for (int i = 0; i < m_impl->config->getNumColorSpaces(); ++i) {
+    const std::string name = m_impl->config->getColorSpaceNameByIndex(i);
+    const auto space = m_impl->config->getColorSpace(name.c_str());
+    if (space->getReferenceSpaceType() == OCIO::REFERENCE_SPACE_SCENE) names.push_back(name);
+  }
+  for (const char* name : kAlwaysKnown)
+    if (!m_impl->has(name)) names.emplace_back(name);
+  return names;
+}
+
+std::vector<std::string> ColorConfig::displays() const {
+  std::vector<std::string> names;
+  for (int i = 0; i < m_impl->config->getNumDisplays(); ++i)
+    names.emplace_back(m_impl->config->getDisplay(i));
+  return names;
+}
+
+std::vector<std::string> ColorConfig::views(const std::string& display) const {
+  std::vector<std::string> names;
+  for (int i = 0; i < m_impl->config->getNumViews(display.c_str()); ++i)
+    names.emplace_back(m_impl->config->getView(display.c_str(), i));
+  return names;
+}
+
+std::string ColorConfig::defaultDisplay() const {
+  return m_impl->config->getDefaultDisplay();
+}
+
+std::string ColorConfig::defaultView(const std::string& display) const {
+  return m_impl->config->getDefaultView(display.c_str());
+}
+
+void ColorConfig::checkColorSpace(const std::string& name) const {
+  const bool always = std::find(kAlwaysKnown.begin(), kAlwaysKnown.end(), name) != kAlwaysKnown.end();
+  if (always || m_impl->has(name)) return;
+  throw InputError("the colour space \"{}\" is not known. Known ({}): {}.", name, m_impl->name,
+                   join(colorSpaces()));
+}
+
+void ColorConfig::convert(ImageSpan image, const std::string& from, const std::string& to) const {
+  checkColorSpace(from);
+  checkColorSpace(to);
+  if (from == to) return;
+  checkThreeChannels(image);
+  applyProcessor(m_impl->conversion(from, to), image);
+}
+
+void ColorConfig::applyView(ImageSpan image, const std::string& from, const std::string& display,
+                            const std::string& view) const {
+  checkColorSpace(from);
+  checkThreeChannels(image);
+  const std::vector<std::string> known = displays();
+  if (std::find(known.begin(), known.end(), display) == known.end())
+    throw InputError("the display \"{}\" is not known. Known ({}): {}.", display, m_impl->name, join(known));
+  const std::vector<std::string> knownViews = views(display);
+  if (std::find(knownViews.begin(), knownViews.end(), view) == knownViews.end())
+    throw InputError("the display \"{}\" has no view \"{}\". Known ({}): {}.", display, view, m_impl->name,
+                     join(knownViews));
+  applyProcessor(m_impl->view(from, display, view), image);
+  clampToUnit(image);
+}
+
+}  // namespace swaplight

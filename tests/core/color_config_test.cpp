@@ -1,0 +1,162 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/color/color_config.h"
+#include "tests/core/temporary_folder.h"
+
+namespace swaplight {
+namespace {
+
+using test::inputError;
+using test::TemporaryFolder;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// Red in the first pixel, green, blue, white, grey, and a ramp to 2 in the rest.
+Image colours() {
+  Image image(ImageSpec::rgb(64, 3), 0.0F);
+  for (int c = 0; c < 3; ++c) {
+    image.plane(c)[c] = 1;
+    image.plane(c)[3] = 1;
+    image.plane(c)[4] = 0.18F;
+    for (size_t p = 5; p < image.pixelCount(); ++p) image.plane(c)[p] = static_cast<float>(p - 5) / 93.0F;
+  }
+  return image;
+}
+
+double encodeSrgb(double x) {
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+}
+
+TEST(ColorConfig, ThePlainViewIsThePiecewiseSrgbCurve) {
+  const ColorConfig config("");
+  EXPECT_EQ(config.defaultDisplay(), "sRGB");
+  EXPECT_EQ(config.defaultView("sRGB"), "sRGB");
+  Image image = colours();
+  config.applyView(image.span(), "lin_rec709", "sRGB", "sRGB");
+  const Image in = colours();
+  for (int c = 0; c < 3; ++c)
+    for (size_t p = 0; p < in.pixelCount(); ++p)
+      ASSERT_NEAR(image.plane(c)[p], std::min(1.0, encodeSrgb(in.plane(c)[p])), 1e-5) << in.plane(c)[p];
+}
+
+TEST(ColorConfig, PublishedNumbersOfTheColourSpaces) {
+  const ColorConfig config("");
+  Image image = colours();
+  config.convert(image.span(), "lin_rec709", "acescg");  // the columns of the Bradford-adapted matrix
+  EXPECT_NEAR(image.plane(0)[0], 0.613097F, 1e-4F);
+  EXPECT_NEAR(image.plane(1)[0], 0.070194F, 1e-4F);
+  EXPECT_NEAR(image.plane(2)[2], 0.869815F, 1e-4F);
+  EXPECT_NEAR(image.plane(0)[3], 1, 1e-5F) << "white stays white";
+  image = colours();
+  config.convert(image.span(), "lin_rec709", "aces2065_1");
+  EXPECT_NEAR(image.plane(0)[0], 0.439633F, 1e-4F);
+  EXPECT_NEAR(image.plane(1)[1], 0.813439F, 1e-4F);
+  image = Image(ImageSpec::rgb(1, 1), 0.5F);
+  config.convert(image.span(), "srgb", "lin_rec709");
+  EXPECT_NEAR(image.plane(1)[0], 0.21404114F, 1e-6F);
+  image = Image(ImageSpec::rgb(1, 1), 0.18F);
+  config.applyView(image.span(), "lin_rec709", "Rec.709", "Rec.709");
+  EXPECT_NEAR(image.plane(0)[0], std::pow(0.18F, 1 / 2.4F), 1e-5F) << "BT.1886";
+}
+
+TEST(ColorConfig, TheAcesOutputOfMiddleGreyIsATenthOfWhiteBeforeTheDimSurround) {
+  const ColorConfig config("");
+  Image image(ImageSpec::rgb(1, 1), 0.18F);
+  config.applyView(image.span(), "lin_rec709", "sRGB", "ACES SDR");
+  // ACES 1.x: 4.8 nits of 48, black 0.02; then the gamma of a dim surround.
+  const double linear = std::pow((4.8 - 0.02) / (48 - 0.02), 0.9811);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(image.plane(c)[0], encodeSrgb(linear), 1e-3);
+}
+
+TEST(ColorConfig, EveryConversionAndViewWorksAndConversionsComeBack) {
+  const ColorConfig config("");
+  for (const std::string& space : config.colorSpaces()) {
+    Image image = colours();
+    config.convert(image.span(), "lin_rec709", space);
+    config.convert(image.span(), space, "lin_rec709");
+    const Image in = colours();
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < in.pixelCount(); ++p)
+        ASSERT_NEAR(image.plane(c)[p], in.plane(c)[p], 2e-4F) << space;
+  }
+  EXPECT_THAT(config.displays(), ElementsAre("sRGB", "Rec.709", "P3-D65"));
+  for (const std::string& display : config.displays())
+    for (const std::string& view : config.views(display)) {
+      Image image = colours();
+      image.plane(1)[7] = std::numeric_limits<float>::quiet_NaN();
+      image.plane(2)[8] = std::numeric_limits<float>::infinity();
+      image.plane(0)[9] = -3;
+      config.applyView(image.span(), "acescg", display, view);
+      for (int c = 0; c < 3; ++c)
+        for (size_t p = 0; p < image.pixelCount(); ++p)
+          ASSERT_TRUE(image.plane(c)[p] >= 0 && image.plane(c)[p] <= 1) << display << " " << view << " " << p;
+    }
+}
+
+TEST(ColorConfig, UnknownNamesAreListed) {
+  const ColorConfig config("");
+  Image image = colours();
+  EXPECT_THAT(
+      inputError([&] { config.convert(image.span(), "rec2020", "srgb"); }),
+      AllOf(HasSubstr("\"rec2020\" is not known"), HasSubstr("lin_rec709, srgb, acescg, aces2065_1")));
+  EXPECT_THAT(inputError([&] { config.applyView(image.span(), "srgb", "TV", "Raw"); }),
+              HasSubstr("sRGB, Rec.709"));
+  EXPECT_THAT(inputError([&] { config.applyView(image.span(), "srgb", "sRGB", "Film"); }),
+              HasSubstr("has no view \"Film\". Known (built-in): sRGB, ACES SDR"));
+}
+
+constexpr const char* kForeign = R"(ocio_profile_version: 2
+roles:
+  default: plate
+  scene_linear: work
+  aces_interchange: interchange
+displays:
+  Monitor:
+    - !<View> {name: Film, colorspace: halved}
+    - !<View> {name: None, colorspace: work}
+colorspaces:
+  - !<ColorSpace>
+    name: interchange
+  - !<ColorSpace>
+    name: work
+    to_scene_reference: !<BuiltinTransform> {style: ACEScg_to_ACES2065-1}
+  - !<ColorSpace>
+    name: halved
+    from_scene_reference: !<MatrixTransform> {matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}
+  - !<ColorSpace>
+    name: plate
+    isdata: true
+)";
+
+TEST(ColorConfig, AForeignConfigurationIsGivenTheNamesThatCapturesUse) {
+  const TemporaryFolder folder;
+  test::writeBytes(folder / "config.ocio", kForeign);
+  const ColorConfig config((folder / "config.ocio").string());
+  EXPECT_THAT(config.colorSpaces(), AllOf(Contains("work"), Contains("lin_rec709"), Contains("srgb")));
+  Image image = colours();
+  config.convert(image.span(), "lin_rec709", "work");
+  EXPECT_NEAR(image.plane(0)[0], 0.613097F, 1e-4F) << "work is ACEScg";
+  config.convert(image.span(), "work", "srgb");
+  EXPECT_NEAR(image.plane(1)[4], encodeSrgb(0.18), 1e-4);
+  image = Image(ImageSpec::rgb(1, 1), 0.5F);
+  config.applyView(image.span(), "lin_rec709", "Monitor", "Film");
+  EXPECT_NEAR(image.plane(0)[0], 0.25F, 1e-4F);
+}
+
+TEST(ColorConfig, ABrokenConfigurationIsSaidInOneLine) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(inputError([&] { const ColorConfig config((folder / "none.ocio").string()); }),
+              HasSubstr("none.ocio"));
+  test::writeBytes(folder / "bad.ocio", "ocio_profile_version: 2\nroles: [\n");
+  EXPECT_THAT(inputError([&] { const ColorConfig config((folder / "bad.ocio").string()); }),
+              HasSubstr("bad.ocio"));
+}
+
+}  // namespace
+}  // namespace swaplight
