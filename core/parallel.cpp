@@ -1,5 +1,6 @@
 #include "core/parallel.h"
 
+#include <OpenImageIO/imageio.h>
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <opencv2/core/utility.hpp>
 
 namespace swaplight {
 namespace {
@@ -31,6 +33,9 @@ void setThreads(int count) {
   limit().reset();
   limit() = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                   static_cast<size_t>(threads));
+  OIIO::attribute("threads", threads);
+  OIIO::attribute("exr_threads", threads);
+  cv::setNumThreads(threads);
 }
 
 int threadCount() {

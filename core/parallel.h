@@ -8,7 +8,8 @@ namespace swaplight {
 /// setThreads). A band has at most `grain` rows. What work throws reaches the caller.
 void parallelRows(int height, int grain, const std::function<void(int begin, int end)>& work);
 
-/// How many threads the process uses; 0 or less: one a core. Lasts until the next call.
+/// How many threads the process uses, reading and writing pictures included; 0 or less: one a core. Lasts
+/// until the next call.
 void setThreads(int count);
 [[nodiscard]] int threadCount();
 

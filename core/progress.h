@@ -19,6 +19,17 @@ struct Progress {
     if (stop && stop->load(std::memory_order_relaxed)) throw Stopped();
     if (report) report(fraction, what);
   }
+
+  /// For a part of the work: its 0..1 is this one's from..to. Valid as long as this one.
+  [[nodiscard]] Progress part(float from, float to) const {
+    Progress progress;
+    progress.stop = stop;
+    if (report)
+      progress.report = [this, from, to](float fraction, std::string_view what) {
+        report(from + fraction * (to - from), what);
+      };
+    return progress;
+  }
 };
 
 }  // namespace swaplight

@@ -108,6 +108,10 @@ void AtomicFile::fail(std::string_view detail) const {
   throw InputError("{}: cannot be written: {}", m_target.string(), detail);
 }
 
+void checkWritable(const std::filesystem::path& target) {
+  const AtomicFile probe(target);
+}
+
 void writeFile(const fs::path& target, std::string_view bytes) {
   AtomicFile file(target);
   {

@@ -38,6 +38,9 @@ class AtomicFile {
   bool m_committed = false;
 };
 
+/// Throws what an AtomicFile for this target would, before the work that makes it.
+void checkWritable(const std::filesystem::path& target);
+
 /// Writes the bytes, atomically. Throws InputError as AtomicFile does.
 void writeFile(const std::filesystem::path& file, std::string_view bytes);
 
