@@ -1,0 +1,60 @@
+#include "core/export/frame_file.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/color/color_config.h"
+#include "core/error.h"
+#include "core/image/image_format.h"
+
+namespace swaplight {
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool hasView(const FrameOptions& options) {
+  return !options.display.empty() || !options.view.empty();
+}
+
+}  // namespace
+
+bool isSceneLinear(const std::filesystem::path& file) {
+  const std::string format = imageFormatForWriting(file);
+  return format == "openexr" || format == "hdr";
+}
+
+void checkFrame(const std::filesystem::path& file, const FrameOptions& options) {
+  static_cast<void>(imageFormatForWriting(file));
+  if (!hasView(options)) return;
+  if (options.linear)
+    throw InputError("a frame is either linear or seen through a view: ask for one of them");
+  const ColorConfig& config = ColorConfig::current();
+  const std::string display = options.display.empty() ? config.defaultDisplay() : options.display;
+  if (!contains(config.displays(), display))
+    throw InputError("there is no display '{}'; {} has {}", display, config.name(),
+                     fmt::join(config.displays(), ", "));
+  if (!options.view.empty() && !contains(config.views(display), options.view))
+    throw InputError("the display {} has no view '{}'; it has {}", display, options.view,
+                     fmt::join(config.views(display), ", "));
+}
+
+void writeFrame(Image frame, const std::filesystem::path& file, const FrameOptions& options) {
+  checkFrame(file, options);
+  const std::string space = frame.spec().colorSpace;
+  const ColorConfig& config = ColorConfig::current();
+  if (hasView(options)) {
+    const std::string display = options.display.empty() ? config.defaultDisplay() : options.display;
+    const std::string view = options.view.empty() ? config.defaultView(display) : options.view;
+    config.applyView(frame.span(), space, display, view);
+    frame.setColorSpace("data");
+  } else if (!options.linear && !isSceneLinear(file)) {
+    config.convert(frame.span(), space, "srgb");
+    frame.setColorSpace("srgb");
+  }
+  writeImage(frame, file, options.write);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/image/image.h"
+#include "core/image/image_io.h"
+
+namespace swaplight {
+
+/// How a frame leaves the program.
+struct FrameOptions {
+  /// Scene-linear pixels, whatever the format. Without it and without a view: EXR and HDR are scene-linear,
+  /// all other formats are plain sRGB.
+  bool linear = false;
+  std::string display;  ///< of the colour configuration; empty: its default one
+  std::string view;     ///< of that display; empty: its default one, where a display is named
+  WriteOptions write;
+};
+
+/// True where a frame is scene-linear unless a view is asked for, by the file's extension. Throws InputError
+/// that lists the formats.
+[[nodiscard]] bool isSceneLinear(const std::filesystem::path& file);
+
+/// What can be said before the frame is there. Throws InputError, listing the known ones, where the file's
+/// format, the display or the view is unknown, and where a view is asked for together with linear.
+void checkFrame(const std::filesystem::path& file, const FrameOptions& options);
+
+/// Writes R G B of a scene-linear frame, in its colour space's primaries, to a temporary name that is then
+/// renamed. Throws InputError as checkFrame and writeImage do.
+void writeFrame(Image frame, const std::filesystem::path& file, const FrameOptions& options);
+
+}  // namespace swaplight
