@@ -82,13 +82,4 @@ Rgb lightFactor(const LightSetting& setting) {
   return colorFactor(setting.color) * (std::exp2(setting.stops) * setting.multiplier);
 }
 
-std::vector<Rgb> rigFactors(const Rig& rig) {
-  const bool anySolo =
-      std::any_of(rig.lights.begin(), rig.lights.end(), [](const LightSetting& light) { return light.solo; });
-  std::vector<Rgb> factors;
-  for (const LightSetting& light : rig.lights)
-    factors.push_back(light.mute || (anySolo && !light.solo) ? Rgb(0) : lightFactor(light));
-  return factors;
-}
-
 }  // namespace swaplight

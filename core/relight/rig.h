@@ -64,6 +64,8 @@ struct Rig {
 
 /// The factors of all lights, solo and mute applied: where any light is solo, the others are off.
 [[nodiscard]] std::vector<Rgb> rigFactors(const Rig& rig);
+/// The same for pictures in the primaries of another scene-linear colour space (a solved set's).
+[[nodiscard]] std::vector<Rgb> rigFactors(const Rig& rig, const std::string& colorSpace);
 
 /// A rig as JSON (FORMATS 3): for every light its name, its colour as a SETTING's text (see setting.h),
 /// stops, multiplier, on, solo, mute, role and ratio lock.

@@ -8,6 +8,7 @@
 #include "core/color/kelvin.h"
 #include "core/color/lamp.h"
 #include "core/error.h"
+#include "tests/core/temporary_folder.h"
 
 namespace swaplight {
 namespace {
@@ -83,12 +84,7 @@ TEST(GelCsv, ReadsATableWithOrWithoutNamedColumns) {
 
 TEST(GelCsv, SaysWhichLineIsWrong) {
   const auto message = [](const char* text) {
-    try {
-      static_cast<void>(gelsFromCsv(text, "gels.csv"));
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("nothing thrown");
+    return test::inputError([&] { static_cast<void>(gelsFromCsv(text, "gels.csv")); });
   };
   EXPECT_THAT(message("Lee,1,a,0.3,0.3,1\nLee,2,b,0.3\n"),
               testing::HasSubstr("gels.csv: line 2: has 4 columns"));

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/relight/setting.h"
+#include "tests/core/temporary_folder.h"
 
 namespace swaplight {
 namespace {
@@ -30,6 +31,22 @@ TEST(Rig, SoloTurnsTheOthersOffAndMuteWins) {
   EXPECT_EQ(rigFactors(rig), std::vector<Rgb>(3, Rgb(0)));
   rig.lights[1].solo = false;
   EXPECT_EQ(rigFactors(rig), (std::vector<Rgb>{Rgb(1), Rgb(0), Rgb(1)}));
+}
+
+TEST(Rig, FactorsForOtherPrimariesKeepWhiteAndLuminance) {
+  Rig rig = defaultRig(captureOf({"white", "red", "off"}));
+  applySetting(rig.lights[1], "rgb:1/0/0");
+  applySetting(rig.lights[2], "off");
+  const std::vector<Rgb> factors = rigFactors(rig, "acescg");
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(factors[0][c], 1, 1e-4);
+    EXPECT_EQ(factors[2][c], 0);
+  }
+  // Rec.709 red in ACEScg (Bradford): 0.6131, 0.0702, 0.0206.
+  EXPECT_NEAR(factors[1].x, 0.6131f, 2e-3);
+  EXPECT_NEAR(factors[1].y, 0.0702f, 2e-3);
+  EXPECT_NEAR(factors[1].z, 0.0206f, 2e-3);
+  EXPECT_EQ(rigFactors(rig, "lin_rec709"), rigFactors(rig));
 }
 
 TEST(Rig, ComesBackFromJson) {
@@ -60,12 +77,7 @@ TEST(Rig, ForAnotherSetTakesTheLightsByName) {
 
 TEST(Rig, WrongJsonIsSaidWithItsPlace) {
   const auto message = [](const char* text) {
-    try {
-      static_cast<void>(rigFromJson(Json::parse(text), "my.json"));
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("nothing thrown");
+    return test::inputError([&] { static_cast<void>(rigFromJson(Json::parse(text), "my.json")); });
   };
   EXPECT_THAT(message("[]"), testing::StartsWith("my.json: "));
   EXPECT_THAT(message("{}"), testing::HasSubstr("lights"));

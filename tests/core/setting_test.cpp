@@ -8,7 +8,7 @@
 #include "core/color/chromaticity.h"
 #include "core/color/kelvin.h"
 #include "core/color/srgb.h"
-#include "core/error.h"
+#include "tests/core/temporary_folder.h"
 
 namespace swaplight {
 namespace {
@@ -25,13 +25,9 @@ Rgb factor(const std::string& text) {
 
 std::string errorOf(const std::string& text) {
   LightSetting setting;
-  try {
-    applySetting(setting, text);
-  } catch (const InputError& error) {
-    EXPECT_EQ(setting, LightSetting()) << "a setting that is wrong changes nothing: " << text;
-    return error.what();
-  }
-  return "nothing thrown";
+  const std::string error = test::inputError([&] { applySetting(setting, text); });
+  EXPECT_EQ(setting, LightSetting()) << "a setting that is wrong changes nothing: " << text;
+  return error;
 }
 
 TEST(Setting, EveryFormOfTheGrammarHasItsFactor) {
