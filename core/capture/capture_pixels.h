@@ -11,17 +11,20 @@ namespace swaplight {
 
 /// A capture's pictures: linear light, R G B, all of one size. 1.0 is full scale of the sensor. Values are as
 /// the sensor gave them: exposure differences and ambient light are still in, because noise and clipping are
-/// properties of the raw signal; the dark picture is subtracted.
+/// properties of the raw signal; the dark picture is subtracted, except from saturated values. Pixels that
+/// are NaN, infinite or negative stay so.
 struct CapturePixels {
   std::vector<Image> shots;
   std::optional<Image> ambient;  ///< at the first shot's exposure
-  /// A shot's value at and above which the sensor was saturated; infinity where nothing clips.
+  /// A shot's value at and above which the sensor was saturated; infinity where nothing clips. For integer
+  /// files just below their largest value; for floating point see floatClipLevel.
   std::vector<float> clipLevel;
-  /// The step of the files' coding in linear light at full scale (1/255 ...); 0 for floating point.
+  /// The step of the files' coding in linear light at full scale: 1/255 for 8 bits of linear light, 2.3/255
+  /// for 8 bits of sRGB; 10, 12 and 14 bits in 16-bit files are recognised. 0 for floating point.
   std::vector<float> quantum;
   /// True where the files were sRGB-encoded: the step in linear light then grows with the signal.
   bool encoded = false;
-  std::vector<std::string> warnings;  ///< such as unknown channels, pixels that are not finite
+  std::vector<std::string> warnings;  ///< such as pixels that are not finite, with their number
 
   [[nodiscard]] int width() const { return shots.empty() ? 0 : shots.front().width(); }
   [[nodiscard]] int height() const { return shots.empty() ? 0 : shots.front().height(); }

@@ -7,27 +7,13 @@
 
 #include "core/error.h"
 #include "core/image/image_io.h"
+#include "core/image/rgb_image.h"
 #include "core/measure/difference_picture.h"
 #include "core/measure/lab.h"
 #include "core/measure/plot.h"
 
 namespace swaplight {
 namespace {
-
-// R G B of a file, whatever else it holds.
-Image colorOf(const Image& image, const std::filesystem::path& file) {
-  int channels[3] = {image.channelIndex("R"), image.channelIndex("G"), image.channelIndex("B")};
-  if (channels[0] < 0 || channels[1] < 0 || channels[2] < 0) {
-    const bool grey = image.channelCount() == 1 || image.channelCount() == 2;  // Y, or Y and alpha
-    if (!grey)
-      throw InputError("{}: has no channels R, G and B, but {}", file.string(),
-                       fmt::join(image.spec().channels, ", "));
-    std::fill_n(channels, 3, 0);
-  }
-  Image color(ImageSpec::rgb(image.width(), image.height()));
-  for (int c = 0; c < 3; ++c) std::copy_n(image.plane(channels[c]), image.pixelCount(), color.plane(c));
-  return color;
-}
 
 void linearize(Image& image) {
   for (int c = 0; c < 3; ++c)
@@ -38,9 +24,10 @@ void linearize(Image& image) {
 
 Evaluation evaluate(const std::filesystem::path& test, const std::filesystem::path& reference,
                     const EvaluateOptions& options) {
-  const ImageFile testFile = readImage(test);
-  const ImageFile referenceFile = readImage(reference);
-  PicturePair pair{colorOf(testFile.image, test), colorOf(referenceFile.image, reference)};
+  ImageFile testFile = readImage(test);
+  ImageFile referenceFile = readImage(reference);
+  PicturePair pair{rgbImage(std::move(testFile.image), test),
+                   rgbImage(std::move(referenceFile.image), reference)};
   if (pair.test.width() != pair.reference.width() || pair.test.height() != pair.reference.height())
     throw InputError("{} is {}x{}, {} is {}x{}: only pictures of one size can be compared", test.string(),
                      pair.test.width(), pair.test.height(), reference.string(), pair.reference.width(),

@@ -77,7 +77,7 @@ TEST_F(Evaluate, TakesTheBeautyOutOfManyChannels) {
       0);
   const auto none = write("none.exr", Image(ImageSpec{4, 4, {"u", "v", "w"}, "data"}, 0.f));
   EXPECT_THAT(test::inputError([&] { (void)evaluate(none, file("b.exr")); }),
-              testing::AllOf(HasSubstr("none.exr"), HasSubstr("R, G and B")));
+              testing::AllOf(HasSubstr("none.exr"), HasSubstr("R, G, B")));
 }
 
 TEST_F(Evaluate, SaysBothSizesWhereTheyDiffer) {

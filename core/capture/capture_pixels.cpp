@@ -1,0 +1,173 @@
+#include "core/capture/capture_pixels.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "core/capture/sensor_limits.h"
+#include "core/color/chromaticities.h"
+#include "core/color/color_config.h"
+#include "core/error.h"
+#include "core/image/rgb_image.h"
+#include "core/parallel.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kNoClip = std::numeric_limits<float>::infinity();
+constexpr int kGrain = 64;  // rows
+
+/// A picture of the capture, as read and in linear light.
+struct Picture {
+  std::filesystem::path file;
+  Image image;
+  ImageFileInfo info;
+  PixelCounts counts;
+  float clip = kNoClip;  ///< of integer files
+  float quantum = 0;
+  std::vector<std::string> warnings;
+};
+
+/// Scene-linear spaces with known primaries stay what they are; anything else is converted.
+std::string linearSpaceOf(const std::string& colorSpace) {
+  return chromaticitiesOf(colorSpace) ? colorSpace : "lin_rec709";
+}
+
+/// A code value, the same in all channels, in linear light.
+float linearOf(float code, const std::string& from, const std::string& to) {
+  Image pixel(ImageSpec::rgb(1, 1), code);
+  ColorConfig::current().convert(pixel.span(), from, to);
+  return std::min({pixel.plane(0)[0], pixel.plane(1)[0], pixel.plane(2)[0]});
+}
+
+/// Where an integer file saturates, and the step below that, in linear light.
+void describeCoding(Picture& picture, const std::string& from, const std::string& to) {
+  if (picture.info.isFloat) return;
+  const int bits = codingBits(picture.image, picture.info.bits);
+  const float step = 1.0F / static_cast<float>((1 << std::clamp(bits, 1, 16)) - 1);
+  const float white = linearOf(1, from, to);
+  picture.quantum = white - linearOf(1 - step, from, to);
+  picture.clip = white - picture.quantum / 4;
+}
+
+/// Describes a damaged picture.
+void warnOfPixels(Picture& picture) {
+  const PixelCounts& counts = picture.counts;
+  if (counts.notFinite > 0)
+    picture.warnings.push_back(fmt::format("{}: {} pixel{} not finite", picture.file.string(),
+                                           counts.notFinite, counts.notFinite == 1 ? " is" : "s are"));
+  if (counts.negative > 0)
+    picture.warnings.push_back(fmt::format("{}: {} pixel{} negative", picture.file.string(), counts.negative,
+                                           counts.negative == 1 ? " is" : "s are"));
+}
+
+Picture readPicture(const Capture& capture, const std::string& path) {
+  Picture picture;
+  picture.file = capture.folder / path;
+  ImageFile file = readImage(picture.file);
+  picture.info = std::move(file.info);
+  picture.image = rgbImage(std::move(file.image), picture.file);
+  const std::string to = linearSpaceOf(capture.colorSpace);
+  std::string from = capture.colorSpace;
+  if (picture.info.format == "raw" && from != to) {
+    picture.warnings.push_back(fmt::format("{}: camera raw is linear: the colour space {} is not applied",
+                                           picture.file.string(), from));
+    from = to;
+  }
+  describeCoding(picture, from, to);
+  ColorConfig::current().convert(picture.image.span(), from, to);
+  picture.image.setColorSpace(to);
+  picture.counts = countPixels(picture.image);
+  warnOfPixels(picture);
+  return picture;
+}
+
+/// The paths of a capture's pictures: its shots, then ambient, then dark.
+struct PictureList {
+  explicit PictureList(const Capture& capture) {
+    for (const Shot& shot : capture.shots) paths.push_back(shot.image);
+    if (capture.ambient) paths.push_back(*capture.ambient);
+    if (capture.dark) paths.push_back(*capture.dark);
+  }
+  std::vector<std::string> paths;
+};
+
+void checkSizes(std::span<const Picture> pictures) {
+  const Picture& first = pictures.front();
+  for (const Picture& picture : pictures)
+    if (picture.image.width() != first.image.width() || picture.image.height() != first.image.height())
+      throw InputError("{} is {} x {} pixels, {} is {} x {}. Export all pictures of a capture at one size.",
+                       picture.file.string(), picture.image.width(), picture.image.height(),
+                       first.file.string(), first.image.width(), first.image.height());
+}
+
+/// Takes the dark picture off. Saturated pixels stay: they tell nothing but that they are saturated. Where
+/// the dark picture is not finite, nothing is taken off.
+void subtractDark(Image& image, const Image& dark, float clip) {
+  parallelRows(image.height(), kGrain, [&](int begin, int end) {
+    const size_t first = static_cast<size_t>(begin) * static_cast<size_t>(image.width());
+    const size_t last = static_cast<size_t>(end) * static_cast<size_t>(image.width());
+    for (int c = 0; c < 3; ++c) {
+      float* value = image.plane(c);
+      const float* offset = dark.plane(c);
+      for (size_t p = first; p < last; ++p)
+        if (value[p] < clip && std::isfinite(offset[p])) value[p] -= offset[p];
+    }
+  });
+}
+
+/// Reads every picture, several at a time: most decoders use one core.
+std::vector<Picture> readPictures(const Capture& capture, const Progress& progress) {
+  const std::vector<std::string> paths = PictureList(capture).paths;
+  std::vector<Picture> pictures(paths.size());
+  std::atomic<int> done = 0;
+  progress.update(0, "reading pictures");
+  parallelRows(static_cast<int>(paths.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const auto index = static_cast<size_t>(i);
+      pictures[index] = readPicture(capture, paths[index]);
+      progress.update(static_cast<float>(++done) / static_cast<float>(paths.size()), "reading pictures");
+    }
+  });
+  return pictures;
+}
+
+}  // namespace
+
+CapturePixels loadCapturePixels(const Capture& capture, const Progress& progress) {
+  try {
+    ColorConfig::current().checkColorSpace(capture.colorSpace);
+  } catch (const InputError& error) {
+    throw InputError("{}: {}", capture.file.empty() ? "the capture" : capture.file.string(), error.what());
+  }
+  std::vector<Picture> pictures = readPictures(capture, progress);
+  checkSizes(pictures);
+
+  CapturePixels pixels;
+  std::vector<PixelCounts> counts;
+  const size_t shotCount = capture.shots.size();
+  for (size_t k = 0; k < shotCount; ++k) {
+    pixels.shots.push_back(std::move(pictures[k].image));
+    pixels.clipLevel.push_back(pictures[k].clip);
+    pixels.quantum.push_back(pictures[k].quantum);
+    counts.push_back(pictures[k].counts);
+    if (!pictures[k].info.isFloat && capture.colorSpace == "srgb") pixels.encoded = true;
+  }
+  const float floatClip = floatClipLevel(pixels.shots, counts);
+  for (size_t k = 0; k < shotCount; ++k)
+    if (pictures[k].info.isFloat) pixels.clipLevel[k] = floatClip;
+
+  size_t next = shotCount;
+  if (capture.ambient) pixels.ambient = std::move(pictures[next++].image);
+  if (capture.dark) {
+    const Image& dark = pictures[next].image;
+    for (size_t k = 0; k < shotCount; ++k) subtractDark(pixels.shots[k], dark, pixels.clipLevel[k]);
+    if (pixels.ambient) subtractDark(*pixels.ambient, dark, kNoClip);
+  }
+  for (Picture& picture : pictures)
+    for (std::string& warning : picture.warnings) pixels.warnings.push_back(std::move(warning));
+  return pixels;
+}
+
+}  // namespace swaplight
