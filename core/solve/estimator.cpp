@@ -1,0 +1,76 @@
+#include "core/solve/estimator.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.h"
+#include "core/solve/demultiplex.h"
+#include "core/solve/matte_fit.h"
+#include "core/solve/single_light.h"
+#include "core/solve/two_lights.h"
+
+namespace swaplight {
+namespace {
+
+constexpr std::array kEstimators = {
+    EstimatorInfo{"brute-force", Model::Lambert,
+                  "the dissertation's search of 1000 steps and its relight formula; two lights; reference",
+                  false},
+    EstimatorInfo{"published", Model::Lambert,
+                  "the same minimum in closed form, with its relight formula; two lights", false},
+    EstimatorInfo{"closed-form", Model::Lambert,
+                  "the same minimum in closed form, reflectance from both shots; two lights; fastest", false},
+    EstimatorInfo{"single", Model::Single, "the one light that explains the pixel best", true},
+    EstimatorInfo{"maximum-likelihood", Model::Lambert,
+                  "proportions x reflectance, fitted to all shots by their noise", true},
+    EstimatorInfo{"demultiplex", Model::Transport, "pseudo-inverse a channel, negative values cut off",
+                  false},
+    EstimatorInfo{"nnls", Model::Transport, "least squares a channel over contributions >= 0", false},
+};
+
+}  // namespace
+
+std::span<const EstimatorInfo> estimators() {
+  return kEstimators;
+}
+
+const EstimatorInfo& estimatorInfo(const std::string& name) {
+  for (const EstimatorInfo& info : kEstimators)
+    if (info.name == name) return info;
+  std::vector<std::string_view> known;
+  for (const EstimatorInfo& info : kEstimators) known.push_back(info.name);
+  throw InputError("solver '{}' is not known; known: {}", name, fmt::join(known, ", "));
+}
+
+const EstimatorInfo& estimatorFor(Model model) {
+  switch (model) {
+    case Model::Single:
+      return estimatorInfo("single");
+    case Model::Lambert:
+      return estimatorInfo("maximum-likelihood");
+    case Model::Transport:
+      return estimatorInfo("nnls");
+    case Model::Gloss:
+    case Model::Auto:
+      break;
+  }
+  return estimatorInfo("maximum-likelihood");
+}
+
+std::unique_ptr<Estimator> makeEstimator(const std::string& name, const EstimatorContext& context) {
+  const EstimatorInfo& info = estimatorInfo(name);
+  if (info.name == "brute-force")
+    return std::make_unique<TwoLights>(context, BetaSearch::BruteForce, Reflectance::Published);
+  if (info.name == "published")
+    return std::make_unique<TwoLights>(context, BetaSearch::ClosedForm, Reflectance::Published);
+  if (info.name == "closed-form")
+    return std::make_unique<TwoLights>(context, BetaSearch::ClosedForm, Reflectance::BothShots);
+  if (info.name == "single") return std::make_unique<SingleLight>(context);
+  if (info.name == "demultiplex") return std::make_unique<Demultiplex>(context, Demultiplex::Bound::Clamp);
+  if (info.name == "nnls") return std::make_unique<Demultiplex>(context, Demultiplex::Bound::LeastSquares);
+  return std::make_unique<Lambert>(context);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/solve/light_plan.h"
+#include "core/solve/noise_model.h"
+#include "core/solve/solve_options.h"
+
+namespace swaplight {
+
+/// Neighbouring pixels of all shots, a pointer a plane.
+struct PixelRun {
+  int count = 0;
+  /// Linear light of the controlled lights: ambient removed, exposure still in. NaN: not to be used (clipped,
+  /// broken); only estimators that say so in EstimatorInfo::masks cope with it.
+  const float* signal[kMaxShots][3];
+};
+
+/// Where an estimator puts its answer; planes of the same run.
+struct SolvedRun {
+  float* contribution[kMaxLights][3];  ///< T >= 0
+  float* residual = nullptr;           ///< in units of the expected noise; may be null
+  float* sigma = nullptr;  ///< standard error of a light's contribution (mean of channels, RMS of lights)
+                           ///< over the sum of all; may be null
+};
+
+/// What every estimator needs to know of the capture.
+struct EstimatorContext {
+  LightPlan plan;
+  NoiseModel noise;
+};
+
+/// One way to tell the lights of a pixel apart. Immutable after construction, used from many threads; all
+/// that depends on the capture alone is computed by the constructor.
+class Estimator {
+ public:
+  virtual ~Estimator() = default;
+  virtual void estimate(const PixelRun& in, const SolvedRun& out) const = 0;
+};
+
+/// An estimator as the person sees it.
+struct EstimatorInfo {
+  std::string_view name;     ///< as in --solver
+  Model model;               ///< what it assumes
+  std::string_view summary;  ///< one line
+  bool masks;                ///< copes with NaN in some of a pixel's values
+};
+
+/// All estimators, the published ones first.
+[[nodiscard]] std::span<const EstimatorInfo> estimators();
+/// Throws InputError that lists the known names.
+[[nodiscard]] const EstimatorInfo& estimatorInfo(const std::string& name);
+/// The estimator that stands for a model.
+[[nodiscard]] const EstimatorInfo& estimatorFor(Model model);
+/// Throws InputError where the estimator does not fit the plan (some know two lights only).
+[[nodiscard]] std::unique_ptr<Estimator> makeEstimator(const std::string& name,
+                                                       const EstimatorContext& context);
+
+}  // namespace swaplight

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstring>
+
+namespace swaplight {
+
+/// Sixteen pixels at once: the compiler turns arithmetic on it into whatever the processor has (one AVX-512
+/// register, two of AVX2, four of SSE). Use inside functions marked SWAPLIGHT_SIMD.
+inline constexpr int kLanes = 16;
+using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+using LaneMask = int __attribute__((vector_size(kLanes * sizeof(int))));
+
+#define SWAPLIGHT_LANES [[gnu::always_inline]] inline
+
+SWAPLIGHT_LANES Lanes splat(float x) {
+  return Lanes{} + x;
+}
+SWAPLIGHT_LANES Lanes load(const float* p) {
+  Lanes x;
+  std::memcpy(&x, p, sizeof x);
+  return x;
+}
+SWAPLIGHT_LANES void store(float* p, Lanes x) {
+  std::memcpy(p, &x, sizeof x);
+}
+SWAPLIGHT_LANES Lanes select(LaneMask mask, Lanes yes, Lanes no) {
+  return mask ? yes : no;
+}
+/// NaN in x gives `other`.
+SWAPLIGHT_LANES Lanes larger(Lanes x, Lanes other) {
+  return x > other ? x : other;
+}
+SWAPLIGHT_LANES Lanes smaller(Lanes x, Lanes other) {
+  return x < other ? x : other;
+}
+SWAPLIGHT_LANES Lanes squareRoot(Lanes x) {
+  Lanes y;
+  for (int l = 0; l < kLanes; ++l) y[l] = __builtin_sqrtf(x[l]);
+  return y;
+}
+SWAPLIGHT_LANES bool any(LaneMask mask) {
+  int found = 0;
+  for (int l = 0; l < kLanes; ++l) found |= mask[l];
+  return found != 0;
+}
+
+/// Natural logarithm of positive, finite, normal x; absolute error below 1e-4 (enough for evidence).
+SWAPLIGHT_LANES Lanes logarithm(Lanes x) {
+  LaneMask bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  const LaneMask exponent = (bits >> 23) - 127;
+  bits = (bits & 0x007fffff) | 0x3f800000;
+  Lanes m;
+  std::memcpy(&m, &bits, sizeof m);
+  const Lanes e = __builtin_convertvector(exponent, Lanes);
+  // log(m), m in 1..2, as 2 atanh((m - 1) / (m + 1)).
+  const Lanes t = (m - 1) / (m + 1);
+  const Lanes t2 = t * t;
+  return e * 0.69314718F + 2 * t * (1 + t2 * (1.0F / 3 + t2 * (0.2F + t2 * (1.0F / 7 + t2 * (1.0F / 9)))));
+}
+
+/// exp(x), relative error below 1e-5; x below -80 gives 0.
+SWAPLIGHT_LANES Lanes exponential(Lanes x) {
+  const LaneMask tiny = x < -80;
+  const Lanes y = smaller(larger(x, splat(-80)), splat(80)) * 1.44269504F;
+  const LaneMask whole = __builtin_convertvector(y + 256.5F, LaneMask) - 256;  // round to nearest
+  const Lanes f = (y - __builtin_convertvector(whole, Lanes)) * 0.69314718F;
+  const Lanes p =
+      1 + f * (1 + f * (0.5F + f * (1.0F / 6 + f * (1.0F / 24 + f * (1.0F / 120 + f * (1.0F / 720))))));
+  const LaneMask bits = (whole + 127) << 23;
+  Lanes scale;
+  std::memcpy(&scale, &bits, sizeof scale);
+  return select(tiny, splat(0), p * scale);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,334 @@
+#include "core/solve/matte_fit.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "core/simd.h"
+#include "core/solve/lanes.h"
+#include "core/solve/lanes_cholesky.h"
+#include "core/solve/run_scratch.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kSteps = 5;          // Gauss-Newton steps; from the ridge guess, three are usually enough
+constexpr float kRidge = 0.03F;    // of the first guess, relative to the mean squared colour
+constexpr float kDamping = 1e-5F;  // relative to the mean curvature
+constexpr float kTiny = 1e-20F;
+constexpr float kWorst = 1e4F;  // a variance beyond which nothing is known at all
+
+/// A pixel's data, weighted: what Gauss-Newton needs of the shots.
+template <int kN>
+struct Normal {
+  Lanes p[3][kN];
+  Lanes q[3][kN * (kN + 1) / 2];
+  Lanes energy;  ///< sum of w y^2
+};
+
+template <int kN>
+SWAPLIGHT_LANES constexpr int packed(int i, int j) {
+  return i * (i + 1) / 2 + j;  // j <= i
+}
+
+/// Weighted normal equations of a block of pixels, given signal guesses g rho per channel.
+template <int kN>
+SWAPLIGHT_LANES void accumulate(const MatteFit::Plan& plan, const PixelRun& in, int at, int n, const Lanes* u,
+                                const Lanes* rho, Normal<kN>& out) {
+  out.energy = splat(0);
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < n; ++i) out.p[c][i] = splat(0);
+    for (int i = 0; i < n * (n + 1) / 2; ++i) out.q[c][i] = splat(0);
+    for (int k = 0; k < plan.shots; ++k) {
+      const float* color = &plan.color[size_t((k * 3 + c) * n)];
+      const float* product = &plan.product[size_t((k * 3 + c) * (n * (n + 1) / 2))];
+      const Lanes y = load(in.signal[k][c] + at);
+      Lanes g = splat(0);
+      for (int i = 0; i < n; ++i) g += color[i] * u[i];
+      const Lanes s = g * rho[c];
+      const LaneMask usable = y == y;
+      const Lanes w = select(usable, 1 / (plan.constant + s * (plan.linear + s * plan.square)), splat(0));
+      const Lanes wy = select(usable, w * y, splat(0));
+      out.energy += select(usable, wy * y, splat(0));
+      for (int i = 0; i < n; ++i) out.p[c][i] += wy * color[i];
+      for (int i = 0; i < n * (n + 1) / 2; ++i) out.q[c][i] += w * product[i];
+    }
+  }
+}
+
+/// rho, the explained energy, and the row Q u of each channel at u.
+template <int kN>
+struct At {
+  Lanes rho[3];
+  Lanes scale[3];  ///< u'Qu
+  Lanes qu[3][kN];
+  Lanes explained;
+};
+
+template <int kN>
+SWAPLIGHT_LANES void evaluate(const Normal<kN>& normal, int n, const Lanes* u, At<kN>& at) {
+  at.explained = splat(0);
+  for (int c = 0; c < 3; ++c) {
+    Lanes s = splat(0);
+    Lanes a = splat(0);
+    for (int i = 0; i < n; ++i) {
+      Lanes sum = splat(0);
+      for (int j = 0; j < n; ++j) sum += normal.q[c][i >= j ? packed<kN>(i, j) : packed<kN>(j, i)] * u[j];
+      at.qu[c][i] = sum;
+      s += sum * u[i];
+      a += normal.p[c][i] * u[i];
+    }
+    a = larger(a, splat(0));
+    at.scale[c] = larger(s, splat(kTiny));
+    at.rho[c] = a / at.scale[c];
+    at.explained += a * at.rho[c];
+  }
+}
+
+/// The reflectance by plain least squares: a guess good enough to predict each value's noise.
+template <int kN>
+SWAPLIGHT_LANES void plainReflectance(const MatteFit::Plan& plan, const PixelRun& in, int at, int n,
+                                      const Lanes* u, Lanes* rho) {
+  for (int c = 0; c < 3; ++c) {
+    Lanes gg = splat(kTiny);
+    Lanes gy = splat(0);
+    for (int k = 0; k < plan.shots; ++k) {
+      const float* color = &plan.color[size_t((k * 3 + c) * n)];
+      const Lanes y = load(in.signal[k][c] + at);
+      Lanes g = splat(0);
+      for (int i = 0; i < n; ++i) g += color[i] * u[i];
+      const LaneMask usable = y == y;
+      gg += select(usable, g * g, splat(0));
+      gy += select(usable, g * y, splat(0));
+    }
+    rho[c] = larger(gy / gg, splat(0));
+  }
+}
+
+/// The first guess: ridge demultiplex, clamped; reflectance by plain least squares.
+template <int kN>
+SWAPLIGHT_LANES void firstGuess(const MatteFit::Plan& plan, const PixelRun& in, int at, int n, Lanes* u,
+                                Lanes* rho) {
+  for (int i = 0; i < n; ++i) u[i] = splat(0);
+  for (int k = 0; k < plan.shots; ++k)
+    for (int c = 0; c < 3; ++c) {
+      Lanes y = load(in.signal[k][c] + at);
+      y = select(y == y, y, splat(0));
+      for (int i = 0; i < n; ++i) u[i] += y * plan.guess[size_t((k * 3 + c) * n + i)];
+    }
+  Lanes sum = splat(0);
+  for (int i = 0; i < n; ++i) {
+    u[i] = larger(u[i], splat(0));
+    sum += u[i];
+  }
+  const LaneMask dark = sum < kTiny;
+  sum = select(dark, splat(1), sum);
+  for (int i = 0; i < n; ++i)
+    u[i] = select(dark, splat(1.0F / float(n)), 0.96F * u[i] / sum + 0.04F / float(n));
+  plainReflectance<kN>(plan, in, at, n, u, rho);
+}
+
+/// Kaufman's Hessian and the gradient at u, the gauge added, lights that stay at zero taken out.
+template <int kN>
+SWAPLIGHT_LANES void curvature(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u, Lanes* h,
+                               Lanes* g) {
+  for (int i = 0; i < n; ++i) {
+    Lanes slope = splat(0);
+    for (int c = 0; c < 3; ++c) slope += at.rho[c] * (normal.p[c][i] - at.rho[c] * at.qu[c][i]);
+    g[i] = slope;
+  }
+  Lanes trace = splat(kTiny);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j) {
+      Lanes sum = splat(0);
+      for (int c = 0; c < 3; ++c)
+        sum +=
+            at.rho[c] * at.rho[c] * (normal.q[c][packed<kN>(i, j)] - at.qu[c][i] * at.qu[c][j] / at.scale[c]);
+      h[packed<kN>(i, j)] = sum;
+      if (i == j) trace += sum;
+    }
+  trace = trace / float(n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j) h[packed<kN>(i, j)] += i == j ? trace * (1 + kDamping) : trace;
+  for (int i = 0; i < n; ++i) {
+    const LaneMask held = (u[i] <= 0) & (g[i] <= 0);
+    g[i] = select(held, splat(0), g[i]);
+    for (int j = 0; j < n; ++j) {
+      Lanes& entry = h[i >= j ? packed<kN>(i, j) : packed<kN>(j, i)];
+      entry = select(held, i == j ? trace : splat(0), entry);
+    }
+  }
+}
+
+/// RMS over the lights of the variance of R u_i over R^2, R = sum of rho.
+template <int kN>
+SWAPLIGHT_LANES Lanes relativeVariance(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u,
+                                       const Lanes* factor) {
+  Lanes total = splat(0);
+  Lanes slope[kN];  // of R along u_j
+  Lanes rhoVariance = splat(0);
+  for (int c = 0; c < 3; ++c) {
+    total += at.rho[c];
+    rhoVariance += 1 / at.scale[c];
+  }
+  for (int j = 0; j < n; ++j) {
+    slope[j] = splat(0);
+    for (int c = 0; c < 3; ++c) slope[j] += (normal.p[c][j] - 2 * at.rho[c] * at.qu[c][j]) / at.scale[c];
+  }
+  Lanes sum = splat(0);
+  for (int i = 0; i < n; ++i) {
+    // The derivative of t_i = u_i R along u.
+    Lanes d[kN];
+    Lanes solved[kN];
+    for (int j = 0; j < n; ++j) d[j] = u[i] * slope[j] + (i == j ? total : splat(0));
+    for (int j = 0; j < n; ++j) solved[j] = d[j];
+    solveCholesky<kN>(n, factor, solved);
+    Lanes variance = u[i] * u[i] * rhoVariance;
+    // The gauge direction (1 ... 1) carries no information and no error: take it out of d.
+    Lanes along = splat(0);
+    for (int j = 0; j < n; ++j) along += solved[j];
+    for (int j = 0; j < n; ++j) variance += d[j] * (solved[j] - along * u[j]);
+    sum += larger(variance, splat(0));
+  }
+  return smaller(sum / (float(n) * larger(total * total, splat(kTiny))), splat(kWorst));
+}
+
+template <int kN>
+[[gnu::always_inline]] inline void fitRun(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out,
+                                          int lights) {
+  const int n = lights;
+  for (int at = 0; at < in.count; at += kLanes) {
+    Lanes best[kN];
+    Lanes rho[3];
+    firstGuess<kN>(plan, in, at, n, best, rho);
+    Normal<kN> normal;
+    accumulate<kN>(plan, in, at, n, best, rho, normal);
+    At<kN> here;
+    evaluate<kN>(normal, n, best, here);
+    Lanes h[kN * (kN + 1) / 2];
+    Lanes step[kN];
+    for (int iteration = 0; iteration < kSteps; ++iteration) {
+      curvature<kN>(normal, here, n, best, h, step);
+      factorCholesky<kN>(n, h);
+      solveCholesky<kN>(n, h, step);
+      // A whole step, or a quarter where that does not help, or none.
+      Lanes next[kN];
+      At<kN> there;
+      for (int i = 0; i < n; ++i) next[i] = larger(best[i] + step[i], splat(0));
+      evaluate<kN>(normal, n, next, there);
+      const LaneMask worse = ~(there.explained >= here.explained);
+      if (any(worse)) {
+        for (int i = 0; i < n; ++i)
+          next[i] = select(worse, larger(best[i] + 0.25F * step[i], splat(0)), next[i]);
+        evaluate<kN>(normal, n, next, there);
+      }
+      const LaneMask better = there.explained >= here.explained;
+      Lanes sum = splat(kTiny);
+      for (int i = 0; i < n; ++i) {
+        best[i] = select(better, next[i], best[i]);
+        sum += best[i];
+      }
+      const Lanes gain = there.explained - here.explained;
+      // The gauge drifts a little where lights are clamped: back to sum 1.
+      for (int i = 0; i < n; ++i) best[i] /= sum;
+      evaluate<kN>(normal, n, best, here);
+      if (!any(gain > 1e-3F)) break;
+    }
+    curvature<kN>(normal, here, n, best, h, step);
+    factorCholesky<kN>(n, h);
+    store(out.variance + at, relativeVariance<kN>(normal, here, n, best, h));
+    store(out.misfit + at, larger(normal.energy - here.explained, splat(0)));
+    for (int i = 0; i < n; ++i) store(out.share[i] + at, best[i]);
+    for (int c = 0; c < 3; ++c) store(out.reflectance[c] + at, here.rho[c]);
+  }
+}
+
+/// Everything but the shares, at shares that are given.
+template <int kN>
+[[gnu::always_inline]] inline void assessRun(const MatteFit::Plan& plan, const PixelRun& in,
+                                             const MatteRun& out, int lights) {
+  const int n = lights;
+  for (int at = 0; at < in.count; at += kLanes) {
+    Lanes u[kN];
+    Lanes rho[3];
+    for (int i = 0; i < n; ++i) u[i] = load(out.share[i] + at);
+    plainReflectance<kN>(plan, in, at, n, u, rho);
+    Normal<kN> normal;
+    At<kN> here;
+    accumulate<kN>(plan, in, at, n, u, rho, normal);
+    evaluate<kN>(normal, n, u, here);
+    Lanes h[kN * (kN + 1) / 2];
+    Lanes slope[kN];
+    curvature<kN>(normal, here, n, u, h, slope);
+    factorCholesky<kN>(n, h);
+    store(out.variance + at, relativeVariance<kN>(normal, here, n, u, h));
+    store(out.misfit + at, larger(normal.energy - here.explained, splat(0)));
+    for (int c = 0; c < 3; ++c) store(out.reflectance[c] + at, here.rho[c]);
+  }
+}
+
+#define SWAPLIGHT_BY_LIGHTS(run)                   \
+  switch (plan.lights) {                           \
+    case 1:                                        \
+      run<1>(plan, in, out, 1);                    \
+      break;                                       \
+    case 2:                                        \
+      run<2>(plan, in, out, 2);                    \
+      break;                                       \
+    case 3:                                        \
+      run<3>(plan, in, out, 3);                    \
+      break;                                       \
+    case 4:                                        \
+      run<4>(plan, in, out, 4);                    \
+      break;                                       \
+    default:                                       \
+      run<kMaxLights>(plan, in, out, plan.lights); \
+  }
+
+SWAPLIGHT_SIMD void fitKernel(const MatteFit::Plan& plan, const PixelRun& in,
+                              const MatteRun& out){SWAPLIGHT_BY_LIGHTS(fitRun)} SWAPLIGHT_SIMD
+    void assessKernel(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out) {
+  SWAPLIGHT_BY_LIGHTS(assessRun)
+}
+
+}  // namespace
+
+MatteFit::MatteFit(const EstimatorContext& context)
+    : m_lights(context.plan.lights), m_shots(context.plan.shots) {
+  const LightPlan& from = context.plan;
+  m_plan.lights = m_lights;
+  m_plan.shots = m_shots;
+  m_plan.constant = context.noise.constant;
+  m_plan.linear = context.noise.linear;
+  m_plan.square = context.noise.square;
+  Eigen::MatrixXd guess[3];
+  for (int c = 0; c < 3; ++c) {
+    const Eigen::MatrixXd l = from.matrix(c);
+    const Eigen::MatrixXd gram = l.transpose() * l;
+    const double ridge = kRidge * gram.trace() / m_lights + 1e-12;
+    guess[c] = (gram + ridge * Eigen::MatrixXd::Identity(m_lights, m_lights)).ldlt().solve(l.transpose());
+  }
+  for (int k = 0; k < m_shots; ++k)
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < m_lights; ++i) {
+        m_plan.color.push_back(from.color(k, i)[c]);
+        m_plan.guess.push_back(float(guess[c](i, k)));
+        for (int j = 0; j <= i; ++j) m_plan.product.push_back(from.color(k, i)[c] * from.color(k, j)[c]);
+      }
+}
+
+void MatteFit::fit(const PixelRun& in, const MatteRun& out) const {
+  fitKernel(m_plan, in, out);
+}
+
+void MatteFit::assess(const PixelRun& in, const MatteRun& inOut) const {
+  assessKernel(m_plan, in, inOut);
+}
+
+void Lambert::estimate(const PixelRun& in, const SolvedRun& out) const {
+  MatteScratch scratch(m_fit.lights(), in.count);
+  m_fit.fit(in, scratch.run());
+  scratch.writeContributions(m_fit.lights(), in.count, out);
+  scratch.writeQuality(m_fit.freedom(), in.count, out);
+}
+
+}  // namespace swaplight

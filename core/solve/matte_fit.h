@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "core/solve/estimator.h"
+
+namespace swaplight {
+
+/// What a matte fit says of a run of pixels; planes as long as the run, rounded up to kLanes.
+struct MatteRun {
+  float* share[kMaxLights];  ///< beta: >= 0, sum 1
+  float* reflectance[3];     ///< rho >= 0, scaled so that T = beta rho
+  float* misfit;             ///< chi-square: residuals over their expected noise, squared and summed
+  float* variance;  ///< of a light's contribution (mean of channels, RMS of lights) over the sum of all
+};
+
+/// The matte model T[i][c] = beta[i] rho[c] by maximum likelihood over all shots.
+///
+/// rho is eliminated (variable projection): for u >= 0 of any scale, with w = 1 / variance,
+///   p_c = sum_k w y l_k,  Q_c = sum_k w l_k l_k',  rho_c = p_c.u / u'Q_c u,  maximise sum_c (p_c.u)^2 /
+///   u'Q_c u.
+/// Gauss-Newton on u (Kaufman's Hessian rho^2 (Q - Quu'Q / u'Qu)) with the gauge sum(u) held, lights at zero
+/// that want to be negative held there, steps that do not help shortened. Weights come from the signal that a
+/// first guess predicts, not from the noisy values themselves. 3 K - N - 2 degrees of freedom are left.
+/// Golub and Pereyra 1973; Kaufman 1975.
+class MatteFit {
+ public:
+  explicit MatteFit(const EstimatorContext& context);
+
+  /// NaN in a value: it is left out. Pixels beyond in.count up to a multiple of kLanes are read: the planes
+  /// must be padded.
+  void fit(const PixelRun& in, const MatteRun& out) const;
+  /// Reflectance, misfit and variance at shares that are given (they need not be those of fit()).
+  void assess(const PixelRun& in, const MatteRun& inOut) const;
+
+  [[nodiscard]] int lights() const { return m_lights; }
+  [[nodiscard]] int shots() const { return m_shots; }
+  [[nodiscard]] int freedom() const { return 3 * m_shots - m_lights - 2; }
+
+  /// Constants of the capture, laid out for the kernel.
+  struct Plan {
+    int lights = 0;
+    int shots = 0;
+    float constant = 0, linear = 0, square = 0;  ///< the noise model
+    std::vector<float> color;                    ///< [k][c][i]
+    std::vector<float> product;                  ///< [k][c][i <= j]: color i x color j
+    std::vector<float> guess;                    ///< [k][c][i]: the ridge demultiplex, summed over channels
+  };
+
+ private:
+  int m_lights, m_shots;
+  Plan m_plan;
+};
+
+/// Estimator `maximum-likelihood`: MatteFit, model lambert.
+class Lambert final : public Estimator {
+ public:
+  explicit Lambert(const EstimatorContext& context) : m_fit(context) {}
+  void estimate(const PixelRun& in, const SolvedRun& out) const override;
+
+ private:
+  MatteFit m_fit;
+};
+
+}  // namespace swaplight

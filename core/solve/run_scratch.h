@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "core/solve/matte_fit.h"
+
+namespace swaplight {
+
+/// Room for the matte fit of a run.
+class MatteScratch {
+ public:
+  MatteScratch(int lights, int count);
+  [[nodiscard]] const MatteRun& run() const { return m_run; }
+
+  /// beta from contributions; equal shares where there is no light.
+  void readShares(int lights, int count, const SolvedRun& from) const;
+  /// T = beta rho.
+  void writeContributions(int lights, int count, const SolvedRun& out) const;
+  /// residual = sqrt(chi-square / freedom), sigma = sqrt(variance).
+  void writeQuality(int freedom, int count, const SolvedRun& out) const;
+
+ private:
+  std::vector<float> m_data;
+  MatteRun m_run;
+};
+
+}  // namespace swaplight

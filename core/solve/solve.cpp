@@ -1,0 +1,192 @@
+#include "core/solve/solve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "core/solve/estimator.h"
+#include "core/solve/fill.h"
+#include "core/solve/shot_signal.h"
+#include "core/solve/solve_report.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kRun = 2048;             // pixels: all planes of a run fit into the second-level cache
+constexpr float kTooDarkSigma = 0.5F;  // a share known no better than this is no answer
+
+SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
+  SolvedSet set;
+  set.capture = capture;
+  ImageSpec spec = pixels.shots.front().spec();
+  for (int i = 0; i < capture.lightCount(); ++i) set.contributions.emplace_back(spec);
+  spec.channels = {"residual", "sigma", "flags"};
+  spec.colorSpace = "data";
+  set.quality = Image(spec);
+  if (pixels.ambient) set.ambient = pixels.ambient->clone();
+  return set;
+}
+
+SolvedRun runAt(SolvedSet& set, size_t first) {
+  SolvedRun run;
+  for (int i = 0; i < set.lightCount(); ++i)
+    for (int c = 0; c < 3; ++c) run.contribution[i][c] = set.contributions[size_t(i)].plane(c) + first;
+  run.residual = set.quality.plane(kResidual) + first;
+  run.sigma = set.quality.plane(kSigma) + first;
+  return run;
+}
+
+/// Solves the flagged pixels of a run again with an estimator that can leave values out.
+void repairRun(const ShotSignal& signal, size_t first, int count, const Estimator& careful, int lights,
+               int shots, const SolvedRun& out) {
+  std::vector<int> index;
+  for (int p = 0; p < count; ++p)
+    if (signal.flags()[first + size_t(p)]) index.push_back(p);
+  if (index.empty()) return;
+  std::vector<float> scratch;
+  PixelRun all;
+  signal.run(first, count, true, scratch, all);
+  const size_t padded = (index.size() + 15) / 16 * 16;
+  std::vector<float> packed(padded * size_t(3 * shots + 3 * lights + 2), 0.0F);
+  float* next = packed.data();
+  const auto take = [&] { return std::exchange(next, next + padded); };
+  PixelRun in;
+  in.count = int(index.size());
+  for (int k = 0; k < shots; ++k)
+    for (int c = 0; c < 3; ++c) {
+      float* plane = take();
+      for (size_t j = 0; j < index.size(); ++j) plane[j] = all.signal[k][c][index[j]];
+      in.signal[k][c] = plane;
+    }
+  SolvedRun again;
+  for (int i = 0; i < lights; ++i)
+    for (int c = 0; c < 3; ++c) again.contribution[i][c] = take();
+  again.residual = take();
+  again.sigma = take();
+  careful.estimate(in, again);
+  for (size_t j = 0; j < index.size(); ++j) {
+    for (int i = 0; i < lights; ++i)
+      for (int c = 0; c < 3; ++c) out.contribution[i][c][index[j]] = again.contribution[i][c][j];
+    out.residual[index[j]] = again.residual[j];
+    out.sigma[index[j]] = again.sigma[j];
+  }
+}
+
+/// Writes the flags; returns the pixels that nothing is known of (no shot has a finite value in some
+/// channel).
+std::vector<uint8_t> writeFlags(const CapturePixels& pixels, const ShotSignal& signal, SolvedSet& set) {
+  float* flags = set.quality.plane(kFlags);
+  const float* sigma = set.quality.plane(kSigma);
+  std::vector<uint8_t> unknown;
+  for (size_t p = 0; p < signal.pixelCount(); ++p) {
+    int bits = signal.flags().empty() ? 0 : signal.flags()[p];
+    if (sigma[p] > kTooDarkSigma) bits |= kTooDark;
+    if (bits & kNotFinite) {
+      for (int c = 0; c < 3; ++c) {
+        bool known = false;
+        for (const Image& shot : pixels.shots) known |= std::isfinite(shot.plane(c)[p]);
+        if (known) continue;
+        if (unknown.empty()) unknown.resize(signal.pixelCount(), 0);
+        unknown[p] = 1;
+        bits |= kFilled;
+      }
+    }
+    flags[p] = float(bits);
+  }
+  return unknown;
+}
+
+/// A pixel too dark to tell is given its neighbours' proportions; its light, such as it is, stays.
+void fillDarkBeta(SolvedSet& set) {
+  float* flags = set.quality.plane(kFlags);
+  std::vector<uint8_t> dark(set.beta.pixelCount(), 0);
+  size_t count = 0;
+  for (size_t p = 0; p < dark.size(); ++p)
+    if (int(flags[p]) & kTooDark) dark[p] = 1, ++count;
+  if (count == 0 || count == dark.size()) return;
+  fillFromNeighbours(set.beta, dark);
+  for (size_t p = 0; p < dark.size(); ++p) {
+    if (!dark[p]) continue;
+    flags[p] = float(int(flags[p]) | kFilled);
+    float sum = 0;
+    for (int i = 0; i < set.lightCount(); ++i) sum += set.beta.plane(i)[p];
+    for (int i = 0; i < set.lightCount(); ++i)
+      set.beta.plane(i)[p] = sum > 0 ? set.beta.plane(i)[p] / sum : 1.0F / float(set.lightCount());
+  }
+}
+
+}  // namespace
+
+SolvedSet solve(const Capture& capture, const CapturePixels& pixels, const SolveOptions& options,
+                const Progress& progress) {
+  const auto started = std::chrono::steady_clock::now();
+  const std::string where = capture.file.empty() ? capture.name : capture.file.filename().string();
+  progress.update(0, "Looking at the shots");
+  SolveReport report;
+  report.warnings = capture.warnings;
+  report.warnings.insert(report.warnings.end(), pixels.warnings.begin(), pixels.warnings.end());
+
+  EstimatorContext context;
+  std::vector<int> unknown;
+  context.plan = planFromCapture(capture, &unknown);
+  checkSolvable(context.plan, where);
+  report.conditioning = conditioningOf(context.plan);
+
+  const EstimatorInfo& info =
+      options.solver.empty() ? estimatorFor(options.model) : estimatorInfo(options.solver);
+  report.solver = info.name;
+  report.model = modelName(info.model);
+  report.noiseGiven = options.noise || capture.noise;
+  report.noise = options.noise   ? *options.noise
+                 : capture.noise ? *capture.noise
+                                 : estimateSensorNoise(pixels);
+  report.colorUncertainty = std::max(options.colorUncertainty, 0.0F);
+  context.noise = noiseModel(report.noise, pixels, report.colorUncertainty);
+
+  std::vector<float> exposure;
+  for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
+  const ShotSignal signal(pixels, context.plan, context.noise, exposure);
+
+  const auto estimator = makeEstimator(std::string(info.name), context);
+  const auto careful = info.masks || signal.flags().empty()
+                           ? nullptr
+                           : makeEstimator(std::string(estimatorFor(Model::Lambert).name), context);
+  SolvedSet set = emptySet(capture, pixels);
+  const int runs = int((signal.pixelCount() + kRun - 1) / kRun);
+  std::atomic<int> done = 0;
+  parallelRows(runs, 4, [&](int begin, int end) {
+    std::vector<float> scratch;
+    for (int r = begin; r < end; ++r) {
+      const size_t first = size_t(r) * kRun;
+      const int count = int(std::min<size_t>(kRun, signal.pixelCount() - first));
+      PixelRun in;
+      signal.run(first, count, info.masks, scratch, in);
+      const SolvedRun out = runAt(set, first);
+      estimator->estimate(in, out);
+      if (careful && signal.flagged(first, count))
+        repairRun(signal, first, count, *careful, context.plan.lights, context.plan.shots, out);
+    }
+    progress.update(0.1F + 0.8F * float(done += end - begin) / float(runs), "Telling the lights apart");
+  });
+
+  progress.update(0.9F, "Finishing");
+  const std::vector<uint8_t> missing = writeFlags(pixels, signal, set);
+  if (!missing.empty())
+    for (Image& contribution : set.contributions) fillFromNeighbours(contribution, missing);
+  updateBeta(set);
+  fillDarkBeta(set);
+
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  report.summarize(set);
+  set.report = jsonFromSolveReport(report);
+  set.report["options"] = jsonFromSolveOptions(options);
+  progress.update(1, "Solved");
+  return set;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/json.h"
+#include "core/solve/light_plan.h"
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// What a solve did, and how far to trust it.
+struct SolveReport {
+  std::string message;  ///< a paragraph for a person
+  std::string model;
+  std::string solver;
+  SensorNoise noise;
+  bool noiseGiven = false;
+  float colorUncertainty = 0;
+  Conditioning conditioning;
+  double residualMedian = 0;  ///< in units of the expected noise
+  double sigmaMedian = 0;     ///< relative to the sum of all lights
+  size_t pixels = 0;
+  size_t clipped = 0, tooDark = 0, moved = 0, notFinite = 0, filled = 0;  ///< counts of pixels
+  double seconds = 0;
+  std::vector<std::string> warnings;
+
+  /// Fills in the statistics and the message from a set that is solved.
+  void summarize(const SolvedSet& set);
+};
+
+[[nodiscard]] Json jsonFromSolveReport(const SolveReport& report);
+
+}  // namespace swaplight
