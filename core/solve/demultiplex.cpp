@@ -11,7 +11,7 @@
 namespace swaplight {
 namespace {
 
-constexpr double kSingular = 1e-3;
+constexpr double kSingular = 1e-4;
 
 /// out[i] = max(sum over k of inverse[i][k] in[k], 0) or unclamped; returns whether anything was negative.
 template <int kLights, int kShots, bool kClamp>

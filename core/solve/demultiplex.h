@@ -9,7 +9,7 @@ namespace swaplight {
 /// The full demultiplex: T_c = L_c^+ y_c, channel by channel, for any coding of N lights in K >= N shots.
 /// Exact for gloss and bounced light. L_c is not positive definite in general (its eigenvalues are plus and
 /// minus the DFT magnitudes of rotated colours), so it is never factored itself: the weighted pseudo-inverse
-/// is taken by SVD once per capture and channel, singular directions (below 1e-3 of the largest) left at
+/// is taken by SVD once per capture and channel, singular directions (below 1e-4 of the largest) left at
 /// zero. For more shots than lights, shots are weighted by the inverse of their mean noise, which keeps one
 /// matrix a capture.
 class Demultiplex final : public Estimator {

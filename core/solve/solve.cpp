@@ -18,7 +18,7 @@ namespace swaplight {
 namespace {
 
 constexpr int kRun = 2048;             // pixels: all planes of a run fit into the second-level cache
-constexpr float kTooDarkSigma = 0.5F;  // a share known no better than this is no answer
+constexpr float kTooDarkSigma = 0.25F;  // a share known no better than this is no answer
 
 SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
   SolvedSet set;
