@@ -21,15 +21,6 @@ std::string lowerExtension(const fs::path& path) {
   return extension;
 }
 
-Progress part(const Progress& whole, float from, float to) {
-  Progress progress;
-  progress.stop = whole.stop;
-  progress.report = [&whole, from, to](float fraction, std::string_view what) {
-    whole.update(from + fraction * (to - from), what);
-  };
-  return progress;
-}
-
 }  // namespace
 
 fs::path sourceFile(const fs::path& path) {
@@ -54,8 +45,8 @@ SolvedSet openSource(const fs::path& path, const SolveOptions& options, const Pr
       return readSolvedSet(path, progress);
     case SourceKind::Capture: {
       const Capture capture = readCapture(sourceFile(path));
-      const CapturePixels pixels = loadCapturePixels(capture, part(progress, 0, kReadingShare));
-      return solve(capture, pixels, options, part(progress, kReadingShare, 1));
+      const CapturePixels pixels = loadCapturePixels(capture, progress.part(0, kReadingShare));
+      return solve(capture, pixels, options, progress.part(kReadingShare, 1));
     }
     case SourceKind::Session:
     case SourceKind::Folder:

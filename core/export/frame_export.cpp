@@ -1,0 +1,24 @@
+#include "core/export/frame_export.h"
+
+#include "core/relight/relight.h"
+
+namespace swaplight {
+
+FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file) {
+  FrameOptions options;
+  if (isSceneLinear(file)) return options;
+  options.display = display.display;
+  options.view = display.view;
+  return options;
+}
+
+void exportFrame(const SolvedSet& set, const Rig& rig, const std::filesystem::path& file,
+                 FrameOptions options, const Progress& progress) {
+  progress.update(0, "relighting");
+  Image frame = relight(set, rigFactors(rig, set.colorSpace()), rig.ambient);
+  progress.update(0.4F, "writing");
+  options.write.text["swaplight/rig"] = jsonFromRig(rig).dump();
+  writeFrame(std::move(frame), file, options);
+}
+
+}  // namespace swaplight

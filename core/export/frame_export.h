@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/export/frame_file.h"
+#include "core/progress.h"
+#include "core/session/document.h"
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// How a session's frame is written to this file: through the session's view where the format is made for the
+/// eye, scene-linear otherwise. Throws InputError on an unknown format.
+[[nodiscard]] FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file);
+
+/// Relights a set under a rig and writes the frame, with the rig in its header: the one way by which frames
+/// leave the studio and the command line, so that they are the same to the bit. Throws InputError as
+/// writeFrame does.
+void exportFrame(const SolvedSet& set, const Rig& rig, const std::filesystem::path& file,
+                 FrameOptions options, const Progress& progress = {});
+
+}  // namespace swaplight
