@@ -1,0 +1,155 @@
+#include "core/view/baked_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "core/image/half.h"
+#include "core/parallel.h"
+#include "core/simd.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kHalves = 65536;
+constexpr int kPositiveHalves = 0x7c00;
+constexpr float kTolerance = 0.25F / 255;
+
+// What a cube holds is decoded by sRGB's curve, mirrored below 0: the colours are then nearly linear in
+// light.
+float srgbDecoded(float code) {
+  const float size = std::abs(code);
+  const float linear = size <= 0.04045F ? size / 12.92F : std::pow((size + 0.055F) / 1.055F, 2.4F);
+  return std::copysign(linear, code);
+}
+
+float srgbEncoded(float linear) {
+  const float size = std::abs(linear);
+  const float code = size <= 0.0031308F ? 12.92F * size : 1.055F * std::pow(size, 1 / 2.4F) - 0.055F;
+  return std::copysign(code, linear);
+}
+
+/// The view of every half float as a grey, a curve a channel.
+std::array<std::vector<float>, 3> curvesOfGreys(const ViewFunction& view) {
+  constexpr int kRow = 256;
+  Image greys(ImageSpec::rgb(kRow, kHalves / kRow));
+  for (int c = 0; c < 3; ++c)
+    for (int bits = 0; bits < kHalves; ++bits) greys.plane(c)[bits] = finiteHalf(bits);
+  parallelRows(greys.height(), 32,
+               [&](int begin, int end) { view(greys.span().crop(0, begin, kRow, end - begin)); });
+  std::array<std::vector<float>, 3> curves;
+  for (int c = 0; c < 3; ++c) curves[static_cast<size_t>(c)].assign(greys.plane(c), greys.plane(c) + kHalves);
+  return curves;
+}
+
+/// The value at which a rising curve reaches a code.
+float valueAtCode(const std::vector<float>& curve, float code) {
+  const auto end = curve.begin() + kPositiveHalves;
+  const auto above = std::lower_bound(curve.begin(), end, code);
+  if (above == curve.begin() || above == end) return 0;
+  const auto bits = static_cast<int>(above - curve.begin());
+  const float low = *(above - 1), high = *above;
+  const float fraction = high > low ? (code - low) / (high - low) : 0;
+  return finiteHalf(bits - 1) + fraction * (finiteHalf(bits) - finiteHalf(bits - 1));
+}
+
+/// The matrix that a view applies before its curves, if that is all it does: what grey and a little more of
+/// one channel do to each channel. Rows add up to 1, because the curves are those of greys.
+glm::mat3 matrixBefore(const ViewFunction& view, const std::array<std::vector<float>, 3>& curves) {
+  constexpr float kGrey = 0.25F, kMore = 0.25F;
+  Image probes(ImageSpec::rgb(3, 1), kGrey);
+  for (int c = 0; c < 3; ++c) probes.plane(c)[c] += kMore;
+  view(probes.span());
+  glm::mat3 matrix(0);
+  for (int out = 0; out < 3; ++out) {
+    float sum = 0;
+    for (int in = 0; in < 3; ++in) {
+      const float value = valueAtCode(curves[static_cast<size_t>(out)], probes.plane(out)[in]);
+      matrix[in][out] = (value - kGrey) / kMore;
+      sum += matrix[in][out];
+    }
+    matrix[out][out] += 1 - sum;
+  }
+  return matrix;
+}
+
+/// True where matrix and curves give what the view gives, on greys, pastels and saturated colours.
+bool explains(const glm::mat3& matrix, const std::array<std::vector<float>, 3>& curves,
+              const ViewFunction& view) {
+  constexpr int kColors = 2048;
+  Image colors(ImageSpec::rgb(kColors, 1));
+  Image expected(ImageSpec::rgb(kColors, 1));
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> stops(-12, 4), level(0, 1);
+  for (int i = 0; i < kColors; ++i) {
+    glm::vec3 color(0);
+    const float strength = std::exp2(stops(random));
+    for (int c = 0; c < 3; ++c) {
+      color[c] = (i >> c & 9) == 0 ? 0 : strength * level(random);
+      colors.plane(c)[i] = color[c];
+    }
+    const glm::vec3 mixed = matrix * color;
+    for (int c = 0; c < 3; ++c) {
+      uint16_t half = 0;
+      halfFromFloat(&mixed[c], &half, 1);
+      expected.plane(c)[i] = curves[static_cast<size_t>(c)][half];
+    }
+  }
+  view(colors.span());
+  // A half float may be off by 2^-12 of its value, which steep curves show.
+  constexpr float kRounding = 0.1F / 255;
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < kColors; ++i) {
+      const float a = std::clamp(colors.plane(c)[i], 0.0F, 1.0F);
+      const float b = std::clamp(expected.plane(c)[i], 0.0F, 1.0F);
+      if (!(std::abs(a - b) < kTolerance + kRounding)) return false;
+    }
+  return true;
+}
+
+SWAPLIGHT_SIMD
+void applyMatrix(const float* matrix, float* r, float* g, float* b, size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    const float x = r[i], y = g[i], z = b[i];
+    r[i] = matrix[0] * x + matrix[3] * y + matrix[6] * z;
+    g[i] = matrix[1] * x + matrix[4] * y + matrix[7] * z;
+    b[i] = matrix[2] * x + matrix[5] * y + matrix[8] * z;
+  }
+}
+
+}  // namespace
+
+float finiteHalf(int bits) {
+  const auto half = static_cast<uint16_t>(bits);
+  float value = 0;
+  floatFromHalf(&half, &value, 1);
+  if (std::isnan(value)) return 0;
+  return std::clamp(value, -65504.0F, 65504.0F);
+}
+
+BakedView::BakedView(const ViewFunction& view) : m_curves(curvesOfGreys(view)) {
+  if (explains(m_matrix, m_curves, view)) return;
+  m_matrix = matrixBefore(view, m_curves);
+  m_mixes = true;
+  if (explains(m_matrix, m_curves, view)) return;
+  m_cube = ColorCube([&](ImageSpan vertices) {
+    view(vertices);
+    for (int c = 0; c < 3; ++c)
+      for (int y = 0; y < vertices.height; ++y)
+        std::transform(vertices.row(c, y), vertices.row(c, y) + vertices.width, vertices.row(c, y),
+                       srgbDecoded);
+  });
+  for (std::vector<float>& curve : m_curves)
+    for (int bits = 0; bits < kHalves; ++bits)
+      curve[static_cast<size_t>(bits)] = srgbEncoded(finiteHalf(bits));
+}
+
+void BakedView::mix(float* rgb, size_t count) const {
+  if (!m_cube.empty())
+    m_cube.apply(rgb, rgb, count);
+  else if (m_mixes)
+    applyMatrix(&m_matrix[0][0], rgb, rgb + ColorCube::kBlock, rgb + 2 * ColorCube::kBlock, count);
+}
+
+}  // namespace swaplight
