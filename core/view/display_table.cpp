@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/image/half.h"
 #include "core/simd.h"
@@ -23,19 +24,19 @@ void scale(const float* in, float factor, float* out, size_t count) {
   for (size_t i = 0; i < count; ++i) out[i] = in[i] * factor;
 }
 
-/// Rec.709's weights, as for the grey of the channel view.
 SWAPLIGHT_SIMD
-void luminance(const float* r, const float* g, const float* b, float factor, float* out, size_t count) {
-  const float wr = 0.2126F * factor, wg = 0.7152F * factor, wb = 0.0722F * factor;
+void weightedSum(const float* r, const float* g, const float* b, const float* weights, float* out,
+                 size_t count) {
+  const float wr = weights[0], wg = weights[1], wb = weights[2];
   for (size_t i = 0; i < count; ++i) out[i] = wr * r[i] + wg * g[i] + wb * b[i];
 }
 
-/// Shows one channel, or the luma of the codes, as grey.
+/// Shows one channel, or the luma of the codes, as grey. Weights add up to 2^16.
 SWAPLIGHT_SIMD
-void pickChannel(uint32_t* rgba, size_t count, uint32_t wr, uint32_t wg, uint32_t wb) {
+void mixToGrey(uint32_t* rgba, size_t count, uint32_t wr, uint32_t wg, uint32_t wb) {
   for (size_t i = 0; i < count; ++i) {
     const uint32_t p = rgba[i];
-    const uint32_t grey = ((p & 255) * wr + (p >> 8 & 255) * wg + (p >> 16 & 255) * wb + (1 << 15)) >> 16;
+    const uint32_t grey = ((p & 255) * wr + (p >> 8 & 255) * wg + (p >> 16 & 255) * wb + (1U << 15)) >> 16;
     rgba[i] = kOpaque | grey | grey << 8 | grey << 16;
   }
 }
@@ -46,27 +47,53 @@ void pickChannel(uint32_t* rgba, size_t count, ViewChannel channel) {
     case ViewChannel::Color:
       return;
     case ViewChannel::Red:
-      return pickChannel(rgba, count, kOne, 0, 0);
+      return mixToGrey(rgba, count, kOne, 0, 0);
     case ViewChannel::Green:
-      return pickChannel(rgba, count, 0, kOne, 0);
+      return mixToGrey(rgba, count, 0, kOne, 0);
     case ViewChannel::Blue:
-      return pickChannel(rgba, count, 0, 0, kOne);
+      return mixToGrey(rgba, count, 0, 0, kOne);
     case ViewChannel::Luminance:
-      return pickChannel(rgba, count, 13933, 46871, 4732);
+      return mixToGrey(rgba, count, 13933, 46871, 4732);
   }
+}
+
+std::shared_ptr<const BakedView> bake(const ColorConfig& config, const std::string& colorSpace,
+                                      const ViewSettings& settings) {
+  const std::string display = settings.display.empty() ? config.defaultDisplay() : settings.display;
+  const std::string view = settings.view.empty() ? config.defaultView(display) : settings.view;
+  return std::make_shared<const BakedView>(
+      [&](ImageSpan pixels) { config.applyView(pixels, colorSpace, display, view); });
 }
 
 }  // namespace
 
-DisplayTable::DisplayTable(std::shared_ptr<const BakedView> view, const ViewSettings& settings)
-    : m_view(std::move(view)), m_exposure(std::exp2(settings.exposureStops)), m_channel(settings.channel) {
+DisplayTable::DisplayTable(std::shared_ptr<const BakedView> view, const ViewSettings& settings,
+                           const Rgb& luminanceWeights)
+    : m_view(std::move(view)), m_luminanceWeights(luminanceWeights), m_settings(settings) {
+  change(settings);
+}
+
+DisplayTable::DisplayTable(const ColorConfig& config, std::string colorSpace, const ViewSettings& settings)
+    : m_config(&config),
+      m_colorSpace(std::move(colorSpace)),
+      m_view(bake(config, m_colorSpace, settings)),
+      m_luminanceWeights(luminanceWeights(config, m_colorSpace)),
+      m_settings(settings) {
+  change(settings);
+}
+
+void DisplayTable::change(const ViewSettings& settings) {
+  const bool sameView = settings.display == m_settings.display && settings.view == m_settings.view;
+  if (m_config && !sameView) m_view = bake(*m_config, m_colorSpace, settings);
+  m_settings = settings;
+  m_exposure = std::exp2(settings.exposureStops);
+  m_falseColors.clear();
   if (settings.falseColor) {
     m_falseColors.resize(kHalves);
     for (int bits = 0; bits < kHalves; ++bits) {
       const Rgb color = falseColor(finiteHalf(bits));
-      m_falseColors[static_cast<size_t>(bits)] = kOpaque | byteOf(color.r) |
-                                                 static_cast<uint32_t>(byteOf(color.g)) << 8 |
-                                                 static_cast<uint32_t>(byteOf(color.b)) << 16;
+      const uint32_t r = byteOf(color.r), g = byteOf(color.g), b = byteOf(color.b);
+      m_falseColors[static_cast<size_t>(bits)] = kOpaque | r | g << 8 | b << 16;
     }
     return;
   }
@@ -81,28 +108,30 @@ DisplayTable::DisplayTable(std::shared_ptr<const BakedView> view, const ViewSett
   }
 }
 
-void DisplayTable::apply(const float* r, const float* g, const float* b, size_t count, uint32_t* rgba) const {
+void DisplayTable::apply(const float* r, const float* g, const float* b, int count, uint8_t* rgba) const {
   alignas(64) float values[3 * kBlock];
   alignas(64) uint16_t bits[3 * kBlock];
-  for (size_t begin = 0; begin < count; begin += kBlock) {
-    const size_t block = std::min(kBlock, count - begin);
-    uint32_t* out = rgba + begin;
+  alignas(64) uint32_t pixels[kBlock];
+  const Rgb weights = m_luminanceWeights * m_exposure;
+  const uint8_t *codesR = m_codes[0].data(), *codesG = m_codes[1].data(), *codesB = m_codes[2].data();
+  for (size_t begin = 0; begin < static_cast<size_t>(count); begin += kBlock) {
+    const size_t block = std::min(kBlock, static_cast<size_t>(count) - begin);
     if (!m_falseColors.empty()) {
-      luminance(r + begin, g + begin, b + begin, m_exposure, values, block);
+      weightedSum(r + begin, g + begin, b + begin, &weights[0], values, block);
       halfFromFloat(values, bits, block);
-      for (size_t i = 0; i < block; ++i) out[i] = m_falseColors[bits[i]];
-      continue;
+      for (size_t i = 0; i < block; ++i) pixels[i] = m_falseColors[bits[i]];
+    } else {
+      scale(r + begin, m_exposure, values, block);
+      scale(g + begin, m_exposure, values + kBlock, block);
+      scale(b + begin, m_exposure, values + 2 * kBlock, block);
+      if (m_view) m_view->mix(values, block);
+      for (size_t c = 0; c < 3; ++c) halfFromFloat(values + c * kBlock, bits + c * kBlock, block);
+      for (size_t i = 0; i < block; ++i)
+        pixels[i] = kOpaque | codesR[bits[i]] | static_cast<uint32_t>(codesG[bits[kBlock + i]]) << 8 |
+                    static_cast<uint32_t>(codesB[bits[2 * kBlock + i]]) << 16;
+      pickChannel(pixels, block, m_settings.channel);
     }
-    scale(r + begin, m_exposure, values, block);
-    scale(g + begin, m_exposure, values + kBlock, block);
-    scale(b + begin, m_exposure, values + 2 * kBlock, block);
-    if (m_view) m_view->mix(values, block);
-    for (size_t c = 0; c < 3; ++c) halfFromFloat(values + c * kBlock, bits + c * kBlock, block);
-    const uint8_t *codesR = m_codes[0].data(), *codesG = m_codes[1].data(), *codesB = m_codes[2].data();
-    for (size_t i = 0; i < block; ++i)
-      out[i] = kOpaque | codesR[bits[i]] | static_cast<uint32_t>(codesG[bits[kBlock + i]]) << 8 |
-               static_cast<uint32_t>(codesB[bits[2 * kBlock + i]]) << 16;
-    pickChannel(out, block, m_channel);
+    std::memcpy(rgba + 4 * begin, pixels, 4 * block);
   }
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "core/color/color_config.h"
+#include "core/color/rgb.h"
+
+namespace swaplight {
+
+/// Relative luminance of linear Rec.709: Y of CIE XYZ.
+inline constexpr Rgb kRec709Luminance{0.2126F, 0.7152F, 0.0722F};
+
+/// The weights with which R, G, B of a linear colour space add up to its luminance. Throws InputError on an
+/// unknown space.
+[[nodiscard]] Rgb luminanceWeights(const ColorConfig& config, const std::string& colorSpace);
+
+}  // namespace swaplight

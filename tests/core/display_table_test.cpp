@@ -1,0 +1,181 @@
+#include "core/view/display_table.h"
+
+#include <OpenColorIO/OpenColorIO.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/color/srgb.h"
+#include "core/view/false_color.h"
+
+namespace swaplight {
+namespace {
+
+namespace OCIO = OCIO_NAMESPACE;
+
+/// A view as OpenColorIO computes it on the processor, without any table.
+ViewFunction viewOf(const std::vector<OCIO::TransformRcPtr>& steps) {
+  const auto group = OCIO::GroupTransform::Create();
+  for (const OCIO::TransformRcPtr& step : steps) group->appendTransform(step);
+  const OCIO::ConstCPUProcessorRcPtr exact =
+      OCIO::Config::CreateRaw()->getProcessor(group)->getDefaultCPUProcessor();
+  return [exact](ImageSpan pixels) {
+    for (int y = 0; y < pixels.height; ++y) {
+      OCIO::PlanarImageDesc row(pixels.row(0, y), pixels.row(1, y), pixels.row(2, y), nullptr, pixels.width,
+                                1);
+      exact->apply(row);
+    }
+  };
+}
+
+OCIO::TransformRcPtr builtin(const char* style) {
+  const auto transform = OCIO::BuiltinTransform::Create();
+  transform->setStyle(style);
+  return transform;
+}
+
+OCIO::TransformRcPtr aces2065FromRec709() {
+  const auto matrix = OCIO::MatrixTransform::Create();
+  const double values[16] = {0.4395856, 0.3839294, 0.1765327, 0, 0.0895396, 0.8147499, 0.0956842, 0,
+                             0.0173872, 0.1087393, 0.8738199, 0, 0,         0,         0,         1};
+  matrix->setMatrix(values);
+  return matrix;
+}
+
+ViewFunction srgbView() {
+  return [](ImageSpan pixels) {
+    for (int c = 0; c < 3; ++c)
+      for (int y = 0; y < pixels.height; ++y)
+        for (int x = 0; x < pixels.width; ++x) pixels.at(c, x, y) = srgbFromLinear(pixels.at(c, x, y));
+  };
+}
+ViewFunction p3View() {
+  return viewOf({aces2065FromRec709(), builtin("UTILITY - ACES-AP0_to_CIE-XYZ-D65_BFD"),
+                 builtin("DISPLAY - CIE-XYZ-D65_to_G2.6-P3-D65")});
+}
+ViewFunction acesView() {
+  return viewOf({aces2065FromRec709(), builtin("ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO_1.0"),
+                 builtin("DISPLAY - CIE-XYZ-D65_to_sRGB")});
+}
+
+/// Colours from black to 8, from grey to as saturated as random ones are.
+Image manyColors() {
+  Image image(ImageSpec::rgb(512, 256));
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> stops(-9, 3), level(0, 1);
+  for (size_t p = 0; p < image.pixelCount(); ++p) {
+    const float strength = std::exp2(stops(random)), saturation = level(random);
+    for (int c = 0; c < 3; ++c) image.plane(c)[p] = strength * (1 - saturation * level(random));
+  }
+  return image;
+}
+
+struct CodeError {
+  double mean = 0;
+  double worst = 0;
+  double beyondTwo = 0;  ///< share of the values that are more than two codes off
+};
+
+CodeError errorOf(const ViewFunction& view) {
+  const DisplayTable table(std::make_shared<const BakedView>(view), {});
+  Image image = manyColors();
+  std::vector<uint8_t> codes(image.pixelCount() * 4);
+  table.apply(image.plane(0), image.plane(1), image.plane(2), static_cast<int>(image.pixelCount()),
+              codes.data());
+  view(image.span());
+  CodeError error;
+  const double count = 3.0 * static_cast<double>(image.pixelCount());
+  for (size_t p = 0; p < image.pixelCount(); ++p)
+    for (int c = 0; c < 3; ++c) {
+      const double exact = 255.0 * std::clamp(image.plane(c)[p], 0.0F, 1.0F);
+      const double off = std::abs(exact - codes[4 * p + static_cast<size_t>(c)]);
+      error.mean += off / count;
+      error.worst = std::max(error.worst, off);
+      if (off > 2) error.beyondTwo += 1 / count;
+    }
+  return error;
+}
+
+TEST(DisplayTable, PlainSrgbIsWithinRounding) {
+  EXPECT_LT(errorOf(srgbView()).worst, 0.6);
+}
+
+TEST(DisplayTable, AViewOfOtherPrimariesIsFoundToBeAMatrixAndCurves) {
+  EXPECT_TRUE(BakedView(p3View()).exact());
+  EXPECT_LT(errorOf(p3View()).worst, 0.6);
+}
+
+TEST(DisplayTable, AFilmLikeViewIsWithinTwoCodesButForVerySaturatedPixels) {
+  EXPECT_FALSE(BakedView(acesView()).exact());
+  const CodeError error = errorOf(acesView());
+  EXPECT_LT(error.mean, 0.3);
+  EXPECT_LT(error.beyondTwo, 1e-3);
+  RecordProperty("worst", std::to_string(error.worst));
+}
+
+std::array<int, 4> codesOf(const DisplayTable& table, const Rgb& color) {
+  std::array<uint8_t, 4> codes{};
+  table.apply(&color.r, &color.g, &color.b, 1, codes.data());
+  return {codes[0], codes[1], codes[2], codes[3]};
+}
+
+int srgbCode(float linear) {
+  return static_cast<int>(std::lround(255 * srgbFromLinear(linear)));
+}
+
+TEST(DisplayTable, ExposureGammaAndChannelActInTheirOrder) {
+  const auto view = std::make_shared<const BakedView>(srgbView());
+  ViewSettings settings;
+  settings.exposureStops = -1;
+  DisplayTable table(view, settings);
+  EXPECT_EQ(codesOf(table, {0.5F, 0.25F, 1}),
+            (std::array<int, 4>{srgbCode(0.25F), srgbCode(0.125F), srgbCode(0.5F), 255}));
+  settings = {};
+  settings.gamma = 2;
+  table.change(settings);
+  const int expected = static_cast<int>(std::lround(255 * std::sqrt(srgbFromLinear(0.25F))));
+  EXPECT_EQ(codesOf(table, Rgb(0.25F))[0], expected);
+  settings = {};
+  settings.channel = ViewChannel::Green;
+  table.change(settings);
+  EXPECT_EQ(codesOf(table, {0.5F, 0.25F, 1}),
+            (std::array<int, 4>{srgbCode(0.25F), srgbCode(0.25F), srgbCode(0.25F), 255}));
+  settings.channel = ViewChannel::Luminance;
+  table.change(settings);
+  EXPECT_EQ(codesOf(table, Rgb(0.25F))[2], srgbCode(0.25F));
+}
+
+TEST(DisplayTable, FalseColorShowsTheBandOfTheLuminance) {
+  ViewSettings settings;
+  settings.falseColor = true;
+  const DisplayTable table(nullptr, settings);
+  EXPECT_EQ(codesOf(table, Rgb(0.18F)), (std::array<int, 4>{128, 128, 128, 255}));
+  EXPECT_EQ(codesOf(table, Rgb(0)), (std::array<int, 4>{0, 0, 0, 255}));
+  EXPECT_EQ(codesOf(table, Rgb(18)), (std::array<int, 4>{255, 255, 255, 255}));
+  const Rgb twoUp = falseColor(0.72F);
+  EXPECT_EQ(codesOf(table, Rgb(0.72F))[0], std::lround(255 * twoUp.r));
+}
+
+TEST(DisplayTable, ValuesThatAreNotFiniteAreShownAsTheLargestOrAsBlack) {
+  const DisplayTable table(std::make_shared<const BakedView>(srgbView()), {});
+  const float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(codesOf(table, {infinity, -infinity, std::numeric_limits<float>::quiet_NaN()}),
+            (std::array<int, 4>{255, 0, 0, 255}));
+}
+
+TEST(DisplayTable, DataIsShownAsItIs) {
+  const DisplayTable table(nullptr, {});
+  EXPECT_EQ(codesOf(table, {0.5F, 1.5F, -1}), (std::array<int, 4>{128, 255, 0, 255}));
+}
+
+TEST(FalseColor, BandsRiseAndMiddleGreyIsGrey) {
+  const auto bands = falseColorBands();
+  for (size_t i = 1; i < bands.size(); ++i) EXPECT_LT(bands[i - 1].stops, bands[i].stops);
+  EXPECT_EQ(falseColor(0.18F), Rgb(0.5F));
+  EXPECT_EQ(falseColor(std::numeric_limits<float>::quiet_NaN()), bands.front().color);
+}
+
+}  // namespace
+}  // namespace swaplight
