@@ -64,6 +64,7 @@ void uploadTiles(TiledTexture& picture, ImageView rgb) {
     const BoundTexture bound(0, GL_TEXTURE_2D, tile.texture.id());
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, rect.width, rect.height, GL_RGBA, GL_HALF_FLOAT, pixels.data());
   }
+  picture.halved = false;
   checkGl("while uploading a picture");
 }
 

@@ -109,7 +109,7 @@ void RelightRenderer::updateLayer(int layer, ImageView pixels, int x, int y) {
   }
 }
 
-const TiledTexture& RelightRenderer::relight(std::span<const Rgb> factors, float ambientFactor) {
+TiledTexture& RelightRenderer::relight(std::span<const Rgb> factors, float ambientFactor) {
   if (static_cast<int>(factors.size()) != m_lightCount)
     throw std::logic_error(fmt::format("{} factors for {} lights", factors.size(), m_lightCount));
   // Lights that are off cost nothing.
@@ -146,6 +146,7 @@ const TiledTexture& RelightRenderer::relight(std::span<const Rgb> factors, float
     const AdditiveBlending adding;
     while (done < layers.size()) done = drawPass(done);
   }
+  m_frame.halved = false;
   checkGl("while relighting");
   return m_frame;
 }

@@ -35,7 +35,7 @@ class RelightRenderer {
   void updateAmbient(ImageView pixels, int x, int y) { updateLayer(m_lightCount, pixels, x, y); }
 
   /// Draws the frame: sum of factors[i] * T[i] + ambientFactor * ambient. Valid until the next call.
-  const TiledTexture& relight(std::span<const Rgb> factors, float ambientFactor = 1);
+  TiledTexture& relight(std::span<const Rgb> factors, float ambientFactor = 1);
   [[nodiscard]] const TiledTexture& frame() const { return m_frame; }
 
   /// The last frame as an image.

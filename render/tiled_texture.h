@@ -25,6 +25,7 @@ struct TiledTexture {
   int width = 0;
   int height = 0;
   std::vector<Tile> tiles;
+  bool halved = false;  ///< its halved pictures (mip levels) are those of the picture as it is now
 
   TiledTexture() = default;
   /// Throws ResourceError where the graphics card has no memory left.

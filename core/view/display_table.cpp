@@ -6,6 +6,7 @@
 
 #include "core/image/half.h"
 #include "core/simd.h"
+#include "core/view/exact_view.h"
 #include "core/view/false_color.h"
 
 namespace swaplight {
@@ -19,9 +20,15 @@ uint8_t byteOf(float code) {
   return static_cast<uint8_t>(std::lround(255 * std::clamp(code, 0.0F, 1.0F)));
 }
 
+/// Infinities become the largest half float, because a view's matrix would make NaN of them; NaN becomes 0.
 SWAPLIGHT_SIMD
-void scale(const float* in, float factor, float* out, size_t count) {
-  for (size_t i = 0; i < count; ++i) out[i] = in[i] * factor;
+void expose(const float* in, float factor, float* out, size_t count) {
+  constexpr float kLargest = 65504;
+  for (size_t i = 0; i < count; ++i) {
+    const float value = in[i] * factor;
+    const float bounded = value < kLargest ? (value > -kLargest ? value : -kLargest) : kLargest;
+    out[i] = value == value ? bounded : 0;
+  }
 }
 
 SWAPLIGHT_SIMD
@@ -61,8 +68,7 @@ std::shared_ptr<const BakedView> bake(const ColorConfig& config, const std::stri
                                       const ViewSettings& settings) {
   const std::string display = settings.display.empty() ? config.defaultDisplay() : settings.display;
   const std::string view = settings.view.empty() ? config.defaultView(display) : settings.view;
-  return std::make_shared<const BakedView>(
-      [&](ImageSpan pixels) { config.applyView(pixels, colorSpace, display, view); });
+  return std::make_shared<const BakedView>(exactView(config, colorSpace, display, view));
 }
 
 }  // namespace
@@ -121,9 +127,9 @@ void DisplayTable::apply(const float* r, const float* g, const float* b, int cou
       halfFromFloat(values, bits, block);
       for (size_t i = 0; i < block; ++i) pixels[i] = m_falseColors[bits[i]];
     } else {
-      scale(r + begin, m_exposure, values, block);
-      scale(g + begin, m_exposure, values + kBlock, block);
-      scale(b + begin, m_exposure, values + 2 * kBlock, block);
+      expose(r + begin, m_exposure, values, block);
+      expose(g + begin, m_exposure, values + kBlock, block);
+      expose(b + begin, m_exposure, values + 2 * kBlock, block);
       if (m_view) m_view->mix(values, block);
       for (size_t c = 0; c < 3; ++c) halfFromFloat(values + c * kBlock, bits + c * kBlock, block);
       for (size_t i = 0; i < block; ++i)

@@ -1,6 +1,5 @@
 #include "core/view/display_table.h"
 
-#include <OpenColorIO/OpenColorIO.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,40 +7,20 @@
 #include <random>
 
 #include "core/color/srgb.h"
+#include "core/view/exact_view.h"
 #include "core/view/false_color.h"
 
 namespace swaplight {
 namespace {
 
-namespace OCIO = OCIO_NAMESPACE;
-
-/// A view as OpenColorIO computes it on the processor, without any table.
-ViewFunction viewOf(const std::vector<OCIO::TransformRcPtr>& steps) {
-  const auto group = OCIO::GroupTransform::Create();
-  for (const OCIO::TransformRcPtr& step : steps) group->appendTransform(step);
-  const OCIO::ConstCPUProcessorRcPtr exact =
-      OCIO::Config::CreateRaw()->getProcessor(group)->getDefaultCPUProcessor();
-  return [exact](ImageSpan pixels) {
-    for (int y = 0; y < pixels.height; ++y) {
-      OCIO::PlanarImageDesc row(pixels.row(0, y), pixels.row(1, y), pixels.row(2, y), nullptr, pixels.width,
-                                1);
-      exact->apply(row);
-    }
-  };
-}
-
-OCIO::TransformRcPtr builtin(const char* style) {
-  const auto transform = OCIO::BuiltinTransform::Create();
-  transform->setStyle(style);
-  return transform;
-}
-
-OCIO::TransformRcPtr aces2065FromRec709() {
-  const auto matrix = OCIO::MatrixTransform::Create();
-  const double values[16] = {0.4395856, 0.3839294, 0.1765327, 0, 0.0895396, 0.8147499, 0.0956842, 0,
-                             0.0173872, 0.1087393, 0.8738199, 0, 0,         0,         0,         1};
-  matrix->setMatrix(values);
-  return matrix;
+/// A view of the built-in configuration whose name contains some words.
+ViewFunction viewNamed(const std::string& words) {
+  const ColorConfig config("");
+  for (const std::string& display : config.displays())
+    for (const std::string& view : config.views(display))
+      if ((display + " " + view).find(words) != std::string::npos)
+        return exactView(config, "lin_rec709", display, view);
+  throw std::logic_error("no view is named " + words);
 }
 
 ViewFunction srgbView() {
@@ -52,12 +31,10 @@ ViewFunction srgbView() {
   };
 }
 ViewFunction p3View() {
-  return viewOf({aces2065FromRec709(), builtin("UTILITY - ACES-AP0_to_CIE-XYZ-D65_BFD"),
-                 builtin("DISPLAY - CIE-XYZ-D65_to_G2.6-P3-D65")});
+  return viewNamed("P3-D65 P3-D65");
 }
 ViewFunction acesView() {
-  return viewOf({aces2065FromRec709(), builtin("ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO_1.0"),
-                 builtin("DISPLAY - CIE-XYZ-D65_to_sRGB")});
+  return viewNamed("ACES");
 }
 
 /// Colours from black to 8, from grey to as saturated as random ones are.

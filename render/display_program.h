@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/color/color_config.h"
+#include "render/gl_handle.h"
+#include "render/shader_program.h"
+
+namespace swaplight {
+
+/// The shader that shows a linear picture through one view of a colour configuration: OpenColorIO writes its
+/// middle part and the tables that go with it.
+class DisplayProgram {
+ public:
+  DisplayProgram() = default;
+  /// Throws InputError where the configuration lacks the space, the display or the view.
+  DisplayProgram(const ColorConfig& config, const std::string& colorSpace, const std::string& display,
+                 const std::string& view);
+  /// Shows values as they are: for maps that are data.
+  [[nodiscard]] static DisplayProgram forData();
+
+  [[nodiscard]] const ShaderProgram& program() const { return m_program; }
+
+  /// A table of the view, to be bound while drawing.
+  struct Table {
+    std::string sampler;
+    unsigned target = 0;  ///< GL_TEXTURE_1D, _2D, _3D
+    GlTexture texture;
+  };
+  [[nodiscard]] const std::vector<Table>& tables() const { return m_tables; }
+
+ private:
+  ShaderProgram m_program;
+  std::vector<Table> m_tables;
+};
+
+}  // namespace swaplight
