@@ -1,5 +1,6 @@
 #include "core/view/display_table.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +19,7 @@ ViewFunction viewNamed(const std::string& words) {
   const ColorConfig config("");
   for (const std::string& display : config.displays())
     for (const std::string& view : config.views(display))
-      if ((display + " " + view).find(words) != std::string::npos)
+      if (fmt::format("{} {}", display, view).find(words) != std::string::npos)
         return exactView(config, "lin_rec709", display, view);
   throw std::logic_error("no view is named " + words);
 }

@@ -124,7 +124,9 @@ TEST_F(ViewRendererTest, EnlargedPixelsAreSquaresAndOutsideIsTransparent) {
   ViewRenderer renderer(config, "lin_rec709");
   renderer.drawData(picture, {-0.5, 0, 4, 16, 8}, {});
   const std::vector<uint8_t> codes = renderer.readback();
-  const auto at = [&](int x, int y, int c) { return codes[static_cast<size_t>(4 * (16 * y + x) + c)]; };
+  const auto at = [&](int x, int y, int c) {
+    return codes[4 * (16 * static_cast<size_t>(y) + static_cast<size_t>(x)) + static_cast<size_t>(c)];
+  };
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 16; ++x) {
       const int px = (x + 2) / 4 - 1, py = y / 4;
@@ -178,7 +180,7 @@ TEST_F(ViewRendererTest, ZebraStripesWhatIsTooBrightAndTooDark) {
   int bright = 0, dark = 0, others = 0;
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 32; ++x) {
-      const uint8_t* p = &codes[static_cast<size_t>(4 * (32 * y + x))];
+      const uint8_t* p = &codes[4 * (32 * static_cast<size_t>(y) + static_cast<size_t>(x))];
       const bool striped = p[0] != p[1] || p[1] != p[2];
       (x == 3 ? bright : x == 9 ? dark : others) += striped ? 1 : 0;
     }
