@@ -152,6 +152,11 @@ std::string defaultName(const Capture& capture) {
   return folder.has_filename() ? folder.filename().string() : folder.parent_path().filename().string();
 }
 
+/// Puts back what was kept; null (a default Json) is nothing.
+void addExtra(Json& json, const Json& extra) {
+  if (extra.is_object()) json.update(extra, true);
+}
+
 Json jsonFromColor(const std::optional<Rgb>& color) {
   if (!color) return nullptr;
   return {jsonNumber(color->r), jsonNumber(color->g), jsonNumber(color->b)};
@@ -172,7 +177,7 @@ Json jsonFromShot(const Shot& shot) {
   Json& colors = json["light_colors"] = Json::array();
   for (const auto& color : shot.lightColors) colors.push_back(jsonFromColor(color));
   if (shot.exposureStops != 0) json["exposure_stops"] = jsonNumber(shot.exposureStops);
-  json.update(shot.extra);
+  addExtra(json, shot.extra);
   return json;
 }
 
@@ -199,7 +204,7 @@ Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
   capture.noise = noiseFromJson(fields, noiseExtra, capture.warnings);
   capture.truth = truthFromJson(fields);
   capture.extra = keepUnknown(fields, capture.warnings);
-  capture.extra.update(noiseExtra);
+  addExtra(capture.extra, noiseExtra);
   return capture;
 }
 
@@ -211,7 +216,7 @@ Json jsonFromCapture(const Capture& capture) {
   Json& lights = json["lights"] = Json::array();
   for (const Light& light : capture.lights) {
     lights.push_back({{"name", light.name}, {"role", roleName(light.role)}});
-    lights.back().update(light.extra);
+    addExtra(lights.back(), light.extra);
   }
   Json& shots = json["shots"] = Json::array();
   for (const Shot& shot : capture.shots) shots.push_back(jsonFromShot(shot));
@@ -219,7 +224,7 @@ Json jsonFromCapture(const Capture& capture) {
   if (capture.dark) json["dark"] = *capture.dark;
   if (capture.noise) json["noise"] = {{"read", capture.noise->read}, {"full_well", capture.noise->fullWell}};
   if (!capture.truth.empty()) json["truth"] = jsonFromTruth(capture);
-  json.update(capture.extra, true);
+  addExtra(json, capture.extra);
   return json;
 }
 

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/progress.h"
 
 namespace swaplight {
 
@@ -34,6 +36,11 @@ struct ImageFile {
 /// acescg, aces2065_1, srgb, raw). Throws InputError that names the file: missing, not a picture, truncated,
 /// empty, too large.
 [[nodiscard]] ImageFile readImage(const std::filesystem::path& file);
+/// Reads the channels straight to where they are wanted: `planes` is given the header and returns a plane a
+/// channel (rows without gaps), or nullptr for those not wanted. Otherwise as readImage.
+void readChannels(const std::filesystem::path& file,
+                  const std::function<std::vector<float*>(const ImageSpec&, const ImageFileInfo&)>& planes,
+                  const Progress& progress = {});
 /// Header only: channel names and size.
 [[nodiscard]] ImageSpec readImageSpec(const std::filesystem::path& file, ImageFileInfo* info = nullptr);
 

@@ -171,27 +171,56 @@ std::optional<PixelType> pixelTypeOf(OIIO::TypeDesc type) {
   }
 }
 
-/// Reads a part into the image's channels from `firstChannel` on, band by band: big enough that the decoder's
-/// threads have work, small enough to stay near the caches.
-void readPart(Input& input, const Part& part, int firstChannel, Image& image) {
-  const OIIO::ImageSpec& spec = part.spec;
+/// The types to ask for: as stored where we unpack them ourselves, else float; `asked` is what OpenImageIO is
+/// told.
+PackedLayout layoutOf(const OIIO::ImageSpec& spec, OIIO::TypeDesc& asked) {
   std::vector<PixelType> types;
-  OIIO::TypeDesc asked = OIIO::TypeUnknown;  // as stored
+  asked = OIIO::TypeUnknown;  // as stored
   for (int c = 0; c < spec.nchannels; ++c) {
     const auto type = pixelTypeOf(spec.channelformat(c));
     if (!type) asked = OIIO::TypeFloat;
     types.push_back(type.value_or(PixelType::Float));
   }
   if (asked == OIIO::TypeFloat) std::fill(types.begin(), types.end(), PixelType::Float);
-  const PackedLayout layout(types);
+  return PackedLayout(std::move(types));
+}
 
+/// Where a part's pixels go: planes of the image's size.
+struct PartTarget {
+  std::span<float* const> planes;
+  int width = 0;
+  int height = 0;
+};
+
+/// Unpacks rows y..y+rows of a part's data window into the display window.
+void unpackBand(const Part& part, int y, int rows, const PackedLayout& layout, const std::byte* band,
+                const PartTarget& target) {
+  const int top = std::max(0, part.y + y);
+  const int bottom = std::min(target.height, part.y + y + rows);
+  const int left = std::max(0, part.x);
+  const int right = std::min(target.width, part.x + part.spec.width);
+  if (top >= bottom || left >= right) return;
+  const ptrdiff_t first = ptrdiff_t{top} * target.width + left;
+  std::vector<float*> planes(target.planes.begin(), target.planes.end());
+  for (float*& plane : planes)
+    if (plane) plane += first;
+  const size_t skippedRows = static_cast<size_t>(top - (part.y + y));
+  const size_t rowBytes = layout.pixelBytes * static_cast<size_t>(part.spec.width);
+  unpackPixels(band + skippedRows * rowBytes, layout, part.spec.width, left - part.x,
+               {planes, target.width, right - left, bottom - top});
+}
+
+/// Reads a part band by band: big enough that the decoder's threads have work, small enough for the memory.
+void readPart(Input& input, const Part& part, const PartTarget& target,
+              const std::function<void(int rows)>& done) {
+  const OIIO::ImageSpec& spec = part.spec;
+  OIIO::TypeDesc asked;
+  const PackedLayout layout = layoutOf(spec, asked);
   const int step = spec.tile_height > 0 ? spec.tile_height : 16;
   const size_t rowBytes = layout.pixelBytes * static_cast<size_t>(spec.width);
   const int bandRows =
       step * std::max(1, static_cast<int>(kBandBytes / (rowBytes * static_cast<size_t>(step))));
   std::vector<std::byte> band(rowBytes * static_cast<size_t>(std::min(bandRows, spec.height)));
-  const int left = std::max(0, part.x);
-  const int right = std::min(image.width(), part.x + spec.width);
   for (int y = 0; y < spec.height; y += bandRows) {
     const int rows = std::min(bandRows, spec.height - y);
     const int first = spec.y + y;
@@ -201,19 +230,34 @@ void readPart(Input& input, const Part& part, int firstChannel, Image& image) {
                           : input->read_scanlines(part.index, 0, first, first + rows, spec.z, 0,
                                                   spec.nchannels, asked, band.data());
     if (!read || input->has_error()) input.fail();  // a truncated TIFF succeeds with an error
-    const int top = std::max(0, part.y + y);
-    const int bottom = std::min(image.height(), part.y + y + rows);
-    if (top >= bottom) continue;
-    const size_t skippedRows = static_cast<size_t>(top - (part.y + y));
-    const ImageSpan target =
-        image.span().channelRange(firstChannel, spec.nchannels).crop(left, top, right - left, bottom - top);
-    unpackPixels(band.data() + skippedRows * rowBytes, layout, spec.width, left - part.x, target);
+    unpackBand(part, y, rows, layout, band.data(), target);
+    done(rows);
   }
 }
 
 bool coversImage(const Part& part, const ImageSpec& spec) {
   return part.x <= 0 && part.y <= 0 && part.x + int64_t{part.spec.width} >= spec.width &&
          part.y + int64_t{part.spec.height} >= spec.height;
+}
+
+void readParts(Input& input, const Contents& contents, std::span<float* const> planes,
+               const Progress& progress) {
+  const ImageSpec& spec = contents.spec;
+  int64_t total = 0;
+  for (const Part& part : contents.parts) total += part.spec.height;
+  int64_t read = 0;
+  size_t channel = 0;
+  for (const Part& part : contents.parts) {
+    const PartTarget target{planes.subspan(channel, part.channels.size()), spec.width, spec.height};
+    channel += part.channels.size();
+    if (!coversImage(part, spec))
+      for (float* plane : target.planes)
+        if (plane) std::fill_n(plane, spec.pixelCount(), 0.0F);
+    readPart(input, part, target, [&](int rows) {
+      read += rows;
+      progress.update(static_cast<float>(read) / static_cast<float>(total), "reading");
+    });
+  }
 }
 
 }  // namespace
@@ -225,17 +269,21 @@ ImageSpec readImageSpec(const std::filesystem::path& file, ImageFileInfo* info) 
   return contents.spec;
 }
 
+void readChannels(const std::filesystem::path& file,
+                  const std::function<std::vector<float*>(const ImageSpec&, const ImageFileInfo&)>& planes,
+                  const Progress& progress) {
+  Input input(file);
+  const Contents contents = contentsOf(input);
+  readParts(input, contents, planes(contents.spec, contents.info), progress);
+}
+
 ImageFile readImage(const std::filesystem::path& file) {
   Input input(file);
   Contents contents = contentsOf(input);
-  const bool covered = std::all_of(contents.parts.begin(), contents.parts.end(),
-                                   [&](const Part& part) { return coversImage(part, contents.spec); });
-  Image image = covered ? Image(contents.spec) : Image(contents.spec, 0);
-  int channel = 0;
-  for (const Part& part : contents.parts) {
-    readPart(input, part, channel, image);
-    channel += part.spec.nchannels;
-  }
+  Image image(contents.spec);
+  std::vector<float*> planes;
+  for (int c = 0; c < image.channelCount(); ++c) planes.push_back(image.plane(c));
+  readParts(input, contents, planes, {});
   return {std::move(image), std::move(contents.info)};
 }
 

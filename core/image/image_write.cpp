@@ -1,8 +1,11 @@
 #include "core/image/image_write.h"
 
 #include <OpenImageIO/imageio.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "core/error.h"
 #include "core/file/atomic_file.h"
@@ -52,8 +55,19 @@ OIIO::ImageSpec specOf(const FileToWrite& contents, const PartToWrite& part, con
     spec.attribute("compression", contents.compression.empty() ? "zip" : contents.compression);
   }
   spec.attribute("Software", "swaplight " SWAPLIGHT_VERSION);
-  for (const auto& [name, value] : contents.text) spec.attribute(name, value);
+  if (&part == contents.parts.data())
+    for (const auto& [name, value] : contents.text) spec.attribute(name, value);
   return spec;
+}
+
+/// OpenImageIO takes zip for a name that it does not know.
+void checkExrCompression(const std::string& compression, const std::string& name) {
+  const std::array<std::string_view, 10> known = {"none",  "rle", "zips", "zip",  "piz",
+                                                  "pxr24", "b44", "b44a", "dwaa", "dwab"};
+  const std::string_view method = std::string_view(compression).substr(0, compression.find(':'));
+  if (compression.empty() || std::find(known.begin(), known.end(), method) != known.end()) return;
+  throw InputError("{}: the compression \"{}\" is not known. Known: {}.", name, compression,
+                   fmt::join(known, ", "));
 }
 
 /// Refuses what the format cannot hold, in words.
@@ -68,6 +82,7 @@ void checkSuits(const FileToWrite& contents, const std::string& format, const st
   const auto refuse = [&](const std::string& why) {
     throw InputError("{}: {} Write .exr instead.", name, why);
   };
+  if (format == "openexr") checkExrCompression(contents.compression, name);
   if (format == "openexr" && integer)
     throw InputError("{}: an EXR holds half or float, not {}.", name, pixelTypeName(type));
   if (format == "png" && (!integer || channels > 4))

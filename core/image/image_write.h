@@ -32,7 +32,7 @@ struct FileToWrite {
   std::vector<PartToWrite> parts;
   std::string colorSpace;                   ///< srgb, or one with chromaticities; others are not said
   std::string compression;                  ///< empty: zip for EXR and TIFF
-  std::map<std::string, std::string> text;  ///< attributes for the header
+  std::map<std::string, std::string> text;  ///< attributes for the header, the first part's
   int jpegQuality = 95;
 };
 

@@ -111,15 +111,16 @@ PackedLayout::PackedLayout(std::vector<PixelType> channelTypes) : types(std::mov
 }
 
 void unpackPixels(const std::byte* rows, const PackedLayout& layout, int packedWidth, int firstX,
-                  const ImageSpan& out) {
+                  const UnpackTarget& target) {
   const size_t rowBytes = layout.pixelBytes * static_cast<size_t>(packedWidth);
   const size_t skipped = layout.pixelBytes * static_cast<size_t>(firstX);
-  parallelRows(out.height, kGrain, [&](int begin, int end) {
+  parallelRows(target.height, kGrain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
-      for (int c = 0; c < out.channels; ++c) {
-        const auto channel = static_cast<size_t>(c);
-        const std::byte* row = rows + static_cast<size_t>(y) * rowBytes + skipped + layout.offsets[channel];
-        unpackRow(row, layout.pixelBytes, layout.types[channel], out.row(c, y), out.width);
+      for (size_t c = 0; c < target.planes.size(); ++c) {
+        if (!target.planes[c]) continue;
+        const std::byte* row = rows + static_cast<size_t>(y) * rowBytes + skipped + layout.offsets[c];
+        unpackRow(row, layout.pixelBytes, layout.types[c], target.planes[c] + y * target.rowStride,
+                  target.width);
       }
   });
 }

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/image/image.h"
-
 namespace swaplight {
 
 /// How a file stores a number.
@@ -24,10 +22,19 @@ struct PackedLayout {
   size_t pixelBytes = 0;
 };
 
-/// Packed rows to planes, in parallel. `rows` holds out.height rows of `packedWidth` pixels, of which those
-/// from `firstX` on are wanted. 8 and 16-bit integers are scaled to 0..1, 32-bit ones are not.
+/// Where unpacked pixels go: a pointer a channel (nullptr: not wanted) to the first pixel, rows rowStride
+/// apart.
+struct UnpackTarget {
+  std::span<float* const> planes;
+  ptrdiff_t rowStride = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// Packed rows to planes, in parallel. `rows` holds target.height rows of `packedWidth` pixels, of which
+/// those from `firstX` on are wanted. 8 and 16-bit integers are scaled to 0..1, 32-bit ones are not.
 void unpackPixels(const std::byte* rows, const PackedLayout& layout, int packedWidth, int firstX,
-                  const ImageSpan& out);
+                  const UnpackTarget& target);
 
 /// Planes (row y at planes[c] + y * width) to packed rows, in parallel. What a type cannot hold is clamped:
 /// half to +-65504, integers to 0..1 and NaN to 0.
