@@ -41,6 +41,11 @@ float linearOf(float code, const std::string& from, const std::string& to) {
   return std::min({pixel.plane(0)[0], pixel.plane(1)[0], pixel.plane(2)[0]});
 }
 
+/// Camera raw is linear whatever the manifest says.
+bool isEncoded(const ImageFileInfo& info, const Capture& capture) {
+  return capture.colorSpace == "srgb" && !info.isFloat && info.format != "raw";
+}
+
 /// Where an integer file saturates, and the step below that, in linear light.
 void describeCoding(Picture& picture, const std::string& from, const std::string& to) {
   if (picture.info.isFloat) return;
@@ -152,7 +157,7 @@ CapturePixels loadCapturePixels(const Capture& capture, const Progress& progress
     pixels.clipLevel.push_back(pictures[k].clip);
     pixels.quantum.push_back(pictures[k].quantum);
     counts.push_back(pictures[k].counts);
-    if (!pictures[k].info.isFloat && capture.colorSpace == "srgb") pixels.encoded = true;
+    if (isEncoded(pictures[k].info, capture)) pixels.encoded = true;
   }
   const float floatClip = floatClipLevel(pixels.shots, counts);
   for (size_t k = 0; k < shotCount; ++k)

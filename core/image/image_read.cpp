@@ -23,6 +23,7 @@ class Input {
       : m_file(file), m_format(imageFormatOf(file)), m_input(OIIO::ImageInput::create(m_format)) {
     if (!m_input) fail(OIIO::geterror());
     checkIntegrity(file, m_format);
+    OIIO::attribute("debug", 0);  // it prints
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
     hints.attribute("raw:ColorSpace", "raw");

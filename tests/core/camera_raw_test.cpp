@@ -1,0 +1,60 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/capture/capture_pixels.h"
+#include "core/image/image_io.h"
+#include "tests/core/temporary_folder.h"
+#include "tests/core/tiny_dng.h"
+
+namespace swaplight {
+namespace {
+
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+
+/// Red 0.8, green 0.4, blue 0.1 of full scale on the left; saturated red, green 0.5, blue 0.25 on the right.
+std::string twoPatches() {
+  return test::tinyDng(128, 64, [](int x, int y) {
+    const bool red = x % 2 == 0 && y % 2 == 0;
+    const bool blue = x % 2 == 1 && y % 2 == 1;
+    const double left = red ? 0.8 : (blue ? 0.1 : 0.4);
+    const double right = red ? 1.2 : (blue ? 0.25 : 0.5);
+    return static_cast<uint16_t>(512 + (16383 - 512) * (x < 64 ? left : std::min(right, 1.0)) + 0.5);
+  });
+}
+
+TEST(CameraRaw, IsDevelopedToWhatTheSensorCounted) {
+  const TemporaryFolder folder;
+  test::writeBytes(folder / "shot.dng", twoPatches());
+  const ImageFile file = readImage(folder / "shot.dng");
+  EXPECT_EQ(file.info.format, "raw");
+  ASSERT_EQ(file.image.channelCount(), 3);
+  ASSERT_EQ(file.image.width(), 128);
+  const ImageView view = file.image.view();
+  const float left[3] = {0.8F, 0.4F, 0.1F};
+  const float right[3] = {1.0F, 0.5F, 0.25F};
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(view.at(c, 32, 32), left[c], 2e-4F) << "no gamma, no white balance, no brightening";
+    EXPECT_NEAR(view.at(c, 96, 32), right[c], 2e-4F) << "saturation of one channel leaves the others";
+  }
+}
+
+TEST(CameraRaw, ShotsOfACaptureAreLinearAndClipAtFullScale) {
+  const TemporaryFolder folder;
+  test::writeBytes(folder / "one.dng", twoPatches());
+  Capture capture;
+  capture.folder = folder.path();
+  capture.colorSpace = "srgb";
+  capture.lights = {{"key", Role::Key, {}}};
+  capture.shots = {{"one.dng", {Rgb(1)}, 0, {}}};
+  const CapturePixels pixels = loadCapturePixels(capture);
+  EXPECT_NEAR(pixels.shots[0].view().at(1, 32, 32), 0.4F, 2e-4F);
+  EXPECT_FALSE(pixels.encoded);
+  EXPECT_GE(pixels.shots[0].view().at(0, 96, 32), pixels.clipLevel[0]);
+  EXPECT_LT(pixels.shots[0].view().at(1, 96, 32), pixels.clipLevel[0]);
+  ASSERT_EQ(pixels.warnings.size(), 1U);
+  EXPECT_THAT(pixels.warnings[0], HasSubstr("camera raw is linear"));
+}
+
+}  // namespace
+}  // namespace swaplight
