@@ -37,7 +37,8 @@ struct ImageFile {
 /// empty, too large.
 [[nodiscard]] ImageFile readImage(const std::filesystem::path& file);
 /// Reads the channels straight to where they are wanted: `planes` is given the header and returns a plane a
-/// channel (rows without gaps), or nullptr for those not wanted. Otherwise as readImage.
+/// channel (rows without gaps), or nullptr for those not wanted. Otherwise as readImage, but not turned
+/// upright.
 void readChannels(const std::filesystem::path& file,
                   const std::function<std::vector<float*>(const ImageSpec&, const ImageFileInfo&)>& planes,
                   const Progress& progress = {});

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/image/image_format.h"
 #include "core/image/image_io.h"
+#include "core/image/orientation.h"
 #include "core/image/pixel_pack.h"
 
 namespace swaplight {
@@ -72,7 +73,8 @@ struct Part {
 
 /// All the parts that make up one image.
 struct Contents {
-  ImageSpec spec;
+  ImageSpec spec;  ///< as stored
+  int orientation = 1;
   ImageFileInfo info;
   std::vector<Part> parts;
 };
@@ -138,6 +140,9 @@ Contents contentsOf(Input& input) {
     if (layered) part.channels = channelNames(spec, index);
     if (index == 0) {
       contents.info = infoOf(spec, input.format());
+      // OpenEXR and camera raw come upright.
+      const bool asHeld = input.format() == "jpeg" || input.format() == "tiff" || input.format() == "png";
+      if (asHeld) contents.orientation = spec.get_int_attribute("Orientation", 1);
       contents.spec = {layered ? spec.full_width : spec.width,
                        layered ? spec.full_height : spec.height,
                        {},
@@ -267,6 +272,7 @@ ImageSpec readImageSpec(const std::filesystem::path& file, ImageFileInfo* info) 
   Input input(file);
   Contents contents = contentsOf(input);
   if (info) *info = std::move(contents.info);
+  if (turnsBySide(contents.orientation)) std::swap(contents.spec.width, contents.spec.height);
   return contents.spec;
 }
 
@@ -285,7 +291,7 @@ ImageFile readImage(const std::filesystem::path& file) {
   std::vector<float*> planes;
   for (int c = 0; c < image.channelCount(); ++c) planes.push_back(image.plane(c));
   readParts(input, contents, planes, {});
-  return {std::move(image), std::move(contents.info)};
+  return {uprightImage(std::move(image), contents.orientation), std::move(contents.info)};
 }
 
 }  // namespace swaplight

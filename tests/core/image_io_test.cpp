@@ -212,6 +212,28 @@ TEST(ImageIo, TilesAreRead) {
   EXPECT_EQ(largestDifference(image, readImage(folder / "tiles.exr").image), 0.0F);
 }
 
+TEST(ImageIo, PicturesHeldOnTheirSideAreTurnedUpright) {
+  const TemporaryFolder folder;
+  // Stored: a bright pixel at the top left. Where it has to be in the upright picture, for each EXIF
+  // orientation.
+  const int width = 5, height = 3;
+  const int at[9][2] = {{}, {0, 0}, {4, 0}, {4, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 4}, {0, 4}};
+  for (int orientation = 1; orientation <= 8; ++orientation) {
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt16);
+    spec.attribute("Orientation", orientation);
+    std::vector<float> pixels(static_cast<size_t>(width) * height * 3, 0.0F);
+    pixels[0] = 1;
+    const auto out = OIIO::ImageOutput::create("tiff");
+    ASSERT_TRUE(out->open((folder / "a.tif").string(), spec));
+    ASSERT_TRUE(out->write_image(OIIO::TypeFloat, pixels.data()));
+    ASSERT_TRUE(out->close());
+    const Image image = readImage(folder / "a.tif").image;
+    ASSERT_EQ(image.width(), orientation > 4 ? height : width);
+    EXPECT_EQ(readImageSpec(folder / "a.tif").width, image.width());
+    EXPECT_EQ(image.view().at(0, at[orientation][0], at[orientation][1]), 1.0F) << orientation;
+  }
+}
+
 TEST(ImageIo, WhatIsNoPictureIsSaid) {
   const TemporaryFolder folder;
   const auto errorOf = [&](const std::string& name, const std::string& bytes) {
