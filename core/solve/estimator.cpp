@@ -28,9 +28,19 @@ constexpr std::array kEstimators = {
     EstimatorInfo{"demultiplex", Model::Transport, "pseudo-inverse a channel, negative values cut off",
                   false},
     EstimatorInfo{"nnls", Model::Transport, "least squares a channel over contributions >= 0", false},
+    EstimatorInfo{"auto", Model::Auto, "what each pixel needs, by evidence, with its neighbours' help", true},
 };
 
 }  // namespace
+
+SolvedRun runAt(SolvedSet& set, size_t first) {
+  SolvedRun run;
+  for (int i = 0; i < set.lightCount(); ++i)
+    for (int c = 0; c < 3; ++c) run.contribution[i][c] = set.contributions[size_t(i)].plane(c) + first;
+  run.residual = set.quality.plane(kResidual) + first;
+  run.sigma = set.quality.plane(kSigma) + first;
+  return run;
+}
 
 std::span<const EstimatorInfo> estimators() {
   return kEstimators;

@@ -9,6 +9,7 @@
 #include "core/solve/light_plan.h"
 #include "core/solve/noise_model.h"
 #include "core/solve/solve_options.h"
+#include "core/solve/solved_set.h"
 
 namespace swaplight {
 
@@ -28,11 +29,17 @@ struct SolvedRun {
                            ///< over the sum of all; may be null
 };
 
+/// The planes of a set from pixel `first` on.
+[[nodiscard]] SolvedRun runAt(SolvedSet& set, size_t first);
+
 /// What every estimator needs to know of the capture.
 struct EstimatorContext {
   LightPlan plan;
   NoiseModel noise;
 };
+
+/// Pixels of a run: all planes of one fit into the second-level cache. A multiple of kLanes.
+inline constexpr int kRun = 2048;
 
 /// One way to tell the lights of a pixel apart. Immutable after construction, used from many threads; all
 /// that depends on the capture alone is computed by the constructor.

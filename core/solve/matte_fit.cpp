@@ -159,12 +159,12 @@ SWAPLIGHT_LANES void curvature(const Normal<kN>& normal, const At<kN>& at, int n
   }
 }
 
-/// RMS over the lights of the variance of R u_i over R^2, R = sum of rho.
+/// The variances of MatteRun, from the factored curvature at the maximum.
 template <int kN>
-SWAPLIGHT_LANES Lanes relativeVariance(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u,
-                                       const Lanes* factor) {
+SWAPLIGHT_LANES void variances(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u,
+                               const Lanes* factor, Lanes& contribution, Lanes& share) {
   Lanes total = splat(0);
-  Lanes slope[kN];  // of R along u_j
+  Lanes slope[kN];  // of R, the sum of rho, along u_j
   Lanes rhoVariance = splat(0);
   for (int c = 0; c < 3; ++c) {
     total += at.rho[c];
@@ -174,22 +174,31 @@ SWAPLIGHT_LANES Lanes relativeVariance(const Normal<kN>& normal, const At<kN>& a
     slope[j] = splat(0);
     for (int c = 0; c < 3; ++c) slope[j] += (normal.p[c][j] - 2 * at.rho[c] * at.qu[c][j]) / at.scale[c];
   }
-  Lanes sum = splat(0);
+  // The covariance of the shares: the inverse curvature, without the gauge direction, which is u u' / trace
+  // there.
+  Lanes covariance[kN][kN];
   for (int i = 0; i < n; ++i) {
-    // The derivative of t_i = u_i R along u.
-    Lanes d[kN];
-    Lanes solved[kN];
-    for (int j = 0; j < n; ++j) d[j] = u[i] * slope[j] + (i == j ? total : splat(0));
-    for (int j = 0; j < n; ++j) solved[j] = d[j];
-    solveCholesky<kN>(n, factor, solved);
-    Lanes variance = u[i] * u[i] * rhoVariance;
-    // The gauge direction (1 ... 1) carries no information and no error: take it out of d.
-    Lanes along = splat(0);
-    for (int j = 0; j < n; ++j) along += solved[j];
-    for (int j = 0; j < n; ++j) variance += d[j] * (solved[j] - along * u[j]);
-    sum += larger(variance, splat(0));
+    for (int j = 0; j < n; ++j) covariance[i][j] = splat(i == j ? 1 : 0);
+    solveCholesky<kN>(n, factor, covariance[i]);
+    Lanes gauge = splat(0);
+    for (int j = 0; j < n; ++j) gauge += covariance[i][j];
+    for (int j = 0; j < n; ++j) covariance[i][j] -= gauge * u[j];
   }
-  return smaller(sum / (float(n) * larger(total * total, splat(kTiny))), splat(kWorst));
+  contribution = splat(0);
+  share = splat(0);
+  for (int i = 0; i < n; ++i) {
+    share += larger(covariance[i][i], splat(0));
+    // t_i = u_i R has the derivative u_i slope + R e_i.
+    Lanes variance = u[i] * u[i] * rhoVariance;
+    for (int a = 0; a < n; ++a) {
+      Lanes row = splat(0);
+      for (int b = 0; b < n; ++b) row += covariance[a][b] * (u[i] * slope[b] + (b == i ? total : splat(0)));
+      variance += row * (u[i] * slope[a] + (a == i ? total : splat(0)));
+    }
+    contribution += larger(variance, splat(0));
+  }
+  contribution = smaller(contribution / (float(n) * larger(total * total, splat(kTiny))), splat(kWorst));
+  share = smaller(share / float(n), splat(kWorst));
 }
 
 template <int kN>
@@ -235,7 +244,11 @@ template <int kN>
     }
     curvature<kN>(normal, here, n, best, h, step);
     factorCholesky<kN>(n, h);
-    store(out.variance + at, relativeVariance<kN>(normal, here, n, best, h));
+    Lanes variance;
+    Lanes shareVariance;
+    variances<kN>(normal, here, n, best, h, variance, shareVariance);
+    store(out.variance + at, variance);
+    store(out.shareVariance + at, shareVariance);
     store(out.misfit + at, larger(normal.energy - here.explained, splat(0)));
     for (int i = 0; i < n; ++i) store(out.share[i] + at, best[i]);
     for (int c = 0; c < 3; ++c) store(out.reflectance[c] + at, here.rho[c]);
@@ -260,7 +273,11 @@ template <int kN>
     Lanes slope[kN];
     curvature<kN>(normal, here, n, u, h, slope);
     factorCholesky<kN>(n, h);
-    store(out.variance + at, relativeVariance<kN>(normal, here, n, u, h));
+    Lanes variance;
+    Lanes shareVariance;
+    variances<kN>(normal, here, n, u, h, variance, shareVariance);
+    store(out.variance + at, variance);
+    store(out.shareVariance + at, shareVariance);
     store(out.misfit + at, larger(normal.energy - here.explained, splat(0)));
     for (int c = 0; c < 3; ++c) store(out.reflectance[c] + at, here.rho[c]);
   }

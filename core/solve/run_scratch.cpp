@@ -22,7 +22,7 @@ SWAPLIGHT_SIMD void scaledRoot(const float* __restrict in, float scale, float* _
 
 MatteScratch::MatteScratch(int lights, int count) {
   const size_t padded = (size_t(count) + kLanes - 1) / kLanes * kLanes;
-  m_data.resize(padded * size_t(lights + 5));
+  m_data.resize(padded * size_t(lights + 6));
   float* next = m_data.data();
   const auto take = [&] {
     float* plane = next;
@@ -33,6 +33,7 @@ MatteScratch::MatteScratch(int lights, int count) {
   for (float*& plane : m_run.reflectance) plane = take();
   m_run.misfit = take();
   m_run.variance = take();
+  m_run.shareVariance = take();
 }
 
 void MatteScratch::readShares(int lights, int count, const SolvedRun& from) const {

@@ -73,6 +73,23 @@ bool ShotSignal::flagged(size_t first, int count) const {
   return false;
 }
 
+std::vector<Rgb> ShotSignal::meanSignal() const {
+  std::vector<Rgb> mean;
+  const size_t step = std::max<size_t>(1, m_pixelCount / 50000);
+  for (size_t k = 0; k < m_pixels->shots.size(); ++k) {
+    double sum[3] = {};
+    size_t count = 0;
+    for (size_t p = 0; p < m_pixelCount; p += step) {
+      if (!m_flags.empty() && m_flags[p]) continue;
+      for (int c = 0; c < 3; ++c) sum[c] += m_pixels->shots[k].plane(c)[p];
+      ++count;
+    }
+    const double scale = count ? 1 / double(count) : 0;
+    mean.emplace_back(float(sum[0] * scale), float(sum[1] * scale), float(sum[2] * scale));
+  }
+  return mean;
+}
+
 void ShotSignal::run(size_t first, int count, bool mask, std::vector<float>& scratch, PixelRun& run) const {
   const auto& shots = m_pixels->shots;
   const bool bad = flagged(first, count);

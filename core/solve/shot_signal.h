@@ -26,6 +26,9 @@ class ShotSignal {
   /// it); otherwise broken ones become 0.
   void run(size_t first, int count, bool mask, std::vector<float>& scratch, PixelRun& run) const;
 
+  /// The mean signal of each shot, over an even sample of usable pixels.
+  [[nodiscard]] std::vector<Rgb> meanSignal() const;
+
   [[nodiscard]] size_t pixelCount() const { return m_pixelCount; }
 
  private:

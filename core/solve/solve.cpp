@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/solve/auto_solve.h"
 #include "core/solve/estimator.h"
 #include "core/solve/fill.h"
 #include "core/solve/shot_signal.h"
@@ -17,7 +18,7 @@
 namespace swaplight {
 namespace {
 
-constexpr int kRun = 2048;             // pixels: all planes of a run fit into the second-level cache
+constexpr int kRun = 2048;              // pixels: all planes of a run fit into the second-level cache
 constexpr float kTooDarkSigma = 0.25F;  // a share known no better than this is no answer
 
 SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
@@ -25,20 +26,11 @@ SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
   set.capture = capture;
   ImageSpec spec = pixels.shots.front().spec();
   for (int i = 0; i < capture.lightCount(); ++i) set.contributions.emplace_back(spec);
-  spec.channels = {"residual", "sigma", "flags"};
+  spec.channels = {"residual", "sigma", "flags", "model"};
   spec.colorSpace = "data";
-  set.quality = Image(spec);
+  set.quality = Image(spec, 0);
   if (pixels.ambient) set.ambient = pixels.ambient->clone();
   return set;
-}
-
-SolvedRun runAt(SolvedSet& set, size_t first) {
-  SolvedRun run;
-  for (int i = 0; i < set.lightCount(); ++i)
-    for (int c = 0; c < 3; ++c) run.contribution[i][c] = set.contributions[size_t(i)].plane(c) + first;
-  run.residual = set.quality.plane(kResidual) + first;
-  run.sigma = set.quality.plane(kSigma) + first;
-  return run;
 }
 
 /// Solves the flagged pixels of a run again with an estimator that can leave values out.
@@ -75,6 +67,31 @@ void repairRun(const ShotSignal& signal, size_t first, int count, const Estimato
     out.residual[index[j]] = again.residual[j];
     out.sigma[index[j]] = again.sigma[j];
   }
+}
+
+/// One estimator, one stream over the shots.
+void solveWithEstimator(const EstimatorInfo& info, const EstimatorContext& context, const ShotSignal& signal,
+                        SolvedSet& set, const Progress& progress) {
+  const auto estimator = makeEstimator(std::string(info.name), context);
+  const auto careful = info.masks || signal.flags().empty()
+                           ? nullptr
+                           : makeEstimator(std::string(estimatorFor(Model::Lambert).name), context);
+  const int runs = int((signal.pixelCount() + kRun - 1) / kRun);
+  std::atomic<int> done = 0;
+  parallelRows(runs, 4, [&](int begin, int end) {
+    std::vector<float> scratch;
+    for (int r = begin; r < end; ++r) {
+      const size_t first = size_t(r) * kRun;
+      const int count = int(std::min<size_t>(kRun, signal.pixelCount() - first));
+      PixelRun in;
+      signal.run(first, count, info.masks, scratch, in);
+      const SolvedRun out = runAt(set, first);
+      estimator->estimate(in, out);
+      if (careful && signal.flagged(first, count))
+        repairRun(signal, first, count, *careful, context.plan.lights, context.plan.shots, out);
+    }
+    progress.update(0.1F + 0.8F * float(done += end - begin) / float(runs), "Telling the lights apart");
+  });
 }
 
 /// Writes the flags; returns the pixels that nothing is known of (no shot has a finite value in some
@@ -152,27 +169,11 @@ SolvedSet solve(const Capture& capture, const CapturePixels& pixels, const Solve
   for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
   const ShotSignal signal(pixels, context.plan, context.noise, exposure);
 
-  const auto estimator = makeEstimator(std::string(info.name), context);
-  const auto careful = info.masks || signal.flags().empty()
-                           ? nullptr
-                           : makeEstimator(std::string(estimatorFor(Model::Lambert).name), context);
   SolvedSet set = emptySet(capture, pixels);
-  const int runs = int((signal.pixelCount() + kRun - 1) / kRun);
-  std::atomic<int> done = 0;
-  parallelRows(runs, 4, [&](int begin, int end) {
-    std::vector<float> scratch;
-    for (int r = begin; r < end; ++r) {
-      const size_t first = size_t(r) * kRun;
-      const int count = int(std::min<size_t>(kRun, signal.pixelCount() - first));
-      PixelRun in;
-      signal.run(first, count, info.masks, scratch, in);
-      const SolvedRun out = runAt(set, first);
-      estimator->estimate(in, out);
-      if (careful && signal.flagged(first, count))
-        repairRun(signal, first, count, *careful, context.plan.lights, context.plan.shots, out);
-    }
-    progress.update(0.1F + 0.8F * float(done += end - begin) / float(runs), "Telling the lights apart");
-  });
+  if (info.name == "auto")
+    solveAuto(context, signal, set, progress);
+  else
+    solveWithEstimator(info, context, signal, set, progress);
 
   progress.update(0.9F, "Finishing");
   const std::vector<uint8_t> missing = writeFlags(pixels, signal, set);

@@ -20,7 +20,7 @@ enum PixelFlag : uint8_t {
 };
 
 /// The channels of SolvedSet::quality, in order.
-enum QualityChannel { kResidual = 0, kSigma = 1, kFlags = 2 };
+enum QualityChannel { kResidual = 0, kSigma = 1, kFlags = 2, kModel = 3 };
 
 /// A capture whose lights have been told apart. Pictures are linear light in `capture.colorSpace`'s primaries
 /// (see loadCapturePixels), the lights at unit white.
@@ -29,7 +29,8 @@ struct SolvedSet {
   std::vector<Image> contributions;  ///< T[i], one a light in the capture's order; R G B, >= 0, finite
   Image beta;  ///< a channel a light, 0..1; a pixel's sum is 1, or 0 where no light reaches it
   std::optional<Image> ambient;  ///< R G B; what no controlled light explains
-  Image quality;                 ///< residual, sigma, flags (a bit field stored as float)
+  Image quality;  ///< residual, sigma, flags (a bit field stored as float), model (0: the matte model was
+                  ///< enough, 1: the full contribution was needed)
   Json report = Json::object();  ///< how it was solved: see SolveReport
 
   [[nodiscard]] int lightCount() const { return static_cast<int>(contributions.size()); }

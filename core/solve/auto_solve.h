@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/progress.h"
+#include "core/solve/estimator.h"
+#include "core/solve/shot_signal.h"
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// Model `auto`, in two streams over the shots. First the matte fit of every pixel; then its proportions are
+/// pooled with the neighbours' where noise hides them (poolShares), and pixels that the matte model does not
+/// explain are given what they need beyond it (Shrinkage), the more readily where their neighbours need it
+/// too. Fills contributions, residual, sigma and model of `set`.
+void solveAuto(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
+               const Progress& progress);
+
+}  // namespace swaplight

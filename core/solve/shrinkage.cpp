@@ -1,0 +1,208 @@
+#include "core/solve/shrinkage.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/solve/lanes.h"
+#include "core/solve/run_scratch.h"
+#include "core/solve/shot_signal.h"
+#include "core/solve/shrinkage_kernel.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kWhiteness = 0.8F;
+/// tau over the brightness of the set; four of them lose nothing against seven.
+constexpr std::array<float, ShrinkagePrior::kScales> kRelativeScales = {0, 0.02F, 0.1F, 0.6F};
+constexpr size_t kSample = 20000;
+constexpr int kRounds = 15;
+
+/// A pixel list gathered into planes that a kernel can run over.
+class PackedRun {
+ public:
+  PackedRun(int shots, size_t capacity)
+      : m_shots(shots), m_padded((capacity + kLanes - 1) / kLanes * kLanes) {
+    m_data.resize(m_padded * size_t(3 * shots), 0.0F);
+    for (int k = 0; k < shots; ++k)
+      for (int c = 0; c < 3; ++c) m_run.signal[k][c] = plane(k, c);
+  }
+  void add(const PixelRun& from, int index) {
+    for (int k = 0; k < m_shots; ++k)
+      for (int c = 0; c < 3; ++c) plane(k, c)[m_run.count] = from.signal[k][c][index];
+    ++m_run.count;
+  }
+  [[nodiscard]] const PixelRun& run() const { return m_run; }
+
+ private:
+  float* plane(int shot, int channel) { return m_data.data() + size_t(shot * 3 + channel) * m_padded; }
+  int m_shots;
+  size_t m_padded;
+  std::vector<float> m_data;
+  PixelRun m_run;
+};
+
+}  // namespace
+
+Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) : m_matte(context) {
+  const int n = context.plan.lights;
+  const int k3 = 3 * context.plan.shots;
+  const int d = 3 * n;
+  m_plan.lights = n;
+  m_plan.shots = context.plan.shots;
+  m_plan.constant = context.noise.constant;
+  m_plan.linear = context.noise.linear;
+  m_plan.square = context.noise.square;
+  for (int k = 0; k < context.plan.shots; ++k)
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < n; ++i) m_plan.color.push_back(context.plan.color(k, i)[c]);
+
+  // The shape of the noise over shots and channels: that of the set's mean signal.
+  const std::vector<Rgb> mean = signal.meanSignal();
+  Eigen::VectorXd shape(k3);
+  for (int k = 0; k < context.plan.shots; ++k)
+    for (int c = 0; c < 3; ++c) shape[k * 3 + c] = double(context.noise.variance(mean[size_t(k)][c]));
+  shape /= shape.mean();
+  for (int m = 0; m < k3; ++m) m_plan.shape.push_back(float(1 / shape[m]));
+
+  // D^-1/2 A P^1/2 = U S W'.
+  Eigen::Matrix3d prior =
+      Eigen::Matrix3d::Constant(kWhiteness) + (1 - kWhiteness) * Eigen::Matrix3d::Identity();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(prior);
+  const Eigen::Matrix3d root = eigen.operatorSqrt();
+  const Eigen::Matrix3d inverseRoot = eigen.operatorInverseSqrt();
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(k3, d);
+  for (int k = 0; k < context.plan.shots; ++k)
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < n; ++i)
+        for (int e = 0; e < 3; ++e)
+          a(k * 3 + c, i * 3 + e) =
+              double(context.plan.color(k, i)[c]) * root(c, e) / std::sqrt(shape[k * 3 + c]);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const int rank = int(svd.singularValues().size());
+  for (int m = 0; m < d; ++m) {
+    m_plan.singular.push_back(m < rank ? float(svd.singularValues()[m]) : 0.0F);
+    for (int j = 0; j < k3; ++j)
+      m_plan.toModes.push_back(m < rank ? float(svd.matrixU()(j, m) / std::sqrt(shape[j])) : 0.0F);
+    for (int j = 0; j < d; ++j) m_plan.modes.push_back(float(svd.matrixV()(j, m)));
+  }
+  for (int c = 0; c < 3; ++c)
+    for (int e = 0; e < 3; ++e) m_plan.whiten[size_t(c * 3 + e)] = float(inverseRoot(c, e));
+  m_plan.greyPower.assign(size_t(d), 0.0F);
+  for (int i = 0; i < n; ++i) {
+    Eigen::RowVectorXd grey = Eigen::RowVectorXd::Zero(d);
+    for (int c = 0; c < 3; ++c) {
+      const Eigen::RowVectorXd row = root.row(c) * svd.matrixV().middleRows(i * 3, 3);
+      grey += row;
+      for (int m = 0; m < d; ++m) m_plan.fromModes.push_back(float(row[m]));
+    }
+    for (int m = 0; m < d; ++m) m_plan.greyPower[size_t(m)] += float(grey[m] * grey[m] / n);
+  }
+  const float freedom = float(std::max(m_matte.freedom(), 1));
+  m_gate = freedom + 0.5F * std::sqrt(2 * freedom);
+  learn(signal);
+}
+
+void Shrinkage::learn(const ShotSignal& signal) {
+  // A sample of the set, spread evenly, in runs as long as a cache line.
+  const size_t pixels = signal.pixelCount();
+  const size_t runs = std::max<size_t>(1, std::min(pixels, kSample) / kLanes);
+  PackedRun sample(m_plan.shots, runs * kLanes);
+  std::vector<float> scratch;
+  for (size_t r = 0; r < runs; ++r) {
+    const size_t first = r * pixels / runs;
+    PixelRun in;
+    signal.run(first, int(std::min<size_t>(kLanes, pixels - first)), true, scratch, in);
+    for (int p = 0; p < in.count; ++p) sample.add(in, p);
+  }
+  const int count = sample.run().count;
+  MatteScratch matte(m_plan.lights, count);
+  m_matte.fit(sample.run(), matte.run());
+  std::vector<float> brightness(size_t(count), 0.0F);
+  for (int p = 0; p < count; ++p)
+    for (int c = 0; c < 3; ++c) brightness[size_t(p)] += matte.run().reflectance[c][p] / 3;
+  const size_t bright = brightness.size() * 99 / 100;
+  std::nth_element(brightness.begin(), brightness.begin() + long(bright), brightness.end());
+  for (size_t j = 0; j < kRelativeScales.size(); ++j)
+    m_prior.scale[j] = kRelativeScales[j] * std::max(brightness[bright], 1e-6F);
+  m_prior.weight.fill(1.0F / ShrinkagePrior::kScales);
+  m_plan.prior = m_prior;
+
+  constexpr size_t kScales = ShrinkagePrior::kScales;
+  const size_t padded = (size_t(count) + kLanes - 1) / kLanes * kLanes;
+  std::vector<float> evidence(padded * kScales);
+  ShrinkageRun out;
+  for (size_t j = 0; j < kScales; ++j) out.logEvidence[j] = &evidence[j * padded];
+  shrinkRun(m_plan, sample.run(), matte.run(), nullptr, out);
+  for (int round = 0; round < kRounds; ++round) {
+    std::array<double, kScales> responsibility{};
+    for (int p = 0; p < count; ++p) {
+      float best = evidence[size_t(p)];
+      for (size_t j = 1; j < kScales; ++j) best = std::max(best, evidence[j * padded + size_t(p)]);
+      std::array<double, kScales> weight;
+      double sum = 0;
+      for (size_t j = 0; j < kScales; ++j) {
+        weight[j] = m_prior.weight[j] * std::exp(double(evidence[j * padded + size_t(p)] - best));
+        sum += weight[j];
+      }
+      for (size_t j = 0; j < kScales; ++j) responsibility[j] += weight[j] / sum;
+    }
+    for (size_t j = 0; j < kScales; ++j)
+      m_prior.weight[j] = std::max(float(responsibility[j] / count), 1e-5F);
+  }
+  m_plan.prior = m_prior;
+}
+
+void Shrinkage::finish(const PixelRun& in, const MatteRun& matte, const float* misfit, const float* odds,
+                       const SolvedRun& out, float* notMatte) const {
+  const int n = m_plan.lights;
+  const float freedom = float(std::max(m_matte.freedom(), 1));
+  std::vector<int> index;
+  for (int p = 0; p < in.count; ++p) {
+    if (out.residual) out.residual[p] = std::sqrt(matte.misfit[p] / freedom);
+    if (out.sigma) out.sigma[p] = std::sqrt(matte.variance[p]);
+    if (notMatte) notMatte[p] = 0;
+    if (misfit[p] > m_gate) index.push_back(p);
+  }
+  for (int i = 0; i < n; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (int p = 0; p < in.count; ++p)
+        out.contribution[i][c][p] = matte.share[i][p] * matte.reflectance[c][p];
+  if (index.empty()) return;
+
+  // Pixels that need more, packed together.
+  PackedRun packed(m_plan.shots, index.size());
+  MatteScratch fit(n, int(index.size()));
+  const size_t padded = (index.size() + kLanes - 1) / kLanes * kLanes;
+  std::vector<float> room(padded * size_t(3 * n + 3));
+  float* next = room.data();
+  const auto take = [&] { return std::exchange(next, next + padded); };
+  SolvedRun solved;
+  for (int i = 0; i < n; ++i)
+    for (int c = 0; c < 3; ++c) solved.contribution[i][c] = take();
+  solved.sigma = take();
+  float* probability = take();
+  float* packedOdds = take();
+  for (size_t j = 0; j < index.size(); ++j) {
+    const int p = index[j];
+    packed.add(in, p);
+    for (int i = 0; i < n; ++i) fit.run().share[i][j] = matte.share[i][p];
+    for (int c = 0; c < 3; ++c) fit.run().reflectance[c][j] = matte.reflectance[c][p];
+    fit.run().variance[j] = matte.variance[p];
+    packedOdds[j] = odds ? odds[p] : 1;
+  }
+  ShrinkageRun to;
+  to.solved = &solved;
+  to.notMatte = probability;
+  shrinkRun(m_plan, packed.run(), fit.run(), packedOdds, to);
+  for (size_t j = 0; j < index.size(); ++j) {
+    const int p = index[j];
+    for (int i = 0; i < n; ++i)
+      for (int c = 0; c < 3; ++c) out.contribution[i][c][p] = solved.contribution[i][c][j];
+    if (out.sigma) out.sigma[p] = solved.sigma[j];
+    if (notMatte) notMatte[p] = probability[j];
+  }
+}
+
+}  // namespace swaplight
