@@ -51,6 +51,9 @@ std::string pngFault(std::string_view bytes) {
     const auto* start = reinterpret_cast<const Bytef*>(typeAndData.data());
     if (crc32_z(0, start, typeAndData.size()) != bigEndian32(bytes, at + 8 + length))
       return "a checksum is wrong: the file is damaged";
+    if (typeAndData.starts_with("IHDR") && length >= 8 &&
+        (bigEndian32(bytes, at + 8) == 0 || bigEndian32(bytes, at + 12) == 0))
+      return "it has no pixels";
     if (typeAndData.starts_with("IEND")) return {};
     at += length + 12;
   }
