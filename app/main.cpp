@@ -3,6 +3,9 @@
 
 int main(int argc, char** argv) {
   swaplight::Program program;
+  addInfoVerb(program);
+  addSolveVerb(program);
+  addRelightVerb(program);
   addEvaluateVerb(program);
   return program.run(argc, argv);
 }

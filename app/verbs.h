@@ -6,6 +6,9 @@ namespace swaplight {
 
 // One file a verb: each adds itself, its options and what it does to the program.
 
+void addInfoVerb(Program& program);
+void addSolveVerb(Program& program);
+void addRelightVerb(Program& program);
 void addEvaluateVerb(Program& program);
 
 }  // namespace swaplight

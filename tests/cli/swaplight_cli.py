@@ -1,10 +1,13 @@
 """What the tests of the command line share: calling the program as a user does, and making small captures."""
+import copy
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import numpy as np
@@ -38,15 +41,17 @@ def write_image(path, pixels, pixel_type='float', **attributes):
 
 
 def read_image(path):
-    """A dictionary: the pixels of every channel by name."""
+    """A dictionary: the pixels of every channel by name. The parts of a multi-part EXR are layers; the part rgb
+    has none."""
     source = oiio.ImageInput.open(path)
     assert source, oiio.geterror()
     channels, part = {}, 0
     while source.seek_subimage(part, 0):
         spec = source.spec()
         pixels = np.asarray(source.read_image('float')).reshape(spec.height, spec.width, spec.nchannels)
+        layer = spec.getattribute('name') or 'rgb'
         for c, name in enumerate(spec.channelnames):
-            channels[name] = pixels[..., c]
+            channels[name if layer == 'rgb' else f'{layer}.{name}'] = pixels[..., c]
         part += 1
     source.close()
     return channels
@@ -77,7 +82,7 @@ class Capture:
         self.folder = folder
         self.path = os.path.join(folder, 'capture.json')
         self.truth = contributions(len(names), **size)
-        light_colors = light_colors or (SWAPPED if len(names) == 2 else rotated(len(names)))
+        light_colors = copy.deepcopy(light_colors or (SWAPPED if len(names) == 2 else rotated(len(names))))
         self.manifest = {
             'format': 'swaplight-capture', 'version': 1, 'name': 'small', 'color_space': 'lin_rec709',
             'lights': [{'name': n} for n in names],
@@ -133,6 +138,18 @@ class CliTest(unittest.TestCase):
             self.assertIn(text, result.stderr)
         self.assertEqual(self.files(), before, 'files were made or changed')
         return result.stderr
+
+    def interrupt(self, *arguments):
+        """Starts the program, waits until it catches Ctrl-C, presses it. Gives exit code and standard error."""
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stderr=subprocess.PIPE, text=True)
+        while process.poll() is None:
+            with open(f'/proc/{process.pid}/status') as file:
+                caught = next(line for line in file if line.startswith('SigCgt'))
+            if int(caught.split()[1], 16) & 1 << signal.SIGINT - 1:
+                break
+            time.sleep(.01)
+        process.send_signal(signal.SIGINT)
+        return process.wait(60), process.communicate()[1]
 
     def files(self):
         """Every file of the test's folder with its size and time of change."""

@@ -1,0 +1,185 @@
+"""Captures that cannot be solved: one clear line, exit 2, nothing written."""
+import json
+import os
+import subprocess
+import unittest
+
+import numpy as np
+import swaplight_cli as cli
+
+
+class BadInputTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.capture = cli.Capture(self.path('set'))
+        self.solved = self.path('solved.exr')
+
+    def refuse(self, *naming):
+        """The capture as it is now cannot be solved."""
+        self.fail('solve', self.capture.path, '-o', self.solved, naming=naming)
+
+    def change(self, **keys):
+        self.capture.manifest.update(keys)
+        self.capture.save()
+
+    def shot(self, name='shot_02.exr'):
+        return os.path.join(self.capture.folder, name)
+
+    def test_no_capture(self):
+        self.fail('solve', self.path('none.json'), '-o', self.solved, naming='none.json')
+
+    def test_missing_shot(self):
+        os.remove(self.shot())
+        self.refuse('shot_02.exr')
+
+    def test_shots_of_different_size(self):
+        cli.write_image(self.shot(), self.capture.shots[1][:7])
+        self.refuse('shot_01.exr', 'shot_02.exr', '16', '12', '7')
+
+    def test_shot_that_is_no_image(self):
+        with open(self.shot(), 'w') as file:
+            file.write('not a picture')
+        self.refuse('shot_02.exr')
+
+    def test_shot_that_is_empty(self):
+        open(self.shot(), 'w').close()
+        self.refuse('shot_02.exr')
+
+    def truncate(self, path):
+        with open(path, 'r+b') as file:
+            file.truncate(os.path.getsize(path) * 6 // 10)
+
+    def test_truncated_exr(self):
+        self.truncate(self.shot())
+        self.refuse('shot_02.exr')
+
+    def test_truncated_png(self):
+        random = np.random.default_rng(0)  # noise does not compress: the data reaches beyond the header
+        for k, shot in enumerate(self.capture.manifest['shots']):
+            shot['image'] = f'shot_{k + 1:02d}.png'
+            cli.write_image(self.shot(shot['image']), random.uniform(0, 1, (12, 16, 3)), 'uint16')
+        with open(self.capture.path, 'w') as file:
+            json.dump({**self.capture.manifest, 'color_space': 'srgb'}, file)
+        self.truncate(self.shot('shot_02.png'))
+        self.refuse('shot_02.png')
+
+    def test_json_syntax_error(self):
+        with open(self.capture.path, 'w') as file:
+            file.write('{"format": "swaplight-capture",\n "version": 1,\n "lights": [}\n')
+        self.refuse('capture.json', 'line 3', 'column 13')
+
+    def test_no_lights(self):
+        self.change(lights=[])
+        self.refuse('capture.json', 'no lights')
+
+    def test_no_shots(self):
+        self.change(shots=[])
+        self.refuse('capture.json', 'shots')
+
+    def test_more_lights_than_shots_can_tell(self):
+        self.change(lights=[{'name': n} for n in ('a', 'b', 'c', 'd', 'e', 'f', 'g')],
+                    shots=[{'image': s['image'], 'light_colors': [[.9, .2, .1]] * 7}
+                           for s in self.capture.manifest['shots']])
+        self.refuse('7 lights', '2 shots')
+
+    def test_colors_of_another_count_than_lights(self):
+        self.capture.manifest['shots'][1]['light_colors'].append([1, 1, 1])
+        self.capture.save()
+        self.refuse('shot 2', '3', '2 lights')
+
+    def test_two_lights_with_equal_colors_in_all_shots(self):
+        for shot in self.capture.manifest['shots']:
+            shot['light_colors'] = [[.5, .4, .3], [.5, .4, .3]]
+        self.capture.save()
+        self.refuse('key', 'fill', 'color')
+
+    def test_negative_color(self):
+        self.capture.manifest['shots'][0]['light_colors'][0][1] = -.1
+        self.capture.save()
+        self.refuse('shot 1', 'key', '-0.1')
+
+    def test_color_that_is_not_finite(self):
+        for text in ('NaN', 'Infinity', '1e999'):
+            with open(self.capture.path, 'w') as file:
+                file.write(json.dumps(self.capture.manifest).replace('0.9', text, 1))
+            self.refuse('capture.json')
+
+    def test_unknown_color_space(self):
+        self.change(color_space='technicolor')
+        self.refuse('technicolor', 'lin_rec709', 'acescg')
+
+    def test_light_name_with_a_dot(self):
+        self.capture.manifest['lights'][1]['name'] = 'fill.left'
+        self.capture.save()
+        self.refuse('fill.left', 'A-Z')
+
+    def test_two_lights_of_one_name(self):
+        self.capture.manifest['lights'][1]['name'] = 'key'
+        self.capture.save()
+        self.refuse('key')
+
+    def test_output_in_a_folder_that_is_not_there(self):
+        self.fail('solve', self.capture.path, '-o', self.path('no/such/solved.exr'), naming='solved.exr')
+
+    def test_output_that_is_a_folder(self):
+        os.mkdir(self.path('solved.exr'))
+        self.refuse('solved.exr')
+
+    @unittest.skipIf(os.geteuid() == 0, 'root may write everywhere')
+    def test_output_in_a_folder_that_is_read_only(self):
+        os.mkdir(self.path('locked'), 0o500)
+        self.fail('solve', self.capture.path, '-o', self.path('locked/solved.exr'), naming='solved.exr')
+
+    def test_report_that_cannot_be_written(self):
+        self.fail('solve', self.capture.path, '-o', self.solved, '--report', self.path('no/such/report.json'),
+                  naming='report.json')
+
+    def test_picture_of_no_pixels(self):
+        # No library writes one: a PNG header that says 0 x 0.
+        import struct
+        import zlib
+
+        def chunk(kind, data):
+            return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
+        self.capture.manifest['shots'][1]['image'] = 'zero.png'
+        with open(self.capture.path, 'w') as file:
+            json.dump(self.capture.manifest, file)
+        with open(self.shot('zero.png'), 'wb') as file:
+            file.write(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', 0, 0, 8, 2, 0, 0, 0)) +
+                       chunk(b'IDAT', zlib.compress(b'')) + chunk(b'IEND', b''))
+        self.refuse('zero.png')
+
+
+class DiskFullTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.disk = self.path('disk')
+        os.mkdir(self.disk)
+        mounted = subprocess.run(['mount', '-t', 'tmpfs', '-o', 'size=96k', 'none', self.disk], capture_output=True)
+        if mounted.returncode:
+            self.skipTest('SKIPPED: no tmpfs can be mounted here (that needs root): '
+                          + mounted.stderr.decode().strip())
+        self.addCleanup(subprocess.run, ['umount', self.disk])
+
+    def test_of_a_solved_set_a_frame_and_a_plot(self):
+        capture = cli.Capture(self.path('set'), height=120, width=160)
+        solved = self.path('solved.exr')
+        self.succeed('solve', capture.path, '-o', solved, '-q')
+        full = os.path.join(self.disk, 'full')
+        self.fail('solve', capture.path, '-o', full + '.exr', '-q', naming=['full.exr', 'full'])
+        self.fail('relight', solved, '-o', full + '.exr', '--type', 'float', '-q', naming='full.exr')
+        self.fail('relight', solved, '-o', full + '.tif', '--type', 'float', '-q', naming='full.tif')
+        self.assertEqual(os.listdir(self.disk), [])
+
+    def test_leaves_the_old_file_as_it_was(self):
+        capture = cli.Capture(self.path('set'), height=120, width=160)
+        old = os.path.join(self.disk, 'old.exr')
+        with open(old, 'w') as file:
+            file.write('old')
+        self.fail('solve', capture.path, '-o', old, '-q', naming='old.exr')
+        with open(old) as file:
+            self.assertEqual(file.read(), 'old')
+
+
+if __name__ == '__main__':
+    cli.main()

@@ -1,0 +1,128 @@
+"""swaplight relight"""
+import json
+import os
+
+import numpy as np
+import swaplight_cli as cli
+
+
+def encoded(linear):
+    linear = np.clip(linear, 0, 1)
+    return np.where(linear <= .0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - .055)
+
+
+class RelightTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.capture = cli.Capture(self.path('set'))
+        self.key, self.fill = self.capture.truth
+        self.solved = self.path('solved.exr')
+        self.succeed('solve', self.capture.path, '-o', self.solved, '--model', 'transport', '--float', '-q')
+
+    def frame(self, *arguments, name='frame.exr', source=None):
+        frame = self.path(name)
+        self.succeed('relight', source or self.solved, *arguments, '-o', frame, '-q')
+        return cli.read_rgb(frame)
+
+    def near(self, found, expected, tolerance=1e-3):
+        np.testing.assert_allclose(found, expected, atol=tolerance)
+
+    def test_without_settings_every_light_is_unit_white(self):
+        self.near(self.frame(), self.key + self.fill)
+
+    def test_a_light_is_recolored_dimmed_and_switched_off(self):
+        self.near(self.frame('--light', 'key=rgb:1/0.5/0', '--light', 'fill=off'), self.key * [1, .5, 0])
+        self.near(self.frame('--light', 'key=+1st,x0.25', '--light', 'fill=-1st'), .5 * (self.key + self.fill))
+
+    def test_settings_for_one_light_add_up_over_several_options(self):
+        self.near(self.frame('--light', 'key=rgb:0/1/0', '--light', 'key=+1st', '--light', 'fill=off'),
+                  self.key * [0, 2, 0])
+
+    def test_a_capture_is_solved_on_the_way(self):
+        self.near(self.frame('--light', 'fill=off', '--model', 'transport', source=self.capture.path), self.key)
+
+    def test_integer_formats_are_plain_srgb_and_linear_on_request(self):
+        expected = self.key + self.fill
+        self.near(self.frame(name='frame.png'), encoded(expected), 3e-3)
+        self.near(self.frame(name='frame.tif'), encoded(expected), 1e-4)
+        self.near(self.frame(name='frame.jpg'), encoded(expected), .15)
+        self.near(self.frame('--linear', '--type', 'uint16', name='frame.png'), np.clip(expected, 0, 1), 1e-4)
+        self.near(self.frame(name='frame.hdr'), expected, .02)
+
+    def test_a_view_is_applied_to_exr_too(self):
+        # As sRGB without tone mapping.
+        self.near(self.frame('--display', 'sRGB', '--view', 'sRGB'), encoded(self.key + self.fill), 2e-3)
+
+    def test_an_exr_says_its_primaries_and_its_rig(self):
+        frame = self.path('frame.exr')
+        self.succeed('relight', self.solved, '--light', 'key=3200K', '-o', frame)
+        import OpenImageIO as oiio
+        source = oiio.ImageInput.open(frame)
+        spec = source.spec()
+        source.close()
+        np.testing.assert_allclose(spec.getattribute('chromaticities'),
+                                   [.64, .33, .3, .6, .15, .06, .3127, .329], atol=1e-6)
+        self.assertEqual(json.loads(spec.getattribute('swaplight/rig'))['lights'][0]['color'], '3200K')
+
+    def test_a_rig_file_holds_and_the_command_line_overrides_it(self):
+        rig = self.path('rig.json')
+        result = self.succeed_json('relight', self.solved, '--light', 'key=rgb:1/0/0', '--light', 'fill=off', '-o',
+                                   self.path('frame.exr'))
+        with open(rig, 'w') as file:
+            json.dump(result['rig'], file)
+        self.near(self.frame('--rig', rig), self.key * [1, 0, 0])
+        self.near(self.frame('--rig', rig, '--light', 'fill=on'), self.key * [1, 0, 0] + self.fill)
+
+    def test_a_session_names_the_set_and_its_rig(self):
+        session = self.path('look.swaplight')
+        with open(session, 'w') as file:
+            json.dump({'format': 'swaplight-session', 'version': 1, 'source': 'solved.exr',
+                       'rig': {'lights': [{'name': 'key', 'solo': True, 'stops': 1}, {'name': 'fill'}]}}, file)
+        self.near(self.frame('--session', session, source=self.solved), 2 * self.key)
+        self.near(self.frame(source=session), 2 * self.key)
+        frame = self.path('frame.exr')
+        self.succeed('relight', '--session', session, '-o', frame)
+        self.near(cli.read_rgb(frame), 2 * self.key)
+
+    def test_ambient_light_stays_and_can_be_dimmed(self):
+        ambient = np.full_like(self.key, .05)
+        self.capture.manifest['ambient'] = 'ambient.exr'
+        self.capture.shots = [s + ambient for s in self.capture.shots]
+        self.capture.save()
+        cli.write_image(os.path.join(self.capture.folder, 'ambient.exr'), ambient)
+        self.succeed('solve', self.capture.path, '-o', self.solved, '--model', 'transport', '--float', '-q')
+        self.near(self.frame('--light', 'key=off', '--light', 'fill=off'), ambient)
+        self.near(self.frame('--light', 'fill=off', '--ambient', '0'), self.key)
+
+    def test_json_says_what_was_made(self):
+        frame = self.path('frame.exr')
+        result = self.succeed_json('relight', self.solved, '--light', 'key=3200K,+1st', '-o', frame)
+        self.assertEqual((result['frame'], result['width'], result['height']), (frame, 16, 12))
+        self.assertEqual(result['rig']['lights'][0]['color'], '3200K')
+        self.assertEqual(result['rig']['lights'][0]['stops'], 1)
+
+    def test_bad_input_is_one_line(self):
+        out = ('-o', self.path('frame.exr'))
+        for source in (self.solved, self.capture.path):
+            self.fail('relight', source, '--light', 'kicker=off', *out, naming=['kicker', 'key, fill'])
+            self.fail('relight', source, '--light', 'key=lots', *out, naming=['key=lots', "'lots'", '3200K'])
+            self.fail('relight', source, '--light', 'key', *out, naming='NAME=SETTING')
+        self.fail('relight', self.path('none.exr'), *out, naming='none.exr')
+        self.fail('relight', *out, naming='solved set')
+        self.fail('relight', self.solved, naming='--output')
+        self.fail('relight', self.solved, '-o', self.path('frame.webm'), naming=['frame.webm', 'exr'])
+        self.fail('relight', self.solved, '-o', self.path('no/such/frame.exr'), naming='frame.exr')
+        self.fail('relight', self.solved, '--view', 'Film', *out, naming=['Film', 'sRGB'])
+        self.fail('relight', self.solved, '--display', 'Wall', *out, naming=['Wall', 'sRGB'])
+        self.fail('relight', self.solved, '--linear', '--view', 'sRGB', *out, naming='linear')
+        self.fail('relight', self.solved, '--rig', self.path('none.json'), *out, naming='none.json')
+        with open(self.path('rig.json'), 'w') as file:
+            file.write('{"lights": [{"name": "key", "color": "lots"}]}')
+        self.fail('relight', self.solved, '--rig', self.path('rig.json'), *out, naming=['rig.json', 'key', "'lots'"])
+        frame = self.path('picture.exr')
+        cli.write_image(frame, self.key)
+        self.fail('relight', frame, *out, naming=['picture.exr', 'capture'])
+
+
+if __name__ == '__main__':
+    cli.main()

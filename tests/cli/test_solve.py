@@ -1,0 +1,105 @@
+"""swaplight solve: what it writes (FORMATS 2), its options, its report."""
+import json
+
+import numpy as np
+import swaplight_cli as cli
+
+
+class SolveTest(cli.CliTest):
+    def solve(self, capture, *options):
+        solved = self.path('solved.exr')
+        self.succeed('solve', capture.path, '-o', solved, '-q', *options)
+        return solved
+
+    def test_finds_the_contributions_of_a_capture_without_noise(self):
+        for names in (('key', 'fill'), ('key', 'fill', 'back'), ('a', 'b', 'c', 'd')):
+            capture = cli.Capture(self.path(str(len(names))), names)
+            solved = self.solve(capture, '--model', 'transport', '--float')
+            for name, truth in zip(names, capture.truth):
+                np.testing.assert_allclose(cli.read_rgb(solved, name), truth, atol=2e-5, err_msg=name)
+
+    def test_writes_every_channel_that_is_promised(self):
+        capture = cli.Capture(self.path('set'))
+        channels = cli.read_image(self.solve(capture))
+        for name in ('key', 'fill'):
+            self.assertIn(f'beta.{name}', channels)
+            for c in 'RGB':
+                self.assertIn(f'{name}.{c}', channels)
+        for name in ('R', 'G', 'B', 'quality.residual', 'quality.sigma', 'quality.flags'):
+            self.assertIn(name, channels)
+        for name, pixels in channels.items():
+            self.assertTrue(np.isfinite(pixels).all(), name)
+
+    def test_lights_add_up_to_the_set_under_white_and_proportions_to_one(self):
+        capture = cli.Capture(self.path('set'), ('key', 'fill', 'back'))
+        for option in ((), ('--float',), ('--multipart',)):
+            solved = self.solve(capture, *option)
+            channels = cli.read_image(solved)
+            beta = sum(channels['beta.' + n] for n in ('key', 'fill', 'back'))
+            np.testing.assert_allclose(beta, 1, atol=1e-6)
+            total = sum(cli.read_rgb(solved, n).astype(np.float64) for n in ('key', 'fill', 'back'))
+            np.testing.assert_allclose(cli.read_rgb(solved), total, rtol=1e-6 if option == ('--float',) else 1e-3)
+
+    def test_the_report_says_how_it_was_solved(self):
+        capture = cli.Capture(self.path('set'))
+        report = self.path('report.json')
+        solved = self.path('solved.exr')
+        result = self.succeed('solve', capture.path, '-o', solved, '--report', report)
+        self.assertGreater(len(result.stdout.strip()), 40, 'a paragraph is expected')
+        with open(report) as file:
+            self.assertEqual(json.load(file)['message'], result.stdout.strip())
+        printed = self.succeed_json('solve', capture.path, '-o', solved)
+        self.assertEqual(printed['solved'], solved)
+        self.assertEqual(self.succeed_json('info', solved)['report']['message'], result.stdout.strip())
+
+    def test_a_folder_stands_for_its_capture(self):
+        capture = cli.Capture(self.path('set'))
+        self.succeed('solve', capture.folder, '-o', self.path('solved.exr'))
+
+    def test_pixels_that_are_not_numbers_are_flagged_and_the_others_solved(self):
+        capture = cli.Capture(self.path('set'))
+        for (y, x), value in (((2, 3), np.nan), ((4, 5), np.inf), ((6, 7), -5)):
+            capture.shots[0][y, x] = value
+        capture.save()
+        solved = self.solve(capture, '--model', 'transport', '--float')
+        channels = cli.read_image(solved)
+        flags = channels['quality.flags'].astype(int)
+        wrong = np.zeros(flags.shape, bool)
+        for y, x in ((2, 3), (4, 5), (6, 7)):
+            self.assertTrue(flags[y, x] & 8, (y, x))
+            wrong[y, x] = True
+        self.assertFalse((flags[~wrong] & 8).any())
+        for name, truth in zip(('key', 'fill'), capture.truth):
+            found = cli.read_rgb(solved, name)
+            self.assertTrue(np.isfinite(found).all())
+            np.testing.assert_allclose(found[~wrong], truth[~wrong], atol=2e-5)
+        report = self.succeed_json('solve', capture.path, '-o', solved)
+        self.assertIn('3', json.dumps({k: v for k, v in report.items() if 'finite' in k}))
+
+    def test_a_picture_of_one_pixel_works(self):
+        capture = cli.Capture(self.path('set'), height=1, width=1)
+        solved = self.solve(capture, '--model', 'transport', '--float')
+        np.testing.assert_allclose(cli.read_rgb(solved, 'key'), capture.truth[0], atol=2e-5)
+
+    def test_wrong_options_are_one_line(self):
+        capture = cli.Capture(self.path('set'))
+        out = ('solve', capture.path, '-o', self.path('solved.exr'))
+        self.fail(*out, '--model', 'magic', naming=['magic', 'lambert', 'transport'])
+        self.fail(*out, '--solver', 'magic', naming='magic')
+        self.fail(*out, '--denoise', 'magic', naming=['magic', 'off'])
+        self.fail(*out, '--align', 'magic', naming=['--align', 'magic', 'off'])
+        self.fail(*out, '--noise', 'read=much', naming=['--noise', 'read=much', 'full_well'])
+        self.fail(*out, '--noise', 'grain=2', naming=['--noise', 'grain=2'])
+        self.fail(*out, '--color-uncertainty', '2', naming='--color-uncertainty')
+
+    def test_interrupted_it_leaves_nothing_behind(self):
+        capture = cli.Capture(self.path('set'), ('a', 'b', 'c', 'd'), height=1080, width=1920)
+        before = self.files()
+        code, errors = self.interrupt('solve', capture.path, '-o', self.path('solved.exr'))
+        self.assertEqual(code, 130, errors)
+        self.assertEqual(errors, 'swaplight: stopped\n')
+        self.assertEqual(self.files(), before)
+
+
+if __name__ == '__main__':
+    cli.main()
