@@ -63,6 +63,10 @@ void installGlDebugOutput() {
 #endif
 }
 
+void finishGl() {
+  glFinish();
+}
+
 int glDebugErrorCount() {
   return debugErrors();
 }

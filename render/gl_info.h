@@ -27,4 +27,7 @@ void installGlDebugOutput();
 /// std::logic_error on any other OpenGL error.
 void checkGl(const std::string& what);
 
+/// Waits until everything asked for has been drawn. For measuring.
+void finishGl();
+
 }  // namespace swaplight

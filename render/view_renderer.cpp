@@ -17,11 +17,6 @@
 namespace swaplight {
 namespace {
 
-/// The halved picture from which a shrunk one is interpolated: the one nearest in size.
-int levelFor(double zoom) {
-  return std::max(0, static_cast<int>(std::lround(-std::log2(zoom))));
-}
-
 void setFalseColor(const ShaderProgram& program, bool on, const Rgb& luminanceWeights) {
   std::vector<float> stops;
   std::vector<glm::vec3> colors;
@@ -89,7 +84,7 @@ unsigned ViewRenderer::drawData(TiledTexture& picture, const ViewWindow& window,
 unsigned ViewRenderer::drawWith(const DisplayProgram& display, TiledTexture& picture,
                                 const ViewWindow& window, const ViewSettings& settings) {
   resize(window.width, window.height);
-  const bool smoothed = window.zoom < 1;
+  const bool smoothed = !showsSquares(window.zoom);
   if (smoothed && !picture.halved) {
     for (const TiledTexture::Tile& tile : picture.tiles) halve(tile);
     picture.halved = true;
@@ -103,7 +98,7 @@ unsigned ViewRenderer::drawWith(const DisplayProgram& display, TiledTexture& pic
   program.set({{"picture", 0},
                {"windowOrigin", glm::vec2(window.left, window.top)},
                {"zoom", static_cast<float>(window.zoom)},
-               {"level", levelFor(window.zoom)},
+               {"level", nearestLevel(window.zoom)},
                {"smoothed", smoothed ? 1 : 0},
                {"exposureFactor", std::exp2(settings.exposureStops)},
                {"gamma", settings.gamma},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace swaplight {
 
@@ -19,6 +20,17 @@ struct ViewWindow {
   [[nodiscard]] double windowX(double pictureX) const { return (pictureX - left) * zoom; }
   [[nodiscard]] double windowY(double pictureY) const { return (pictureY - top) * zoom; }
 };
+
+/// Whether enlarged pixels are shown as squares; otherwise they are interpolated. Squares of unequal size
+/// disturb more than softness does, until they are large.
+[[nodiscard]] inline bool showsSquares(double zoom) {
+  return zoom >= 4 || (zoom >= 1 && zoom == std::floor(zoom));
+}
+
+/// The halved picture, 0 or more, from which a window is made: the one nearest in size.
+[[nodiscard]] inline int nearestLevel(double zoom) {
+  return std::max(0, static_cast<int>(std::lround(-std::log2(zoom))));
+}
 
 /// The zoom at which a whole picture is seen.
 [[nodiscard]] inline double fitZoom(int pictureWidth, int pictureHeight, int width, int height) {

@@ -19,6 +19,7 @@ struct Axis {
   std::vector<float> weight;  ///< of the pixel after it; empty where pixels are shown as squares
   int low = 0;                ///< the lowest pixel needed
   int count = 0;
+  bool oneToOne = true;  ///< position i shows pixel low + i and nothing else
 
   Axis(double start, double zoom, int length, int limit, bool smooth) {
     std::vector<int> pixel(static_cast<size_t>(length));
@@ -33,16 +34,10 @@ struct Axis {
     count = std::min(pixel.back() + (smooth ? 2 : 1), limit) - low;
     first = std::move(pixel);
     for (int& p : first) p -= low;
+    for (size_t i = 0; oneToOne && i < first.size(); ++i)
+      oneToOne = first[i] == static_cast<int>(i) && (!smooth || weight[i] == 0);
   }
 };
-
-SWAPLIGHT_SIMD void scaleRow(const float* in, float factor, int count, float* out) {
-  for (int i = 0; i < count; ++i) out[i] = factor * in[i];
-}
-
-SWAPLIGHT_SIMD void addScaledRow(const float* in, float factor, int count, float* out) {
-  for (int i = 0; i < count; ++i) out[i] += factor * in[i];
-}
 
 SWAPLIGHT_SIMD void blendRows(const float* a, const float* b, float weight, int count, float* out) {
   for (int i = 0; i < count; ++i) out[i] = a[i] + weight * (b[i] - a[i]);
@@ -66,9 +61,8 @@ struct RgbRow {
 /// Makes the rows of a window one after the other, for one thread.
 class RowMaker {
  public:
-  RowMaker(std::span<const ViewLayer> layers, int level, const Axis& x, const Axis& y, int width)
+  RowMaker(const LayerSum& layers, const Axis& x, const Axis& y, int width)
       : m_layers(layers),
-        m_level(level),
         m_x(x),
         m_y(y),
         m_width(width),
@@ -94,6 +88,7 @@ class RowMaker {
                   m_blended.channel[c].data());
       source = &m_blended;
     }
+    if (m_x.oneToOne) return *source;
     for (size_t c = 0; c < 3; ++c) spread(source->channel[c].data(), m_row.channel[c].data());
     return m_row;
   }
@@ -105,21 +100,7 @@ class RowMaker {
     RgbRow& sum = m_cache[slot];
     if (m_cached[slot] == row) return sum;
     m_cached[slot] = row;
-    for (int c = 0; c < 3; ++c) {
-      float* out = sum.channel[static_cast<size_t>(c)].data();
-      bool started = false;
-      for (const ViewLayer& layer : m_layers) {
-        const ImageView view = layer.picture->level(m_level);
-        const float* in = view.row(std::min(c, view.channels - 1), m_y.low + row) + m_x.low;
-        const float factor = layer.factor[c];
-        if (!started)
-          scaleRow(in, factor, m_x.count, out);
-        else if (factor != 0)
-          addScaledRow(in, factor, m_x.count, out);
-        started = true;
-      }
-      if (!started) std::fill_n(out, m_x.count, 0.0F);
-    }
+    for (int c = 0; c < 3; ++c) m_layers.row(c, row, sum.channel[static_cast<size_t>(c)].data());
     return sum;
   }
 
@@ -130,8 +111,7 @@ class RowMaker {
       interpolateRow(in, m_x.first.data(), m_x.weight.data(), m_x.count - 1, m_width, out);
   }
 
-  std::span<const ViewLayer> m_layers;
-  int m_level;
+  const LayerSum& m_layers;
   const Axis& m_x;
   const Axis& m_y;
   int m_width;
@@ -144,18 +124,21 @@ class RowMaker {
 
 /// Calls use(row number, pixels, whether they are those of the row before in the same band).
 template <typename Use>
-void forEachRow(std::span<const ViewLayer> layers, const ViewWindow& window, const Use& use) {
+void forEachRow(std::span<const ViewLayer> layers, const ViewWindow& window, LayerSum& sum, const Use& use) {
   if (layers.empty() || window.width <= 0 || window.height <= 0) return;
-  const int levels = layers.front().picture->levels();
-  const int level = std::clamp(static_cast<int>(std::lround(-std::log2(window.zoom))), 0, levels - 1);
+  const int level = std::min(nearestLevel(window.zoom), layers.front().picture->levels() - 1);
   const double shrink = std::exp2(-level);
   const double zoom = window.zoom / shrink;
-  const bool smooth = window.zoom < 1;
+  const bool smooth = !showsSquares(window.zoom);
   const ImageView shape = layers.front().picture->level(level);
   const Axis x(window.left * shrink, zoom, window.width, shape.width, smooth);
   const Axis y(window.top * shrink, zoom, window.height, shape.height, smooth);
+  std::vector<VisibleLayer> visible;
+  for (const ViewLayer& layer : layers)
+    visible.push_back({layer.picture->level(level).crop(x.low, y.low, x.count, y.count), layer.factor});
+  sum.set(std::move(visible));
   parallelRows(window.height, kBand, [&](int begin, int end) {
-    RowMaker maker(layers, level, x, y, window.width);
+    RowMaker maker(sum, x, y, window.width);
     for (int row = begin; row < end; ++row) {
       const bool again = row > begin && maker.same(row);
       static const RgbRow none(0);
@@ -167,9 +150,10 @@ void forEachRow(std::span<const ViewLayer> layers, const ViewWindow& window, con
 }  // namespace
 
 void windowPixels(std::span<const ViewLayer> layers, const ViewWindow& window, const RowCodes& codes,
-                  uint8_t* rgba) {
+                  uint8_t* rgba, LayerSum* memory) {
+  LayerSum once;
   const size_t bytes = static_cast<size_t>(window.width) * 4;
-  forEachRow(layers, window, [&](int y, const RgbRow& row, bool again) {
+  forEachRow(layers, window, memory ? *memory : once, [&](int y, const RgbRow& row, bool again) {
     uint8_t* out = rgba + bytes * static_cast<size_t>(y);
     if (again)
       std::copy_n(out - bytes, bytes, out);
@@ -179,7 +163,8 @@ void windowPixels(std::span<const ViewLayer> layers, const ViewWindow& window, c
 }
 
 void windowLinear(std::span<const ViewLayer> layers, const ViewWindow& window, ImageSpan out) {
-  forEachRow(layers, window, [&](int y, const RgbRow& row, bool again) {
+  LayerSum once;
+  forEachRow(layers, window, once, [&](int y, const RgbRow& row, bool again) {
     for (int c = 0; c < 3; ++c) {
       const float* in = again ? out.row(c, y - 1) : row.channel[static_cast<size_t>(c)].data();
       std::copy_n(in, window.width, out.row(c, y));

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/color/rgb.h"
+#include "core/view/layer_sum.h"
 #include "core/view/pyramid.h"
 #include "core/view/view_window.h"
 
@@ -26,9 +27,9 @@ using RowCodes =
 /// window.width * 4 bytes. The layers are of one size, and the window lies inside of them. Shrunk pictures
 /// are read from the nearest level of their pyramid and interpolated; enlarged ones show their pixels as
 /// squares. What is read is what is seen: each visible pixel of that level once, whatever the number of
-/// layers.
+/// layers. A memory, where given, makes that true of the speed too while few of the factors change.
 void windowPixels(std::span<const ViewLayer> layers, const ViewWindow& window, const RowCodes& codes,
-                  uint8_t* rgba);
+                  uint8_t* rgba, LayerSum* memory = nullptr);
 
 /// The same before `codes`: linear R G B of the window's size.
 void windowLinear(std::span<const ViewLayer> layers, const ViewWindow& window, ImageSpan out);

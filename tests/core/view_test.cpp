@@ -64,6 +64,54 @@ TEST(WindowPixels, ShrunkKeepTheirPlace) {
   }
 }
 
+TEST(WindowPixels, WithAMemoryShowTheSameWhateverChanges) {
+  std::vector<Image> pictures;
+  std::vector<Pyramid> pyramids;
+  for (int i = 0; i < 5; ++i) {
+    Image& image = pictures.emplace_back(gradient(200, 150));
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < image.pixelCount(); ++p)
+        image.plane(c)[p] *= 0.1F * static_cast<float>(i + c + 1);
+  }
+  for (const Image& picture : pictures) pyramids.emplace_back(picture.view());
+  std::vector<ViewLayer> layers;
+  for (const Pyramid& pyramid : pyramids) layers.push_back({&pyramid, Rgb(1)});
+  LayerSum memory;
+  const auto check = [&](const ViewWindow& window) {
+    const size_t bytes = static_cast<size_t>(window.width) * static_cast<size_t>(window.height) * 4;
+    std::vector<uint8_t> with(bytes), without(bytes);
+    const RowCodes codes = [](const float* r, const float* g, const float* b, int count, uint8_t* rgba) {
+      for (int i = 0; i < count; ++i) {
+        rgba[4 * i] = static_cast<uint8_t>(std::min(255.0F, std::round(r[i])));
+        rgba[4 * i + 1] = static_cast<uint8_t>(std::min(255.0F, std::round(g[i])));
+        rgba[4 * i + 2] = static_cast<uint8_t>(std::min(255.0F, std::round(b[i])));
+        rgba[4 * i + 3] = 255;
+      }
+    };
+    windowPixels(layers, window, codes, with.data(), &memory);
+    windowPixels(layers, window, codes, without.data());
+    for (size_t i = 0; i < bytes; ++i) ASSERT_NEAR(with[i], without[i], 1) << i;  // sums in another order
+  };
+  const ViewWindow window{0, 0, 1, 200, 150};
+  check(window);
+  layers[2].factor = {0.5F, 2, 0};
+  check(window);
+  layers[2].factor = {0, 0, 0};
+  check(window);
+  layers[4].factor = {0.25F, 0.5F, 1};
+  check(window);
+  check(window);
+  layers[0].factor = layers[1].factor = Rgb(0.3F);
+  check(window);
+  layers[1].factor = Rgb(0.9F);
+  check(window);
+  check({20, 10, 0.5, 80, 60});
+  layers[1].factor = Rgb(0);
+  check({20, 10, 0.5, 80, 60});
+  for (ViewLayer& layer : layers) layer.factor = Rgb(0.1F);
+  check(window);
+}
+
 TEST(WindowPixels, AGreyLayerCountsForAllChannels) {
   Image grey(ImageSpec{8, 8, {"Y"}, "data"}, 0.5F);
   const Pyramid pyramid(grey.view());
