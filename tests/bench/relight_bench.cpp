@@ -124,6 +124,7 @@ void processorTable() {
       const auto show = [&](const DisplayTable& table) {
         return timed([&](int run) {
           std::vector<ViewLayer> layers;
+          layers.reserve(pyramids.size());
           for (int i = 0; i < lights; ++i)
             layers.push_back(
                 {&pyramids[static_cast<size_t>(i)], factorsOf(lights, run)[static_cast<size_t>(i)]});
