@@ -1,0 +1,69 @@
+#include "core/edit/edit_changes.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace swaplight {
+namespace {
+
+using Prepared = std::shared_ptr<const PreparedEdit>;
+
+PixelRect activeBounds(const PreparedEdit& edit) {
+  return edit.isActive() ? edit.mask->bounds() : PixelRect{};
+}
+
+// Where two edits differ, if it is only by what is painted in their masks.
+std::optional<PixelRect> paintedDifference(const PreparedEdit& a, const PreparedEdit& b) {
+  if (!a.isActive() || !b.isActive()) return std::nullopt;
+  const Mask& maskA = a.edit->mask;
+  const Mask& maskB = b.edit->mask;
+  if (maskA.size() != maskB.size() || a.edit->opacity != b.edit->opacity ||
+      a.edit->lights != b.edit->lights || a.edit->meaning != b.edit->meaning ||
+      !(a.edit->operation == b.edit->operation))
+    return std::nullopt;
+  PixelRect area;
+  for (size_t i = 0; i < maskA.size(); ++i) {
+    const auto* paintA = std::get_if<PaintShape>(&maskA[i].shape);
+    const auto* paintB = std::get_if<PaintShape>(&maskB[i].shape);
+    if (paintA && paintB && maskA[i].invert == maskB[i].invert)
+      area = enclosing(area, paintA->painting->mask().difference(paintB->painting->mask()));
+    else if (!(maskA[i] == maskB[i]))
+      return std::nullopt;
+  }
+  return area;
+}
+
+int reachAfter(const std::vector<Prepared>& edits, size_t index) {
+  int reach = 0;
+  for (size_t i = index + 1; i < edits.size(); ++i) reach += edits[i]->reach();
+  return reach;
+}
+
+}  // namespace
+
+PixelRect changedArea(const std::vector<Prepared>& before, const std::vector<Prepared>& after) {
+  // What both have in common at either end does not count.
+  size_t first = 0;
+  while (first < before.size() && first < after.size() && before[first] == after[first]) ++first;
+  size_t endBefore = before.size();
+  size_t endAfter = after.size();
+  while (endBefore > first && endAfter > first && before[endBefore - 1] == after[endAfter - 1])
+    --endBefore, --endAfter;
+
+  if (endBefore == first + 1 && endAfter == first + 1)
+    if (const auto painted = paintedDifference(*before[first], *after[first]))
+      return painted->empty() ? PixelRect{} : painted->grown(reachAfter(after, first));
+
+  PixelRect area;
+  const auto add = [&](const std::vector<Prepared>& edits, size_t end) {
+    for (size_t i = first; i < end; ++i) {
+      const PixelRect bounds = activeBounds(*edits[i]);
+      if (!bounds.empty()) area = enclosing(area, bounds.grown(reachAfter(edits, i)));
+    }
+  };
+  add(before, endBefore);
+  add(after, endAfter);
+  return area;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,157 @@
+#include "core/edit/edit_tile.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "core/edit/edit_rows.h"
+#include "core/edit/edit_targets.h"
+
+namespace swaplight {
+
+EditTile::EditTile(const SolvedSet& set, int lights, const PixelRect& area)
+    : m_lights(lights),
+      m_area(area),
+      m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)),
+      m_data(m_plane * (static_cast<size_t>(lights) * 3 + 4)) {
+  const auto planes = static_cast<size_t>(m_lights);
+  float* white = m_data.data() + planes * 3 * m_plane;
+  for (int i = 0; i < set.lightCount(); ++i)
+    for (int c = 0; c < 3; ++c)
+      for (int y = 0; y < area.height; ++y) {
+        const float* in = set.contributions[static_cast<size_t>(i)].view().row(c, area.y + y) + area.x;
+        std::copy_n(in, area.width, writableRow(i, c, area.y + y));
+        float* sum = white + static_cast<size_t>(c) * m_plane + static_cast<size_t>(y * area.width);
+        for (int x = 0; x < area.width; ++x) sum[x] += in[x];
+      }
+  float* inverse = white + 3 * m_plane;
+  for (size_t p = 0; p < m_plane; ++p) {
+    const float grey = white[p] + white[m_plane + p] + white[2 * m_plane + p];
+    inverse[p] = grey > 0 ? 1 / grey : 0;
+  }
+}
+
+const float* EditTile::row(int light, int channel, int y) const {
+  return m_data.data() + static_cast<size_t>(light * 3 + channel) * m_plane +
+         static_cast<size_t>(y - m_area.y) * static_cast<size_t>(m_area.width);
+}
+
+float* EditTile::writableRow(int light, int channel, int y) {
+  return const_cast<float*>(row(light, channel, y));
+}
+
+const float* EditTile::whiteRow(int channel, int y) const {
+  return row(m_lights, channel, y);
+}
+
+const float* EditTile::inverseGreyRow(int y) const {
+  return row(m_lights + 1, 0, y);
+}
+
+void EditTile::betaRow(int light, int y, int x, int count, float* out) const {
+  const int skip = x - m_area.x;
+  auto* self = const_cast<EditTile*>(this);
+  const LightRow pixels{self->writableRow(light, 0, y) + skip, self->writableRow(light, 1, y) + skip,
+                        self->writableRow(light, 2, y) + skip};
+  betaOfRow(pixels, inverseGreyRow(y) + skip, count, out);
+}
+
+std::vector<float> EditTile::blurredBeta(int light, int radius) const {
+  // Pixels without light have no beta: blur beta and the count of those who have it, then divide.
+  cv::Mat beta(m_area.height, m_area.width, CV_32F);
+  cv::Mat known(m_area.height, m_area.width, CV_32F);
+  for (int y = 0; y < m_area.height; ++y) {
+    betaRow(light, m_area.y + y, m_area.x, m_area.width, beta.ptr<float>(y));
+    const float* inverse = inverseGreyRow(m_area.y + y);
+    for (int x = 0; x < m_area.width; ++x) known.at<float>(y, x) = inverse[x] > 0 ? 1.f : 0.f;
+  }
+  const cv::Size kernel(2 * radius + 1, 2 * radius + 1);
+  cv::GaussianBlur(beta, beta, kernel, radius / 2., 0, cv::BORDER_REPLICATE);
+  cv::GaussianBlur(known, known, kernel, radius / 2., 0, cv::BORDER_REPLICATE);
+  std::vector<float> blurred(m_plane);
+  for (size_t p = 0; p < m_plane; ++p) {
+    const float weight = known.ptr<float>()[p];
+    blurred[p] = weight > 1e-6f ? beta.ptr<float>()[p] / weight : 0;
+  }
+  return blurred;
+}
+
+void EditTile::swapRow(const PreparedEdit& edit, int y, int x, int count, const float* mask) {
+  for (int c = 0; c < 3; ++c) {
+    float* a = writableRow(edit.lights[0], c, y) + (x - m_area.x);
+    float* b = writableRow(edit.lights[1], c, y) + (x - m_area.x);
+    for (int i = 0; i < count; ++i) {
+      const float step = mask[i] * (b[i] - a[i]);
+      a[i] += step;
+      b[i] -= step;
+    }
+  }
+}
+
+void EditTile::shadowRow(const PreparedEdit& edit, int y, int x, int count, const float* mask) {
+  for (size_t k = 0; k < edit.lights.size(); ++k) {
+    const ShadowChange& change = edit.shadows[k];
+    const float* weight = change.weight->view().row(0, y) + x;
+    for (int c = 0; c < 3; ++c) {
+      float* t = writableRow(edit.lights[k], c, y) + (x - m_area.x);
+      const float* direct = change.shadows->direct.view().row(c, y) + x;
+      if (change.multiplies)
+        for (int i = 0; i < count; ++i) t[i] *= 1 + mask[i] * weight[i];
+      else
+        for (int i = 0; i < count; ++i)
+          t[i] = std::max(0.f, t[i] + mask[i] * weight[i] * change.color[c] * direct[i]);
+    }
+  }
+}
+
+void EditTile::apply(const PreparedEdit& edit, const PixelRect& part) {
+  const PixelRect area = intersection(part, edit.mask->bounds());
+  if (area.empty() || !edit.isActive() || edit.lights.empty()) return;
+  std::vector<std::vector<float>> blurred;
+  if (const int radius = edit.reach(); radius > 0)
+    for (const int light : edit.lights) blurred.push_back(blurredBeta(light, radius));
+  const bool swap = std::holds_alternative<InvertOperation>(edit.edit->operation) && edit.lights.size() == 2;
+  const bool shadow = std::holds_alternative<ShadowOperation>(edit.edit->operation);
+  const bool share = edit.edit->meaning == Meaning::Share;
+
+  const int count = area.width;
+  const int skip = area.x - m_area.x;
+  std::vector<float> mask(static_cast<size_t>(count));
+  std::vector<std::vector<float>> beta(static_cast<size_t>(m_lights), mask);
+  std::vector<std::vector<float>> target = beta;
+  for (int y = area.y; y < area.bottom(); ++y) {
+    if (!edit.mask->row(area.x, y, count, mask.data())) continue;
+    for (float& m : mask) m *= edit.edit->opacity;
+    if (swap || shadow) {
+      swap ? swapRow(edit, y, area.x, count, mask.data()) : shadowRow(edit, y, area.x, count, mask.data());
+      continue;
+    }
+
+    // Beta as it is and as the operation wants it.
+    for (int i = 0; share && i < m_lights; ++i)
+      betaRow(i, y, area.x, count, beta[static_cast<size_t>(i)].data());
+    for (size_t k = 0; k < edit.lights.size(); ++k) {
+      const auto i = static_cast<size_t>(edit.lights[k]);
+      if (!share) betaRow(edit.lights[k], y, area.x, count, beta[i].data());
+      const float* soft = blurred.empty()
+                              ? nullptr
+                              : blurred[k].data() + static_cast<size_t>((y - m_area.y) * m_area.width + skip);
+      targetRow(edit, k, y, area.x, beta[i].data(), soft, count, target[i].data());
+    }
+
+    // Move the light.
+    std::vector<LightRow> rows;
+    for (int i = 0; i < m_lights; ++i)
+      rows.push_back({writableRow(i, 0, y) + skip, writableRow(i, 1, y) + skip, writableRow(i, 2, y) + skip});
+    if (share) {
+      shareRow(rows, edit.lights, beta, target, mask.data(), count);
+      continue;
+    }
+    const WhiteRow white{whiteRow(0, y) + skip, whiteRow(1, y) + skip, whiteRow(2, y) + skip};
+    for (const int i : edit.lights) {
+      const auto k = static_cast<size_t>(i);
+      addRow(rows[k], white, beta[k].data(), target[k].data(), mask.data(), count);
+    }
+  }
+}
+
+}  // namespace swaplight

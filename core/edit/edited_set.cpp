@@ -1,0 +1,162 @@
+#include "core/edit/edited_set.h"
+
+#include <algorithm>
+
+#include "core/edit/edit_changes.h"
+#include "core/edit/edit_tile.h"
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kBandRows = 32;  // a band of a tile fits into a core's own cache
+
+EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
+  EditedLights lights{{}, set.width(), set.height()};
+  for (const Light& light : set.capture.lights) lights.names.push_back(light.name);
+  for (const std::string& name : stack.newLights) {
+    if (std::count(lights.names.begin(), lights.names.end(), name))
+      throw InputError("the edits add a light \"{}\", but the set has one of that name: give it another.",
+                       name);
+    lights.names.push_back(name);
+  }
+  return lights;
+}
+
+// A set of the size with room for the lights; contributions are not initialised.
+SolvedSet emptyResult(const SolvedSet& set, const EditedLights& lights) {
+  SolvedSet result;
+  result.capture = set.capture;
+  result.report = set.report;
+  if (set.ambient) result.ambient = set.ambient->clone();
+  ImageSpec beta{lights.width, lights.height, {}, "data"};
+  for (size_t i = 0; i < lights.names.size(); ++i) {
+    result.contributions.emplace_back(set.contributions.front().spec());
+    beta.channels.push_back("beta." + lights.names[i]);
+    if (i >= result.capture.lights.size())
+      result.capture.lights.push_back({lights.names[i], Role::Other, Json::object()});
+  }
+  result.beta = Image(std::move(beta));
+  return result;
+}
+
+// Contributions as they are, and beta from them.
+void writeBack(const EditTile& tile, const PixelRect& part, SolvedSet& result) {
+  const int lights = result.lightCount();
+  const int skip = part.x - tile.area().x;
+  std::vector<float> total(static_cast<size_t>(part.width));
+  for (int y = part.y; y < part.bottom(); ++y) {
+    std::fill(total.begin(), total.end(), 0.f);
+    for (int i = 0; i < lights; ++i) {
+      float* grey = result.beta.span().row(i, y) + part.x;
+      std::fill_n(grey, part.width, 0.f);
+      for (int c = 0; c < 3; ++c) {
+        const float* in = tile.row(i, c, y) + skip;
+        std::copy_n(in, part.width, result.contributions[static_cast<size_t>(i)].span().row(c, y) + part.x);
+        for (int x = 0; x < part.width; ++x) grey[x] += in[x];
+      }
+      for (int x = 0; x < part.width; ++x) total[static_cast<size_t>(x)] += grey[x];
+    }
+    for (float& t : total) t = t > 0 ? 1 / t : 0;
+    for (int i = 0; i < lights; ++i) {
+      float* grey = result.beta.span().row(i, y) + part.x;
+      for (int x = 0; x < part.width; ++x) grey[x] *= total[static_cast<size_t>(x)];
+    }
+  }
+}
+
+}  // namespace
+
+SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowSource& shadows) {
+  const EditedLights lights = editedLights(set, stack);
+  const PixelRect all{0, 0, set.width(), set.height()};
+  EditTile picture(set, static_cast<int>(lights.names.size()), all);
+  for (const auto& edit : stack.edits) picture.apply(prepareEdit(edit, lights, shadows), all);
+  SolvedSet result = emptyResult(set, lights);
+  writeBack(picture, all, result);
+  return result;
+}
+
+EditedSet::EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows)
+    : m_set(std::move(set)),
+      m_shadows(std::move(shadows)),
+      m_result(emptyResult(*m_set, editedLights(*m_set, {}))) {
+  const int columns = (m_set->width() + kTileSize - 1) / kTileSize;
+  const int rows = (m_set->height() + kTileSize - 1) / kTileSize;
+  m_stale.resize(static_cast<size_t>(columns) * static_cast<size_t>(rows));
+  markStale({0, 0, m_set->width(), m_set->height()});
+}
+
+void EditedSet::setStack(const EditStack& stack) {
+  const EditedLights lights = editedLights(*m_set, stack);
+  const bool sameLights = stack.newLights == m_stack.newLights;
+
+  // Prepare what is new; what failed to prepare leaves the old stack in force.
+  std::vector<Prepared> prepared;
+  for (const auto& edit : stack.edits) {
+    const auto known = std::find_if(m_prepared.begin(), m_prepared.end(),
+                                    [&](const Prepared& p) { return p->edit == edit; });
+    prepared.push_back(sameLights && known != m_prepared.end()
+                           ? *known
+                           : std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_shadows)));
+  }
+  if (sameLights) {
+    markStale(changedArea(m_prepared, prepared));
+  } else {
+    m_result = emptyResult(*m_set, lights);
+    markStale({0, 0, m_set->width(), m_set->height()});
+  }
+  m_prepared = std::move(prepared);
+  m_stack = stack;
+}
+
+void EditedSet::markStale(const PixelRect& area) {
+  const int columns = (m_set->width() + kTileSize - 1) / kTileSize;
+  for (size_t i = 0; i < m_stale.size(); ++i) {
+    const auto tile = static_cast<int>(i);
+    const PixelRect whole =
+        intersection({tile % columns * kTileSize, tile / columns * kTileSize, kTileSize, kTileSize},
+                     {0, 0, m_set->width(), m_set->height()});
+    m_stale[i] = enclosing(m_stale[i], intersection(whole, area));
+  }
+}
+
+std::vector<PixelRect> EditedSet::update() {
+  return update({0, 0, m_set->width(), m_set->height()});
+}
+
+std::vector<PixelRect> EditedSet::update(const PixelRect& area) {
+  std::vector<PixelRect> changed;
+  for (PixelRect& stale : m_stale)
+    if (!intersection(stale, area).empty()) changed.push_back(std::exchange(stale, {}));
+
+  // Edits that look around would do so again for each band.
+  const bool looksAround =
+      std::any_of(m_prepared.begin(), m_prepared.end(), [](const Prepared& p) { return p->reach() > 0; });
+  std::vector<PixelRect> bands;
+  for (const PixelRect& rect : changed) {
+    const int step = looksAround ? rect.height : kBandRows;
+    for (int y = rect.y; y < rect.bottom(); y += step)
+      bands.push_back({rect.x, y, rect.width, std::min(step, rect.bottom() - y)});
+  }
+  parallelRows(static_cast<int>(bands.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) compute(bands[static_cast<size_t>(i)]);
+  });
+  return changed;
+}
+
+void EditedSet::compute(const PixelRect& area) {
+  const PixelRect all{0, 0, m_set->width(), m_set->height()};
+  // What later edits look at around the area has to be computed too.
+  int around = 0;
+  for (const Prepared& edit : m_prepared) around += edit->reach();
+  EditTile tile(*m_set, m_result.lightCount(), intersection(area.grown(around), all));
+  for (const Prepared& edit : m_prepared) {
+    around -= edit->reach();
+    tile.apply(*edit, intersection(area.grown(around), all));
+  }
+  writeBack(tile, area, m_result);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/edit/edit.h"
+#include "core/edit/prepared_edit.h"
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// The truth that EditedSet is compared with: the whole picture, one edit after the other, without tiles or
+/// caches. New lights follow the set's own; beta is of the result; quality is not filled in. Throws
+/// InputError.
+[[nodiscard]] SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack,
+                                   const ShadowSource& shadows = {});
+
+/// A solved set seen through a stack of edits. Keeps the result, and computes again only what a change of the
+/// stack can have changed, tile by tile, when it is asked for. Not for use by several threads at once.
+class EditedSet {
+ public:
+  /// Keeps the set: it must not change. Shadows are asked for when an edit needs them.
+  explicit EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows = {});
+
+  /// Takes a new stack. Computes nothing yet. Throws InputError, and keeps the old stack then.
+  void setStack(const EditStack& stack);
+  [[nodiscard]] const EditStack& stack() const { return m_stack; }
+
+  /// Computes what is out of date in the area. Returns the rectangles (at most one a tile) that have changed.
+  std::vector<PixelRect> update(const PixelRect& area);
+  std::vector<PixelRect> update();
+
+  /// The edited set: up to date where update has been. New lights follow the set's own. quality is not filled
+  /// in: it is that of the set as solved.
+  [[nodiscard]] const SolvedSet& result() const { return m_result; }
+  [[nodiscard]] const SolvedSet& original() const { return *m_set; }
+
+ private:
+  using Prepared = std::shared_ptr<const PreparedEdit>;
+  void markStale(const PixelRect& area);
+  void compute(const PixelRect& area);
+
+  std::shared_ptr<const SolvedSet> m_set;
+  ShadowSource m_shadows;
+  EditStack m_stack;
+  std::vector<Prepared> m_prepared;
+  SolvedSet m_result;
+  std::vector<PixelRect> m_stale;  // a rectangle a tile, empty where the tile is up to date
+};
+
+}  // namespace swaplight

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/image/image.h"
+
+namespace swaplight {
+
+/// What a pixel is to a light.
+enum class ShadowLabel : uint8_t {
+  Unknown = 0,   ///< too dark to tell
+  Umbra = 1,     ///< the light does not reach it
+  Penumbra = 2,  ///< part of the light does
+  Lit = 3,
+};
+
+/// One light's shadows.
+struct LightShadows {
+  Image visibility;  ///< one channel, 0..1: how much of the light the pixel sees
+  std::vector<ShadowLabel> labels;
+  /// R G B, >= 0: what the light would add where nothing of it were hidden. contribution + (1 - visibility) *
+  /// direct is the contribution without shadows.
+  Image direct;
+};
+
+}  // namespace swaplight

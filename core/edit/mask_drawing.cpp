@@ -1,0 +1,100 @@
+#include "core/edit/mask_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/error.h"
+#include "core/image/image_io.h"
+#include "core/image/text_drawing.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kShift = 4;  // OpenCV draws at 1/16 of a pixel
+
+// `pixels`: 32-bit float, placed with its corner at x, y.
+MaskRaster rasterOf(const cv::Mat& pixels, int x0, int y0, int width, int height) {
+  MaskRaster raster(width, height);
+  const PixelRect area = intersection({x0, y0, pixels.cols, pixels.rows}, {0, 0, width, height});
+  for (int y = area.y; y < area.bottom(); ++y)
+    for (int x = area.x; x < area.right(); ++x) raster.set(x, y, pixels.at<float>(y - y0, x - x0));
+  return raster;
+}
+
+// 8 bits to 0..1, with a soft edge.
+cv::Mat softened(const cv::Mat& drawn, float feather) {
+  cv::Mat pixels;
+  drawn.convertTo(pixels, CV_32F, 1 / 255.);
+  if (feather > 1) cv::GaussianBlur(pixels, pixels, {}, feather / 4., 0, cv::BORDER_CONSTANT);
+  return pixels;
+}
+
+}  // namespace
+
+MaskRaster drawShape(const PolygonShape& shape, int width, int height) {
+  cv::Mat drawn(height, width, CV_8U, cv::Scalar(0));
+  std::vector<std::vector<cv::Point>> line(1);
+  for (const auto& p : shape.points)
+    line[0].emplace_back(cvRound((p[0] - .5f) * (1 << kShift)), cvRound((p[1] - .5f) * (1 << kShift)));
+  if (line[0].size() > 2) cv::fillPoly(drawn, line, cv::Scalar(255), cv::LINE_AA, kShift);
+  return rasterOf(softened(drawn, shape.feather), 0, 0, width, height);
+}
+
+MaskRaster drawShape(const TextShape& shape, int width, int height) {
+  cv::Mat drawn(height, width, CV_8UC3, cv::Scalar::all(0));
+  drawText(drawn, shape.text, {cvRound(shape.x), cvRound(shape.y)}, std::max(1, cvRound(shape.height)),
+           cv::Scalar::all(255));
+  cv::Mat grey;
+  cv::extractChannel(drawn, grey, 0);
+  return rasterOf(softened(grey, shape.feather), 0, 0, width, height);
+}
+
+MaskRaster drawShape(const PictureShape& shape, int width, int height) {
+  const Image picture = readImage(shape.file).image;
+  cv::Mat pixels(picture.height(), picture.width(), CV_32F);
+  const bool color = picture.channelCount() >= 3;
+  const int alpha = picture.channelIndex("A");
+  for (int y = 0; y < pixels.rows; ++y)
+    for (int x = 0; x < pixels.cols; ++x) {
+      const ImageView view = picture.view();
+      const float luminance =
+          color ? .2126f * view.at(0, x, y) + .7152f * view.at(1, x, y) + .0722f * view.at(2, x, y)
+                : view.at(0, x, y);
+      pixels.at<float>(y, x) = luminance * (alpha >= 0 ? view.at(alpha, x, y) : 1.f);
+    }
+  const cv::Size size(shape.width > 0 ? cvRound(shape.width) : pixels.cols,
+                      shape.height > 0 ? cvRound(shape.height) : pixels.rows);
+  if (size.empty() || size.width > 1 << 16 || size.height > 1 << 16)
+    throw InputError("{}: cannot be stretched to {} x {} pixels.", shape.file, size.width, size.height);
+  cv::Mat stretched;
+  const bool smaller = size.width < pixels.cols && size.height < pixels.rows;
+  cv::resize(pixels, stretched, size, 0, 0, smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
+  return rasterOf(stretched, cvRound(shape.x), cvRound(shape.y), width, height);
+}
+
+MaskRaster drawShape(const ShadowShape& shape, const LightShadows& shadows) {
+  const Image& visibility = shadows.visibility;
+  const int width = visibility.width();
+  const int height = visibility.height();
+  cv::Mat chosen(height, width, CV_8U, cv::Scalar(1));
+  if (shape.region) {
+    // Only the shadow that is connected with the pixel.
+    cv::Mat shadow(height, width, CV_8U);
+    for (size_t p = 0; p < shadows.labels.size(); ++p)
+      shadow.data[p] = shadows.labels[p] == ShadowLabel::Umbra || shadows.labels[p] == ShadowLabel::Penumbra;
+    cv::Mat regions;
+    cv::connectedComponents(shadow, regions, 8, CV_32S);
+    const bool inside = shape.x >= 0 && shape.y >= 0 && shape.x < width && shape.y < height;
+    const int region = inside ? regions.at<int>(shape.y, shape.x) : 0;
+    chosen = region > 0 ? cv::Mat((regions == region) / 255) : cv::Mat::zeros(height, width, CV_8U);
+    cv::dilate(chosen, chosen, {}, {-1, -1}, 2);  // with the faint rim around it
+  }
+  MaskRaster raster(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (chosen.at<uchar>(y, x)) raster.set(x, y, 1 - visibility.view().at(0, x, y));
+  return raster;
+}
+
+}  // namespace swaplight

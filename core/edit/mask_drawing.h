@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/edit/light_shadows.h"
+#include "core/edit/mask.h"
+
+namespace swaplight {
+
+// Shapes that are drawn once, as pixels.
+
+[[nodiscard]] MaskRaster drawShape(const PolygonShape& shape, int width, int height);
+[[nodiscard]] MaskRaster drawShape(const TextShape& shape, int width, int height);
+/// Throws InputError where the file cannot be read.
+[[nodiscard]] MaskRaster drawShape(const PictureShape& shape, int width, int height);
+[[nodiscard]] MaskRaster drawShape(const ShadowShape& shape, const LightShadows& shadows);
+
+}  // namespace swaplight

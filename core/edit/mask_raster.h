@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace swaplight {
+
+constexpr int kTileSize = 256;
+
+/// A rectangle of pixels: [x, x + width) x [y, y + height).
+struct PixelRect {
+  int x = 0, y = 0, width = 0, height = 0;
+  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+  [[nodiscard]] int right() const { return x + width; }
+  [[nodiscard]] int bottom() const { return y + height; }
+  [[nodiscard]] PixelRect grown(int by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
+  bool operator==(const PixelRect&) const = default;
+};
+[[nodiscard]] PixelRect intersection(const PixelRect& a, const PixelRect& b);
+/// The smallest rectangle that holds both; an empty one counts for nothing.
+[[nodiscard]] PixelRect enclosing(const PixelRect& a, const PixelRect& b);
+
+/// A mask as pixels, 0..1 in 16 bits, in tiles of 256 x 256; a tile that is all 0 takes no memory. Copies
+/// share their tiles until one of them writes: keeping old states for undo costs what changed.
+class MaskRaster {
+ public:
+  MaskRaster() = default;
+  MaskRaster(int width, int height);
+
+  [[nodiscard]] int width() const { return m_width; }
+  [[nodiscard]] int height() const { return m_height; }
+  [[nodiscard]] float at(int x, int y) const;
+  /// Multiplies factors[0..count) by the pixels x.. of row y.
+  void multiplyRow(int x, int y, int count, float* factors) const;
+
+  /// The tile's pixels, row after row, to be written; makes the tile this raster's own first.
+  [[nodiscard]] uint16_t* writableTile(int column, int row);
+  [[nodiscard]] int columns() const { return (m_width + kTileSize - 1) / kTileSize; }
+  [[nodiscard]] int rows() const { return (m_height + kTileSize - 1) / kTileSize; }
+  /// Sets a pixel; slow, for shapes that are drawn once.
+  void set(int x, int y, float value);
+
+  /// Where pixels may be above 0, to the tile.
+  [[nodiscard]] PixelRect bounds() const;
+  /// Where this and the other differ, to the pixel; quick where tiles are shared.
+  [[nodiscard]] PixelRect difference(const MaskRaster& other) const;
+  [[nodiscard]] size_t bytes() const;
+
+ private:
+  using Tile = std::array<uint16_t, size_t{kTileSize} * kTileSize>;
+  int m_width = 0;
+  int m_height = 0;
+  std::vector<std::shared_ptr<Tile>> m_tiles;
+};
+
+}  // namespace swaplight

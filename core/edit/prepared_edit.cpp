@@ -1,0 +1,61 @@
+#include "core/edit/prepared_edit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/edit/beta_file.h"
+#include "core/edit/curve.h"
+#include "core/error.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kCurveSteps = 1025;
+
+std::vector<int> chosenLights(const Edit& edit, const EditedLights& lights) {
+  std::vector<int> chosen;
+  const int count = static_cast<int>(lights.names.size());
+  for (int i = 0; i < count; ++i)
+    if (edit.lights.empty() ||
+        std::count(edit.lights.begin(), edit.lights.end(), lights.names[static_cast<size_t>(i)]))
+      chosen.push_back(i);
+  for (const std::string& name : edit.lights)
+    if (!std::count(lights.names.begin(), lights.names.end(), name))
+      throw InputError("edit \"{}\" is for the light \"{}\", which the set does not have: its lights are {}.",
+                       edit.name, name, fmt::join(lights.names, ", "));
+  return chosen;
+}
+
+}  // namespace
+
+int PreparedEdit::reach() const {
+  if (!isActive()) return 0;
+  if (const auto* blur = std::get_if<BlurOperation>(&edit->operation)) return blur->radius;
+  if (const auto* sharpen = std::get_if<SharpenOperation>(&edit->operation)) return sharpen->radius;
+  return 0;
+}
+
+PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights,
+                         const ShadowSource& shadows) {
+  PreparedEdit prepared;
+  prepared.lights = chosenLights(*edit, lights);
+  prepared.mask = std::make_unique<PreparedMask>(edit->mask, lights.width, lights.height, shadows);
+  if (const auto* curve = std::get_if<CurveOperation>(&edit->operation)) {
+    prepared.curve = curveTable(curve->points, kCurveSteps);
+  } else if (const auto* picture = std::get_if<PictureOperation>(&edit->operation)) {
+    for (const int i : prepared.lights)
+      prepared.pictures.push_back(std::make_shared<Image>(readBetaMap(picture->file, picture->channel,
+                                                                      lights.names[static_cast<size_t>(i)],
+                                                                      lights.width, lights.height)));
+  } else if (const auto* shadow = std::get_if<ShadowOperation>(&edit->operation)) {
+    if (!shadows) throw InputError("the edit \"{}\" uses shadows, which are not at hand here.", edit->name);
+    for (const int i : prepared.lights)
+      prepared.shadows.push_back(shadowChange(*shadow, shadows(lights.names[static_cast<size_t>(i)])));
+  }
+  prepared.edit = std::move(edit);
+  return prepared;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/edit/edit.h"
+#include "core/edit/prepared_mask.h"
+#include "core/edit/shadow_change.h"
+
+namespace swaplight {
+
+/// The set that edits act on, by names and size.
+struct EditedLights {
+  std::vector<std::string> names;  ///< the set's lights, then the new ones
+  int width = 0;
+  int height = 0;
+};
+
+/// An edit ready to run: names are indices, masks and pictures are drawn, curves are tables.
+struct PreparedEdit {
+  std::shared_ptr<const Edit> edit;
+  std::vector<int> lights;  ///< those chosen, ascending
+  std::unique_ptr<PreparedMask> mask;
+  std::vector<float> curve;                            ///< beta 0..1 in even steps, for CurveOperation
+  std::vector<std::shared_ptr<const Image>> pictures;  ///< one a chosen light, for PictureOperation
+  std::vector<ShadowChange> shadows;                   ///< one a chosen light, for ShadowOperation
+
+  /// Does it do anything?
+  [[nodiscard]] bool isActive() const { return edit->on && edit->opacity > 0; }
+  /// How far a pixel looks around it; 0 where the edit is not active.
+  [[nodiscard]] int reach() const;
+};
+
+/// Throws InputError: an unknown light (the known ones listed), a picture that does not fit, a curve that is
+/// none.
+[[nodiscard]] PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights,
+                                       const ShadowSource& shadows);
+
+}  // namespace swaplight
