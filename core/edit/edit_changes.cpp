@@ -39,30 +39,43 @@ int reachAfter(const std::vector<Prepared>& edits, size_t index) {
   return reach;
 }
 
+// What is left of two stacks without what they have in common at either end.
+struct Middle {
+  size_t first = 0, endBefore = 0, endAfter = 0;
+  [[nodiscard]] bool isOneEdit() const { return endBefore == first + 1 && endAfter == first + 1; }
+};
+
+Middle differingPart(const std::vector<Prepared>& before, const std::vector<Prepared>& after) {
+  Middle m{0, before.size(), after.size()};
+  while (m.first < before.size() && m.first < after.size() && before[m.first] == after[m.first]) ++m.first;
+  while (m.endBefore > m.first && m.endAfter > m.first && before[m.endBefore - 1] == after[m.endAfter - 1])
+    --m.endBefore, --m.endAfter;
+  return m;
+}
+
 }  // namespace
 
-PixelRect changedArea(const std::vector<Prepared>& before, const std::vector<Prepared>& after) {
-  // What both have in common at either end does not count.
-  size_t first = 0;
-  while (first < before.size() && first < after.size() && before[first] == after[first]) ++first;
-  size_t endBefore = before.size();
-  size_t endAfter = after.size();
-  while (endBefore > first && endAfter > first && before[endBefore - 1] == after[endAfter - 1])
-    --endBefore, --endAfter;
+std::optional<size_t> paintedEdit(const std::vector<Prepared>& before, const std::vector<Prepared>& after) {
+  const Middle m = differingPart(before, after);
+  if (!m.isOneEdit() || !paintedDifference(*before[m.first], *after[m.first])) return std::nullopt;
+  return m.first;
+}
 
-  if (endBefore == first + 1 && endAfter == first + 1)
-    if (const auto painted = paintedDifference(*before[first], *after[first]))
-      return painted->empty() ? PixelRect{} : painted->grown(reachAfter(after, first));
+PixelRect changedArea(const std::vector<Prepared>& before, const std::vector<Prepared>& after) {
+  const Middle m = differingPart(before, after);
+  if (m.isOneEdit())
+    if (const auto painted = paintedDifference(*before[m.first], *after[m.first]))
+      return painted->empty() ? PixelRect{} : painted->grown(reachAfter(after, m.first));
 
   PixelRect area;
   const auto add = [&](const std::vector<Prepared>& edits, size_t end) {
-    for (size_t i = first; i < end; ++i) {
+    for (size_t i = m.first; i < end; ++i) {
       const PixelRect bounds = activeBounds(*edits[i]);
       if (!bounds.empty()) area = enclosing(area, bounds.grown(reachAfter(edits, i)));
     }
   };
-  add(before, endBefore);
-  add(after, endAfter);
+  add(before, m.endBefore);
+  add(after, m.endAfter);
   return area;
 }
 

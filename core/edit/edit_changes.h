@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/edit/prepared_edit.h"
@@ -11,5 +12,10 @@ namespace swaplight {
 /// differs from its predecessor by painted strokes only counts where the strokes' masks differ.
 [[nodiscard]] PixelRect changedArea(const std::vector<std::shared_ptr<const PreparedEdit>>& before,
                                     const std::vector<std::shared_ptr<const PreparedEdit>>& after);
+
+/// The index of the edit, if all that changed is what is painted in its mask.
+[[nodiscard]] std::optional<size_t> paintedEdit(
+    const std::vector<std::shared_ptr<const PreparedEdit>>& before,
+    const std::vector<std::shared_ptr<const PreparedEdit>>& after);
 
 }  // namespace swaplight

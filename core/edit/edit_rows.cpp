@@ -117,37 +117,47 @@ void addRow(const LightRow& light, const WhiteRow& white, const float* beta, con
   addTo(light.r, light.g, light.b, white.r, white.g, white.b, beta, target, mask, count);
 }
 
-void shareRow(const std::vector<LightRow>& lights, const std::vector<int>& chosen,
-              std::vector<std::vector<float>>& beta, std::vector<std::vector<float>>& target,
-              const float* mask, int count) {
+ShareScratch::ShareScratch(size_t lights, size_t pixels)
+    : beta(lights, std::vector<float>(pixels)),
+      target(beta),
+      chosen(pixels),
+      others(pixels),
+      wanted(pixels),
+      otherFactor(pixels),
+      otherGift(pixels),
+      gains(pixels),
+      potR(pixels),
+      potG(pixels),
+      potB(pixels) {}
+
+void shareRow(const std::vector<LightRow>& lights, const std::vector<int>& chosen, const float* mask,
+              int count, ShareScratch& s) {
   const auto isChosen = [&](size_t i) {
     return std::binary_search(chosen.begin(), chosen.end(), static_cast<int>(i));
   };
-  const auto pixels = static_cast<size_t>(count);
-  std::vector<float> chosenSum(pixels), otherSum(pixels), wanted(pixels), otherFactor(pixels),
-      otherGift(pixels);
+  for (auto* sum : {&s.chosen, &s.others, &s.wanted, &s.gains, &s.potR, &s.potG, &s.potB})
+    std::fill_n(sum->begin(), count, 0.f);
 
   // What the chosen lights want, and what there is for them.
   for (size_t i = 0; i < lights.size(); ++i) {
-    accumulate(beta[i].data(), count, isChosen(i) ? chosenSum.data() : otherSum.data());
-    if (isChosen(i)) moveTarget(beta[i].data(), mask, count, target[i].data(), wanted.data());
+    accumulate(s.beta[i].data(), count, isChosen(i) ? s.chosen.data() : s.others.data());
+    if (isChosen(i)) moveTarget(s.beta[i].data(), mask, count, s.target[i].data(), s.wanted.data());
   }
-  shareOut(chosenSum.data(), otherSum.data(), static_cast<int>(lights.size() - chosen.size()), count,
-           wanted.data(), otherFactor.data(), otherGift.data());
+  shareOut(s.chosen.data(), s.others.data(), static_cast<int>(lights.size() - chosen.size()), count,
+           s.wanted.data(), s.otherFactor.data(), s.otherGift.data());
   for (size_t i = 0; i < lights.size(); ++i)
     if (isChosen(i))
-      scaleBy(wanted.data(), count, target[i].data());
+      scaleBy(s.wanted.data(), count, s.target[i].data());
     else
-      scaleAndAdd(beta[i].data(), otherFactor.data(), otherGift.data(), count, target[i].data());
+      scaleAndAdd(s.beta[i].data(), s.otherFactor.data(), s.otherGift.data(), count, s.target[i].data());
 
   // Collect from those who lose, give to those who gain.
-  std::vector<float> gains(pixels), potR(pixels), potG(pixels), potB(pixels);
   for (size_t i = 0; i < lights.size(); ++i)
-    takeAway(lights[i].r, lights[i].g, lights[i].b, beta[i].data(), mask, count, target[i].data(),
-             gains.data(), potR.data(), potG.data(), potB.data());
+    takeAway(lights[i].r, lights[i].g, lights[i].b, s.beta[i].data(), mask, count, s.target[i].data(),
+             s.gains.data(), s.potR.data(), s.potG.data(), s.potB.data());
   for (size_t i = 0; i < lights.size(); ++i)
-    giveOut(target[i].data(), gains.data(), potR.data(), potG.data(), potB.data(), count, lights[i].r,
-            lights[i].g, lights[i].b);
+    giveOut(s.target[i].data(), s.gains.data(), s.potR.data(), s.potG.data(), s.potB.data(), count,
+            lights[i].r, lights[i].g, lights[i].b);
 }
 
 }  // namespace swaplight

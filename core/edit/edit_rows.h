@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace swaplight {
@@ -26,12 +27,18 @@ void betaOfRow(const LightRow& light, const float* inverseGrey, int count, float
 void addRow(const LightRow& light, const WhiteRow& white, const float* beta, const float* target,
             const float* mask, int count);
 
+/// Rows to work in, made once for many rows.
+struct ShareScratch {
+  ShareScratch(size_t lights, size_t pixels);
+  std::vector<std::vector<float>> beta;    ///< a row a light
+  std::vector<std::vector<float>> target;  ///< a row a light; those of chosen lights are read
+  std::vector<float> chosen, others, wanted, otherFactor, otherGift, gains, potR, potG, potB;
+};
+
 /// The meaning "share": beta of the lights `chosen` goes the way mask * (target - beta), the other lights
 /// keep their proportions among each other and give or take the rest; each channel's sum over the lights
-/// stays. Light that is moved keeps its colour. `beta` and `target` have a row a light; those of chosen
-/// lights are read.
-void shareRow(const std::vector<LightRow>& lights, const std::vector<int>& chosen,
-              std::vector<std::vector<float>>& beta, std::vector<std::vector<float>>& target,
-              const float* mask, int count);
+/// stays. Light that is moved keeps its colour. Overwrites what is in the scratch.
+void shareRow(const std::vector<LightRow>& lights, const std::vector<int>& chosen, const float* mask,
+              int count, ShareScratch& scratch);
 
 }  // namespace swaplight

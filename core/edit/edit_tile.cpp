@@ -30,6 +30,19 @@ EditTile::EditTile(const SolvedSet& set, int lights, const PixelRect& area)
   }
 }
 
+EditTile::EditTile(const EditTile& whole, const PixelRect& area)
+    : m_lights(whole.m_lights),
+      m_area(area),
+      m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)),
+      m_data(m_plane * (static_cast<size_t>(whole.m_lights) * 3 + 4)) {
+  float* out = m_data.data();
+  for (int plane = 0; plane < m_lights * 3 + 4; ++plane)
+    for (int y = area.y; y < area.bottom(); ++y) {
+      const float* in = whole.row(plane / 3, plane % 3, y) + (area.x - whole.m_area.x);
+      out = std::copy_n(in, area.width, out);
+    }
+}
+
 const float* EditTile::row(int light, int channel, int y) const {
   return m_data.data() + static_cast<size_t>(light * 3 + channel) * m_plane +
          static_cast<size_t>(y - m_area.y) * static_cast<size_t>(m_area.width);
@@ -113,43 +126,49 @@ void EditTile::apply(const PreparedEdit& edit, const PixelRect& part) {
   const bool shadow = std::holds_alternative<ShadowOperation>(edit.edit->operation);
   const bool share = edit.edit->meaning == Meaning::Share;
 
-  const int count = area.width;
-  const int skip = area.x - m_area.x;
-  std::vector<float> mask(static_cast<size_t>(count));
-  std::vector<std::vector<float>> beta(static_cast<size_t>(m_lights), mask);
-  std::vector<std::vector<float>> target = beta;
+  std::vector<LightRow> rows;
+  std::vector<float> maskRow(static_cast<size_t>(area.width));
+  ShareScratch scratch(static_cast<size_t>(m_lights), maskRow.size());
   for (int y = area.y; y < area.bottom(); ++y) {
-    if (!edit.mask->row(area.x, y, count, mask.data())) continue;
-    for (float& m : mask) m *= edit.edit->opacity;
+    if (!edit.mask->row(area.x, y, area.width, maskRow.data())) continue;
+    // Only the span between the first and the last pixel that the mask lets through.
+    const auto isOpen = [](float m) { return m > 0; };
+    const auto first = std::find_if(maskRow.begin(), maskRow.end(), isOpen);
+    const auto end = std::find_if(maskRow.rbegin(), maskRow.rend(), isOpen).base();
+    const int x = area.x + static_cast<int>(first - maskRow.begin());
+    const int count = static_cast<int>(end - first);
+    const int skip = x - m_area.x;
+    float* mask = &*first;
+    for (int i = 0; i < count; ++i) mask[i] *= edit.edit->opacity;
     if (swap || shadow) {
-      swap ? swapRow(edit, y, area.x, count, mask.data()) : shadowRow(edit, y, area.x, count, mask.data());
+      swap ? swapRow(edit, y, x, count, mask) : shadowRow(edit, y, x, count, mask);
       continue;
     }
 
     // Beta as it is and as the operation wants it.
     for (int i = 0; share && i < m_lights; ++i)
-      betaRow(i, y, area.x, count, beta[static_cast<size_t>(i)].data());
+      betaRow(i, y, x, count, scratch.beta[static_cast<size_t>(i)].data());
     for (size_t k = 0; k < edit.lights.size(); ++k) {
       const auto i = static_cast<size_t>(edit.lights[k]);
-      if (!share) betaRow(edit.lights[k], y, area.x, count, beta[i].data());
+      if (!share) betaRow(edit.lights[k], y, x, count, scratch.beta[i].data());
       const float* soft = blurred.empty()
                               ? nullptr
                               : blurred[k].data() + static_cast<size_t>((y - m_area.y) * m_area.width + skip);
-      targetRow(edit, k, y, area.x, beta[i].data(), soft, count, target[i].data());
+      targetRow(edit, k, y, x, scratch.beta[i].data(), soft, count, scratch.target[i].data());
     }
 
     // Move the light.
-    std::vector<LightRow> rows;
+    rows.clear();
     for (int i = 0; i < m_lights; ++i)
       rows.push_back({writableRow(i, 0, y) + skip, writableRow(i, 1, y) + skip, writableRow(i, 2, y) + skip});
     if (share) {
-      shareRow(rows, edit.lights, beta, target, mask.data(), count);
+      shareRow(rows, edit.lights, mask, count, scratch);
       continue;
     }
     const WhiteRow white{whiteRow(0, y) + skip, whiteRow(1, y) + skip, whiteRow(2, y) + skip};
     for (const int i : edit.lights) {
       const auto k = static_cast<size_t>(i);
-      addRow(rows[k], white, beta[k].data(), target[k].data(), mask.data(), count);
+      addRow(rows[k], white, scratch.beta[k].data(), scratch.target[k].data(), mask, count);
     }
   }
 }

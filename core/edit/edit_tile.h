@@ -14,6 +14,9 @@ class EditTile {
   /// light.
   EditTile(const SolvedSet& set, int lights, const PixelRect& area);
 
+  /// A part of another.
+  EditTile(const EditTile& whole, const PixelRect& area);
+
   /// Applies an edit to `part` of the area. Edits that look around (PreparedEdit::reach) read the whole area:
   /// what lies outside counts only where it is outside the picture.
   void apply(const PreparedEdit& edit, const PixelRect& part);

@@ -10,8 +10,6 @@
 namespace swaplight {
 namespace {
 
-constexpr int kBandRows = 32;  // a band of a tile fits into a core's own cache
-
 EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
   EditedLights lights{{}, set.width(), set.height()};
   for (const Light& light : set.capture.lights) lights.names.push_back(light.name);
@@ -81,7 +79,8 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
 EditedSet::EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows)
     : m_set(std::move(set)),
       m_shadows(std::move(shadows)),
-      m_result(emptyResult(*m_set, editedLights(*m_set, {}))) {
+      m_result(emptyResult(*m_set, editedLights(*m_set, {}))),
+      m_checkpoint(m_set->width(), m_set->height()) {
   const int columns = (m_set->width() + kTileSize - 1) / kTileSize;
   const int rows = (m_set->height() + kTileSize - 1) / kTileSize;
   m_stale.resize(static_cast<size_t>(columns) * static_cast<size_t>(rows));
@@ -103,8 +102,10 @@ void EditedSet::setStack(const EditStack& stack) {
   }
   if (sameLights) {
     markStale(changedArea(m_prepared, prepared));
+    m_checkpoint.follow(m_prepared, prepared);
   } else {
     m_result = emptyResult(*m_set, lights);
+    m_checkpoint.forget();
     markStale({0, 0, m_set->width(), m_set->height()});
   }
   m_prepared = std::move(prepared);
@@ -136,9 +137,10 @@ std::vector<PixelRect> EditedSet::update(const PixelRect& area) {
       std::any_of(m_prepared.begin(), m_prepared.end(), [](const Prepared& p) { return p->reach() > 0; });
   std::vector<PixelRect> bands;
   for (const PixelRect& rect : changed) {
-    const int step = looksAround ? rect.height : kBandRows;
-    for (int y = rect.y; y < rect.bottom(); y += step)
-      bands.push_back({rect.x, y, rect.width, std::min(step, rect.bottom() - y)});
+    for (int y = rect.y, next = 0; y < rect.bottom(); y = next) {
+      next = looksAround ? rect.bottom() : std::min(rect.bottom(), (y / kBandRows + 1) * kBandRows);
+      bands.push_back({rect.x, y, rect.width, next - y});
+    }
   }
   parallelRows(static_cast<int>(bands.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) compute(bands[static_cast<size_t>(i)]);
@@ -146,16 +148,28 @@ std::vector<PixelRect> EditedSet::update(const PixelRect& area) {
   return changed;
 }
 
-void EditedSet::compute(const PixelRect& area) {
+EditTile EditedSet::evaluate(const PixelRect& area, size_t edits) const {
   const PixelRect all{0, 0, m_set->width(), m_set->height()};
   // What later edits look at around the area has to be computed too.
   int around = 0;
-  for (const Prepared& edit : m_prepared) around += edit->reach();
+  for (size_t k = 0; k < edits; ++k) around += m_prepared[k]->reach();
   EditTile tile(*m_set, m_result.lightCount(), intersection(area.grown(around), all));
-  for (const Prepared& edit : m_prepared) {
-    around -= edit->reach();
-    tile.apply(*edit, intersection(area.grown(around), all));
+  for (size_t k = 0; k < edits; ++k) {
+    around -= m_prepared[k]->reach();
+    tile.apply(*m_prepared[k], intersection(area.grown(around), all));
   }
+  return tile;
+}
+
+void EditedSet::compute(const PixelRect& area) {
+  const size_t below = m_checkpoint.editsBelow();
+  if (below == 0) {
+    writeBack(evaluate(area, m_prepared.size()), area, m_result);
+    return;
+  }
+  EditTile tile = m_checkpoint.stateAt(
+      area, [&](const PixelRect& band) { return EditTile(evaluate(band, below), band); });
+  for (size_t k = below; k < m_prepared.size(); ++k) tile.apply(*m_prepared[k], area);
   writeBack(tile, area, m_result);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/edit/edit.h"
+#include "core/edit/edit_checkpoint.h"
 #include "core/edit/prepared_edit.h"
 #include "core/solve/solved_set.h"
 
@@ -38,6 +39,7 @@ class EditedSet {
  private:
   using Prepared = std::shared_ptr<const PreparedEdit>;
   void markStale(const PixelRect& area);
+  [[nodiscard]] EditTile evaluate(const PixelRect& area, size_t edits) const;
   void compute(const PixelRect& area);
 
   std::shared_ptr<const SolvedSet> m_set;
@@ -45,6 +47,7 @@ class EditedSet {
   EditStack m_stack;
   std::vector<Prepared> m_prepared;
   SolvedSet m_result;
+  EditCheckpoint m_checkpoint;
   std::vector<PixelRect> m_stale;  // a rectangle a tile, empty where the tile is up to date
 };
 

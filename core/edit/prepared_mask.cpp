@@ -15,6 +15,11 @@ float coverage(float distance, float feather) {
   return std::clamp(.5f - distance / std::max(feather, 1.f), 0.f, 1.f);
 }
 
+// std::hypot guards against overflow that pictures cannot reach, and is slow.
+float length(float x, float y) {
+  return std::sqrt(x * x + y * y);
+}
+
 float smooth(float t) {
   t = std::clamp(t, 0.f, 1.f);
   return t * t * (3 - 2 * t);
@@ -23,7 +28,7 @@ float smooth(float t) {
 float valueAt(const RectangleShape& s, float x, float y) {
   const float dx = std::max(s.x - x, x - (s.x + s.width));
   const float dy = std::max(s.y - y, y - (s.y + s.height));
-  const float outside = std::hypot(std::max(dx, 0.f), std::max(dy, 0.f));
+  const float outside = length(std::max(dx, 0.f), std::max(dy, 0.f));
   return coverage(outside + std::min(std::max(dx, dy), 0.f), s.feather);
 }
 
@@ -31,8 +36,8 @@ float valueAt(const RectangleShape& s, float x, float y) {
 float valueAt(const EllipseShape& s, float x, float y) {
   const float u = (x - s.x) / s.radiusX;
   const float v = (y - s.y) / s.radiusY;
-  const float r = std::hypot(u, v);
-  const float slope = std::hypot(u / s.radiusX, v / s.radiusY);
+  const float r = length(u, v);
+  const float slope = length(u / s.radiusX, v / s.radiusY);
   const float distance = slope > 0 ? r * (r - 1) / slope : -std::min(s.radiusX, s.radiusY);
   return coverage(distance, s.feather);
 }
@@ -45,7 +50,7 @@ float valueAt(const LinearGradientShape& s, float x, float y) {
 }
 
 float valueAt(const RadialGradientShape& s, float x, float y) {
-  const float r = std::hypot(x - s.x, y - s.y);
+  const float r = length(x - s.x, y - s.y);
   return s.outer > s.inner ? smooth((s.outer - r) / (s.outer - s.inner)) : r <= s.inner;
 }
 
@@ -62,7 +67,7 @@ float valueAt(const PatternShape& s, float x, float y) {
     case PatternShape::Kind::Stripes:
       return coverage(du * s.size, s.feather);
     case PatternShape::Kind::Dots:
-      return coverage((std::hypot(fu - .5f, fv - .5f) - s.cover / 2) * s.size, s.feather);
+      return coverage((length(fu - .5f, fv - .5f) - s.cover / 2) * s.size, s.feather);
     case PatternShape::Kind::Checks: {
       const float a = coverage(du * s.size, s.feather);
       const float b = coverage(dv * s.size, s.feather);
@@ -128,15 +133,16 @@ PreparedMask::PreparedMask(const Mask& mask, int width, int height, const Shadow
 
 bool PreparedMask::row(int x, int y, int count, float* out) const {
   std::fill_n(out, count, 1.f);
-  std::vector<float> own;
+  thread_local std::vector<float> own;
   for (const Part& part : m_parts) {
     const bool invert = part.shape.invert;
     if (part.raster && !invert) {
       part.raster->multiplyRow(x, y, count, out);
       continue;
     }
-    own.assign(static_cast<size_t>(count), 1.f);
+    own.resize(static_cast<size_t>(count));
     if (part.raster) {
+      std::fill(own.begin(), own.end(), 1.f);
       part.raster->multiplyRow(x, y, count, own.data());
     } else {
       std::visit(

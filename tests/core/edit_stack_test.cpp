@@ -142,7 +142,7 @@ TEST(EditStack, AddingLeavesTheOtherLightsAloneToTheBit) {
     const SolvedSet edited = applyEdits(set, stack);
     EXPECT_EQ(largestDifference(edited.contributions[0], set.contributions[0]), 0);
     EXPECT_EQ(largestDifference(edited.contributions[2], set.contributions[2]), 0);
-    EXPECT_GT(largestDifference(edited.contributions[1], set.contributions[1]), .01f)
+    EXPECT_GT(largestDifference(edited.contributions[1], set.contributions[1]), .005f)
         << operationName(operation);
   }
 }
@@ -273,6 +273,35 @@ TEST(EditedSet, ComputesOnlyWhatAStrokeCanHaveChanged) {
   EXPECT_LE(changed[0].height, 2 * 10 + 2 * 5 + 2);
   EXPECT_LT(largestDifference(edited.result(), applyEdits(*set, stack)), 2e-6f);
   EXPECT_TRUE(edited.update().empty());
+}
+
+TEST(EditedSet, EqualsTheReferenceWhileAStrokeGoesOnInTheMiddleOfTheStack) {
+  const auto set = std::make_shared<const SolvedSet>(smallSet(3, kWidth, kHeight));
+  for (const bool blurAbove : {false, true}) {
+    EditStack stack;
+    stack.append(makeEdit("light1", BlurOperation{6}, Meaning::Share));
+    stack.append(makeEdit("light2", GainOperation{.7f, .1f}, Meaning::Share, softEllipse()));
+    stack.append(makeEdit("light3", FillOperation{1}, Meaning::Share));
+    stack.append(makeEdit("light1", InvertOperation{}, Meaning::Add, softEllipse()));
+    if (blurAbove) stack.append(makeEdit("light2", SharpenOperation{4, 1}, Meaning::Share));
+    EditedSet edited(set);
+    Painting painting(kWidth, kHeight);
+    painting.begin(Stroke{});
+    for (int k = 0; k < 8; ++k) {
+      painting.add({200 + 14 * static_cast<float>(k), 240 + 4 * static_cast<float>(k), 1});
+      Edit edit = *stack.edits[2];
+      edit.mask = {{PaintShape{std::make_shared<const Painting>(painting)}, false}};
+      stack.replace(2, edit);
+      edited.setStack(stack);
+      edited.update();
+      ASSERT_LT(largestDifference(edited.result(), applyEdits(*set, stack)), 2e-6f) << k;
+    }
+    // A change below the painted edit makes what was remembered untrue.
+    stack.replace(0, makeEdit("light1", GainOperation{.2f, 0}, Meaning::Share));
+    edited.setStack(stack);
+    edited.update();
+    ASSERT_LT(largestDifference(edited.result(), applyEdits(*set, stack)), 2e-6f);
+  }
 }
 
 TEST(EditedSet, IsLazy) {
