@@ -53,6 +53,10 @@ bool diskIsFull(const fs::path& folder) {
   return !error && space.available < kFull;
 }
 
+bool isFull(int error) {
+  return error == ENOSPC || error == EDQUOT;
+}
+
 [[noreturn]] void throwFull(const fs::path& target) {
   throw InputError("{}: the disk is full. Free some space, or write to another disk.", target.string());
 }
@@ -83,7 +87,7 @@ AtomicFile::AtomicFile(const fs::path& target) : m_target(target), m_resolved(re
   if (!file) {
     const int why = errno;
     m_temporary.clear();
-    if (why == ENOSPC || why == EDQUOT) throwFull(target);
+    if (isFull(why)) throwFull(target);
     throw InputError("{}: cannot be written ({}). Check the folder's permissions, or write somewhere else.",
                      target.string(), reason(why));
   }
@@ -97,9 +101,9 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::commit() {
   {
     const Descriptor file(::open(m_temporary.c_str(), O_WRONLY | O_CLOEXEC));
-    if (!file || ::fsync(file.get()) != 0) fail(reason(errno));
+    if (!file || ::fsync(file.get()) != 0) fail(errno);
   }
-  if (std::rename(m_temporary.c_str(), m_resolved.c_str()) != 0) fail(reason(errno));
+  if (std::rename(m_temporary.c_str(), m_resolved.c_str()) != 0) fail(errno);
   m_committed = true;
 }
 
@@ -112,15 +116,20 @@ void checkWritable(const std::filesystem::path& target) {
   const AtomicFile probe(target);
 }
 
+void AtomicFile::fail(int error) const {
+  if (isFull(error)) throwFull(m_target);
+  fail(reason(error));
+}
+
 void writeFile(const fs::path& target, std::string_view bytes) {
   AtomicFile file(target);
   {
     const Descriptor out(::open(file.temporary().c_str(), O_WRONLY | O_CLOEXEC));
-    if (!out) file.fail(reason(errno));
+    if (!out) file.fail(errno);
     while (!bytes.empty()) {
       const ssize_t written = ::write(out.get(), bytes.data(), bytes.size());
       if (written < 0 && errno == EINTR) continue;
-      if (written < 0) file.fail(reason(errno));
+      if (written < 0) file.fail(errno);
       bytes.remove_prefix(static_cast<size_t>(written));
     }
   }

@@ -28,8 +28,9 @@ class AtomicFile {
   void commit();
 
   /// For a writer that failed: throws InputError that names the target, and the full disk if that is why;
-  /// otherwise `detail`, the writer's own words.
+  /// otherwise `detail`, the writer's own words, or the system's for an errno.
   [[noreturn]] void fail(std::string_view detail) const;
+  [[noreturn]] void fail(int error) const;
 
  private:
   std::filesystem::path m_target;  ///< as the person named it, for messages

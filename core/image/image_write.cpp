@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/file/atomic_file.h"
+#include "core/image/file_proxy.h"
 #include "core/image/image_format.h"
 #include "core/image/image_io.h"
 
@@ -97,8 +98,10 @@ void checkSuits(const FileToWrite& contents, const std::string& format, const st
 class Output {
  public:
   Output(const AtomicFile& file, const std::string& format)
-      : m_file(file), m_output(OIIO::ImageOutput::create(format)) {
+      : m_file(file), m_proxy(file.temporary()), m_output(OIIO::ImageOutput::create(format)) {
     if (!m_output) fail();
+    // libtiff notices a full disk itself, and OpenImageIO does not let it read back through a proxy.
+    if (format != "tiff" && !m_output->set_ioproxy(&m_proxy)) fail();
   }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -109,7 +112,17 @@ class Output {
     (void)OIIO::geterror();
   }
   OIIO::ImageOutput* operator->() { return m_output.get(); }
+  /// Throws where the disk has failed, which the writer does not notice.
+  void check() const {
+    if (m_proxy.failure() != 0) m_file.fail(m_proxy.failure());
+  }
+  void close() {
+    check();
+    if (!m_output->close()) fail();
+    if (m_proxy.finish() != 0) m_file.fail(m_proxy.failure());
+  }
   [[noreturn]] void fail() {
+    check();
     std::string words = m_output ? m_output->geterror() : OIIO::geterror();
     words = words.substr(0, words.find('\n'));
     m_file.fail(words.empty() ? "the writer gave no reason" : words);
@@ -117,6 +130,7 @@ class Output {
 
  private:
   const AtomicFile& m_file;
+  FileProxy m_proxy;
   std::unique_ptr<OIIO::ImageOutput> m_output;
 };
 
@@ -133,6 +147,7 @@ void writePart(Output& output, const FileToWrite& contents, const PartToWrite& p
       planes[c] = part.channels[c].plane + static_cast<ptrdiff_t>(y) * contents.width;
     packPixels(planes, contents.width, rows, layout, band.data());
     if (!output->write_scanlines(y, y + rows, 0, OIIO::TypeUnknown, band.data())) output.fail();
+    output.check();
     done(rows);
   }
 }
@@ -161,7 +176,7 @@ void writeChannels(const FileToWrite& contents, const std::filesystem::path& pat
                         "writing");
       });
     }
-    if (!output->close()) output.fail();
+    output.close();
   }
   file.commit();
 }
