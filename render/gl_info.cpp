@@ -39,7 +39,6 @@ void APIENTRY onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsiz
 GlInfo glInfo() {
   GlInfo info{text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION)};
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.maxTextureSize);
-  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &info.maxLayers);
   info.software = isSoftwareRenderer(info.renderer);
   return info;
 }

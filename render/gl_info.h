@@ -10,7 +10,6 @@ struct GlInfo {
   std::string renderer;
   std::string version;
   int maxTextureSize = 0;  ///< pixels, of one side
-  int maxLayers = 0;       ///< of a texture array
   bool software = false;   ///< the processor draws: relight there, without the detour
 };
 [[nodiscard]] GlInfo glInfo();

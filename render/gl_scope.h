@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <array>
+#include <deque>
 
 namespace swaplight {
 
@@ -65,6 +66,26 @@ class BoundTexture {
   }
   GLenum m_unit, m_target;
   GLint m_active = 0, m_before = 0;
+};
+
+/// Binds textures to the units 0, 1, 2 ...
+class BoundTextures {
+ public:
+  BoundTextures() = default;
+  BoundTextures(const BoundTextures&) = delete;
+  BoundTextures& operator=(const BoundTextures&) = delete;
+  ~BoundTextures() {
+    while (!m_bound.empty()) m_bound.pop_back();  // the last first: each puts back what it found
+  }
+  /// Returns the unit.
+  int add(GLenum target, GLuint id) {
+    const int unit = static_cast<int>(m_bound.size());
+    m_bound.emplace_back(unit, target, id);
+    return unit;
+  }
+
+ private:
+  std::deque<BoundTexture> m_bound;
 };
 
 /// Uses a program with a vertex array.

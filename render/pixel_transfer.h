@@ -1,20 +1,15 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "core/image/image.h"
 #include "render/tiled_texture.h"
 
 namespace swaplight {
 
-/// R G B planes as interleaved half floats R G B 1, row after row: what textures are filled from.
-[[nodiscard]] std::vector<uint16_t> halfRgbaFromPlanes(ImageView rgb);
+/// Replaces a rectangle of a picture on the graphics card by planes R G B (or one that counts for all three),
+/// rounded to half floats. Its left top pixel lies at x, y. Throws std::logic_error where it lies outside.
+void updatePicture(TiledTexture& picture, ImageView pixels, int x, int y);
 
 /// Reads R G B of a picture back from the graphics card. `out` has its size.
-void readTiles(const TiledTexture& picture, ImageSpan out);
-
-/// Fills a picture on the graphics card from R G B planes of its size.
-void uploadTiles(TiledTexture& picture, ImageView rgb);
+void readPicture(const TiledTexture& picture, ImageSpan out);
 
 }  // namespace swaplight

@@ -6,20 +6,20 @@
 #include "core/color/rgb.h"
 #include "core/image/image.h"
 #include "core/solve/solved_set.h"
-#include "render/shader_program.h"
+#include "render/layer_renderer.h"
 #include "render/tiled_texture.h"
 
 namespace swaplight {
 
 struct RelightRendererOptions {
   int maxTextureSide = 0;  ///< pixels; 0: what the graphics card allows. Larger pictures are tiled
-  int lightsPerPass = 64;  ///< 1..64; more lights are added in further passes, each rounded to half
+  int lightsPerPass = LayerRenderer::kLayersPerPass;
   size_t memoryLimit = 0;  ///< bytes for all textures; 0: until the graphics card refuses
 };
 
 /// Relights a set on the graphics card: the contributions lie there as half floats, and a frame is their sum
 /// under each light's factor, at the picture's resolution, in half floats. Within 2e-3 of core's relight() in
-/// 0..2. Needs a current OpenGL 4.1 context, in which it must also be destroyed.
+/// 0..2, up to 16 lights. Needs a current OpenGL 4.1 context, in which it must also be destroyed.
 class RelightRenderer {
  public:
   /// Uploads the set's contributions and ambient. Throws ResourceError, in words, where they do not fit.
@@ -32,7 +32,7 @@ class RelightRenderer {
   /// Replaces a rectangle of one light's contribution by `pixels` (R G B), whose left top pixel lies at x, y.
   void updateContribution(int light, ImageView pixels, int x, int y);
   /// The same for the ambient light, which the set must have.
-  void updateAmbient(ImageView pixels, int x, int y) { updateLayer(m_lightCount, pixels, x, y); }
+  void updateAmbient(ImageView pixels, int x, int y);
 
   /// Draws the frame: sum of factors[i] * T[i] + ambientFactor * ambient. Valid until the next call.
   TiledTexture& relight(std::span<const Rgb> factors, float ambientFactor = 1);
@@ -42,15 +42,10 @@ class RelightRenderer {
   [[nodiscard]] Image readback() const;
 
  private:
-  void updateLayer(int layer, ImageView pixels, int x, int y);
-
-  int m_lightCount = 0;
-  bool m_hasAmbient = false;
-  int m_lightsPerPass = 1;
+  int m_lightCount;
+  LayerRenderer m_layers;
+  std::vector<TiledTexture> m_pictures;  ///< the contributions, then the ambient light if there is one
   TiledTexture m_frame;
-  std::vector<GlTexture> m_contributions;  ///< a tile each: a texture array with a layer a light, and ambient
-  ShaderProgram m_program;
-  GlVertexArray m_vertexArray;
 };
 
 }  // namespace swaplight

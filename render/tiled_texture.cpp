@@ -23,6 +23,13 @@ std::vector<TileRect> tilesOf(int width, int height, int maxSide) {
   return tiles;
 }
 
+int largestTextureSide(int limit) {
+  // Drivers refuse single textures of several gigabytes, though they would take the same in parts.
+  constexpr int kSensible = 8192;
+  const int side = std::min(glInfo().maxTextureSize, kSensible);
+  return limit > 0 ? std::min(limit, side) : side;
+}
+
 TiledTexture::TiledTexture(int pictureWidth, int pictureHeight, int maxSide)
     : width(pictureWidth), height(pictureHeight) {
   for (const TileRect& rect : tilesOf(width, height, maxSide)) {
@@ -33,7 +40,8 @@ TiledTexture::TiledTexture(int pictureWidth, int pictureHeight, int maxSide)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    checkGl(fmt::format("for a picture of {} x {}", width, height));
+    checkGl(fmt::format("for a picture of {} x {}. Use a smaller one, or relight on the processor", width,
+                        height));
     const BoundFramebuffer bound(tile.framebuffer.id(), rect.width, rect.height);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, tile.texture.id(), 0);
     checkGl("while a picture is made ready to draw into");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "render/gl_handle.h"
@@ -28,8 +29,17 @@ struct TiledTexture {
   bool halved = false;  ///< its halved pictures (mip levels) are those of the picture as it is now
 
   TiledTexture() = default;
-  /// Throws ResourceError where the graphics card has no memory left.
+  /// Not initialised. Throws ResourceError where the graphics card has no memory left.
   TiledTexture(int pictureWidth, int pictureHeight, int maxSide);
+
+  /// The graphics memory that a picture takes.
+  [[nodiscard]] static size_t bytes(int width, int height) {
+    constexpr size_t kBytesPerPixel = 8;
+    return static_cast<size_t>(width) * static_cast<size_t>(height) * kBytesPerPixel;
+  }
 };
+
+/// The longest side of a texture here, or `limit` where that is shorter and not 0.
+[[nodiscard]] int largestTextureSide(int limit = 0);
 
 }  // namespace swaplight

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <vector>
 
 #include "core/view/false_color.h"
@@ -37,26 +36,6 @@ void halve(const TiledTexture::Tile& tile) {
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
 }
-
-/// A view's tables, bound to the units after the picture's, and set as uniforms of the program in use.
-class BoundTables {
- public:
-  explicit BoundTables(const DisplayProgram& display) {
-    for (const DisplayProgram::Table& table : display.tables()) {
-      const int unit = static_cast<int>(m_bound.size()) + 1;
-      m_bound.emplace_back(unit, table.target, table.texture.id());
-      display.program().set({{table.sampler, unit}});
-    }
-  }
-  BoundTables(const BoundTables&) = delete;
-  BoundTables& operator=(const BoundTables&) = delete;
-  ~BoundTables() {
-    while (!m_bound.empty()) m_bound.pop_back();  // the last first: each puts back what it found
-  }
-
- private:
-  std::deque<BoundTexture> m_bound;
-};
 
 }  // namespace
 
@@ -94,7 +73,10 @@ unsigned ViewRenderer::drawWith(const DisplayProgram& display, TiledTexture& pic
   const BoundFramebuffer target(m_framebuffer.id(), m_width, m_height);
   const BoundProgram bound(display.program().id(), m_vertexArray.id());
   const ShaderProgram& program = display.program();
-  const BoundTables tables(display);
+  BoundTextures tables;
+  tables.add(GL_TEXTURE_2D, 0);  // the tiles' place
+  for (const DisplayProgram::Table& table : display.tables())
+    program.set({{table.sampler, tables.add(table.target, table.texture.id())}});
   program.set({{"picture", 0},
                {"windowOrigin", glm::vec2(window.left, window.top)},
                {"zoom", static_cast<float>(window.zoom)},

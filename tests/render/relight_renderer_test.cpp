@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/relight/relight.h"
 #include "tests/render/gl_test.h"
 
 namespace swaplight {
@@ -39,7 +40,7 @@ TEST_F(RelightRendererTest, EqualsTheCpuFrameForManyLightsAtFullHd) {
     const std::vector<Rgb> factors = variedFactors(lights);
     RelightRenderer renderer(set);
     renderer.relight(factors, 0.7F);
-    const Worst worst = worstDifference(renderer.readback(), plainRelight(set, factors, 0.7F));
+    const Worst worst = worstDifference(renderer.readback(), relight(set, factors, 0.7F));
     EXPECT_LE(worst.difference, 2e-3F) << lights << " lights, " << worst.where;
     RecordProperty(fmt::format("worst{}", lights), fmt::format("{}", worst.difference));
   }
@@ -50,7 +51,7 @@ TEST_F(RelightRendererTest, AddsFurtherPassesForMoreLightsThanOnePassTakes) {
   const std::vector<Rgb> factors = variedFactors(11);
   RelightRenderer renderer(set, {.lightsPerPass = 4});
   renderer.relight(factors, 1);
-  const Worst worst = worstDifference(renderer.readback(), plainRelight(set, factors, 1));
+  const Worst worst = worstDifference(renderer.readback(), relight(set, factors, 1));
   EXPECT_LE(worst.difference, 4e-3F) << worst.where;  // every pass rounds to half
 }
 
@@ -67,7 +68,7 @@ TEST_F(RelightRendererTest, CarriesNegativeInfiniteAndUndefinedPixelsAsTheCpuDoe
   RelightRenderer renderer(set);
   renderer.relight(factors);
   const Image frame = renderer.readback();
-  const Worst worst = worstDifference(frame, plainRelight(set, factors));
+  const Worst worst = worstDifference(frame, relight(set, factors));
   EXPECT_LE(worst.difference, 2e-3F) << worst.where;
   EXPECT_TRUE(std::isnan(frame.plane(0)[256]));
   EXPECT_EQ(frame.plane(0)[257], std::numeric_limits<float>::infinity());

@@ -21,11 +21,19 @@ std::string messageOf(const std::function<void()>& call) {
   return "";
 }
 
+TEST_F(ShaderProgramTest, AnErrorShowsTheNumberedSource) {
+  const std::string message =
+      messageOf([] { const ShaderProgram program("fullscreen.vert", "view.frag", "this is no GLSL"); });
+  EXPECT_THAT(message, HasSubstr("the shader view.frag does not compile"));
+  EXPECT_THAT(message, HasSubstr("  1  #version 410 core\n"));
+  EXPECT_THAT(message, testing::ContainsRegex("[0-9]+  this is no GLSL\n"));
+}
+
 TEST_F(ShaderProgramTest, AnUnknownUniformIsNamedWithTheKnownOnes) {
-  const ShaderProgram program("fullscreen.vert", "relight.frag");
+  const ShaderProgram program("fullscreen.vert", "relight.frag", "const int kPictures = 2;");
   const std::string message = messageOf([&] { program.set({{"brightness", 1.0F}}); });
   EXPECT_THAT(message, HasSubstr("no uniform \"brightness\""));
-  EXPECT_THAT(message, HasSubstr("contributions, factors, layers, lightCount"));
+  EXPECT_THAT(message, HasSubstr("it has factors, pictures"));
 }
 
 TEST_F(ShaderProgramTest, AMissingFileIsNamed) {

@@ -30,7 +30,7 @@ Image colorRamp(int width, int height) {
 
 TiledTexture uploaded(const Image& image, int maxSide = 4096) {
   TiledTexture picture(image.width(), image.height(), maxSide);
-  uploadTiles(picture, image.view());
+  updatePicture(picture, image.view(), 0, 0);
   return picture;
 }
 
