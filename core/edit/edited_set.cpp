@@ -134,6 +134,7 @@ std::vector<PixelRect> EditedSet::update(const PixelRect& area) {
 
   // Edits that look around would do so again for each band.
   const bool looksAround =
+      m_checkpoint.editsBelow() == 0 &&
       std::any_of(m_prepared.begin(), m_prepared.end(), [](const Prepared& p) { return p->reach() > 0; });
   std::vector<PixelRect> bands;
   for (const PixelRect& rect : changed) {
