@@ -56,6 +56,11 @@ void describeCoding(Picture& picture, const std::string& from, const std::string
   picture.clip = white - picture.quantum / 4;
 }
 
+/// Noise makes dark pixels a little negative; no sensor makes them more so than this.
+float lowestCredible(const Capture& capture) {
+  return -static_cast<float>(std::max(0.02, capture.noise ? 6 * capture.noise->read : 0.0));
+}
+
 /// Describes a damaged picture.
 void warnOfPixels(Picture& picture) {
   const PixelCounts& counts = picture.counts;
@@ -83,7 +88,7 @@ Picture readPicture(const Capture& capture, const std::string& path) {
   describeCoding(picture, from, to);
   ColorConfig::current().convert(picture.image.span(), from, to);
   picture.image.setColorSpace(to);
-  picture.counts = countPixels(picture.image);
+  picture.counts = countPixels(picture.image, lowestCredible(capture));
   warnOfPixels(picture);
   return picture;
 }

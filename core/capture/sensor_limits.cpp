@@ -18,7 +18,7 @@ constexpr float kPileFrom = 0.999F;  // of the largest value: saturated pixels d
 constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
 SWAPLIGHT_SIMD
-PixelCounts countRange(const float* r, const float* g, const float* b, size_t count) {
+PixelCounts countRange(const float* r, const float* g, const float* b, size_t count, float lowest) {
   uint32_t notFinite = 0;
   uint32_t negative = 0;
   float largest = 0;
@@ -28,7 +28,7 @@ PixelCounts countRange(const float* r, const float* g, const float* b, size_t co
     const float sum = std::abs(r[p]) + std::abs(g[p]) + std::abs(b[p]);  // NaN where any is
     const bool finite = sum <= kLargestFloat;
     notFinite += finite ? 0U : 1U;
-    negative += finite && low < 0 ? 1U : 0U;
+    negative += finite && low < lowest ? 1U : 0U;
     largest = finite && high > largest ? high : largest;
   }
   return {notFinite, negative, largest};
@@ -81,14 +81,14 @@ bool isCodedWith(const Image& image, int bits) {
 
 }  // namespace
 
-PixelCounts countPixels(const Image& image) {
+PixelCounts countPixels(const Image& image, float lowest) {
   PixelCounts total;
   std::mutex mutex;
   parallelRows(image.height(), kGrain, [&](int begin, int end) {
     const size_t first = static_cast<size_t>(begin) * static_cast<size_t>(image.width());
     const size_t count = static_cast<size_t>(end - begin) * static_cast<size_t>(image.width());
     const PixelCounts part =
-        countRange(image.plane(0) + first, image.plane(1) + first, image.plane(2) + first, count);
+        countRange(image.plane(0) + first, image.plane(1) + first, image.plane(2) + first, count, lowest);
     const std::lock_guard lock(mutex);
     total.notFinite += part.notFinite;
     total.negative += part.negative;

@@ -10,10 +10,10 @@ namespace swaplight {
 /// What only a scan over a shot's pixels tells.
 struct PixelCounts {
   size_t notFinite = 0;  ///< pixels with a NaN or an infinity in a channel
-  size_t negative = 0;   ///< finite pixels below 0 in a channel
+  size_t negative = 0;   ///< finite pixels below `lowest` in a channel
   float largest = 0;     ///< finite value of any channel
 };
-[[nodiscard]] PixelCounts countPixels(const Image& image);
+[[nodiscard]] PixelCounts countPixels(const Image& image, float lowest);
 
 /// The level at and above which the sensor of these float shots was saturated; infinity where nothing tells.
 /// Files do not say it, but saturated pixels pile up on one value, which is the same in every shot:

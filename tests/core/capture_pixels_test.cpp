@@ -147,6 +147,7 @@ TEST(CapturePixels, DamagedPixelsStayAndAreCounted) {
   set.images[1].plane(1)[6] = kInfinity;
   set.images[1].plane(2)[6] = -1;
   set.images[1].plane(2)[7] = -0.5F;
+  set.images[1].plane(2)[8] = -0.005F;  // as noise makes it
   const CapturePixels pixels = set.load(as("float"));
   EXPECT_TRUE(std::isnan(pixels.shots[1].plane(0)[5]));
   EXPECT_EQ(pixels.shots[1].plane(1)[6], kInfinity);
