@@ -1,5 +1,6 @@
 """What holds for every verb: help, version, threads, wrong calls."""
 import os
+import pty
 import subprocess
 import unittest
 
@@ -27,6 +28,31 @@ class CommonTest(cli.CliTest):
         self.fail('evaluate', 'a.exr', 'b.exr', '--frobnicate', naming=['--frobnicate', '--help'])
         self.fail('evaluate', 'a.exr', 'b.exr', '--threads', 'many', naming='--threads')
         self.fail('evaluate', 'a.exr', 'b.exr', '--threads', '-1', naming='--threads')
+
+    def test_progress_is_one_line_on_a_terminal_and_none_elsewhere_or_when_quiet(self):
+        capture = cli.Capture(self.path('set'), ('a', 'b', 'c', 'd'), height=540, width=960)
+        call = [cli.PROGRAM, 'solve', capture.path, '-o', self.path('solved.exr')]
+
+        def on_terminal(*options):
+            ours, theirs = pty.openpty()
+            process = subprocess.Popen([*call, *options], stderr=theirs, stdout=subprocess.DEVNULL)
+            os.close(theirs)
+            text = b''
+            try:
+                while part := os.read(ours, 4096):
+                    text += part
+            except OSError:  # the other end is closed
+                pass
+            os.close(ours)
+            self.assertEqual(process.wait(), 0)
+            return text.decode()
+
+        shown = on_terminal()
+        self.assertRegex(shown, r'\r +\d+ % ')
+        self.assertEqual(shown.count('\n'), 1, 'only the message about the file ends a line')
+        self.assertRegex(shown, r'\r\x1b\[Kwrote .*solved.exr')
+        self.assertEqual(on_terminal('-q'), '')
+        self.assertNotIn('\r', self.succeed(*call[1:]).stderr)
 
     @unittest.skipUnless(os.path.exists('/dev/full'), 'no /dev/full here')
     def test_standard_output_that_cannot_be_written_is_an_error(self):
