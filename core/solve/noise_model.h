@@ -26,6 +26,10 @@ struct NoiseModel {
 /// Pixels at or beyond the clip level are left out. After Immerkaer 1996 and Foi et al. 2008.
 [[nodiscard]] SensorNoise estimateSensorNoise(const CapturePixels& pixels);
 
+/// How well the light colours of a capture are known that does not state its noise: a photograph (it has
+/// noise) was lit with real gels, known to 5 % (THEORY 7); a rendering (it has none) with exact colours.
+[[nodiscard]] float usualColorUncertainty(const SensorNoise& estimated);
+
 /// The noise of a capture's shots: `sensor`, with the quantisation of its files. `colorUncertainty` is the
 /// relative standard error of a light's colour.
 [[nodiscard]] NoiseModel noiseModel(const SensorNoise& sensor, const CapturePixels& pixels,

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/solve/lanes.h"
+#include "core/solve/pixel_sample.h"
 #include "core/solve/run_scratch.h"
 #include "core/solve/shot_signal.h"
 #include "core/solve/shrinkage_kernel.h"
@@ -18,30 +18,6 @@ constexpr float kWhiteness = 0.8F;
 constexpr std::array<float, ShrinkagePrior::kScales> kRelativeScales = {0, 0.02F, 0.1F, 0.6F};
 constexpr size_t kSample = 20000;
 constexpr int kRounds = 15;
-
-/// A pixel list gathered into planes that a kernel can run over.
-class PackedRun {
- public:
-  PackedRun(int shots, size_t capacity)
-      : m_shots(shots), m_padded((capacity + kLanes - 1) / kLanes * kLanes) {
-    m_data.resize(m_padded * size_t(3 * shots), 0.0F);
-    for (int k = 0; k < shots; ++k)
-      for (int c = 0; c < 3; ++c) m_run.signal[k][c] = plane(k, c);
-  }
-  void add(const PixelRun& from, int index) {
-    for (int k = 0; k < m_shots; ++k)
-      for (int c = 0; c < 3; ++c) plane(k, c)[m_run.count] = from.signal[k][c][index];
-    ++m_run.count;
-  }
-  [[nodiscard]] const PixelRun& run() const { return m_run; }
-
- private:
-  float* plane(int shot, int channel) { return m_data.data() + size_t(shot * 3 + channel) * m_padded; }
-  int m_shots;
-  size_t m_padded;
-  std::vector<float> m_data;
-  PixelRun m_run;
-};
 
 }  // namespace
 
@@ -105,17 +81,7 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) 
 }
 
 void Shrinkage::learn(const ShotSignal& signal) {
-  // A sample of the set, spread evenly, in runs as long as a cache line.
-  const size_t pixels = signal.pixelCount();
-  const size_t runs = std::max<size_t>(1, std::min(pixels, kSample) / kLanes);
-  PackedRun sample(m_plan.shots, runs * kLanes);
-  std::vector<float> scratch;
-  for (size_t r = 0; r < runs; ++r) {
-    const size_t first = r * pixels / runs;
-    PixelRun in;
-    signal.run(first, int(std::min<size_t>(kLanes, pixels - first)), true, scratch, in);
-    for (int p = 0; p < in.count; ++p) sample.add(in, p);
-  }
+  const PackedRun sample = pixelSample(signal, m_plan.shots, kSample);
   const int count = sample.run().count;
   MatteScratch matte(m_plan.lights, count);
   m_matte.fit(sample.run(), matte.run());

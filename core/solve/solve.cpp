@@ -10,8 +10,10 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/solve/auto_solve.h"
+#include "core/solve/color_fit.h"
 #include "core/solve/estimator.h"
 #include "core/solve/fill.h"
+#include "core/solve/noise_calibration.h"
 #include "core/solve/shot_signal.h"
 #include "core/solve/solve_report.h"
 
@@ -94,6 +96,28 @@ void solveWithEstimator(const EstimatorInfo& info, const EstimatorContext& conte
   });
 }
 
+/// Learns from the pictures how far to trust the light colours, and refines them where asked to or where one
+/// is unknown.
+void fitLightColors(const SolveOptions& options, const std::vector<int>& unknown, const ShotSignal& signal,
+                    EstimatorContext& context, SolveReport& report) {
+  const bool refine = options.refineColors || !unknown.empty();
+  if (!refine && options.colorUncertainty >= 0) return;
+  ColorFitOptions fitOptions;
+  fitOptions.rounds = refine ? 8 : 1;
+  fitOptions.unknown = unknown;
+  const ColorFit fit = fitColors(context, signal, fitOptions);
+  report.colorDisagreement = fit.disagreement;
+  if (options.colorUncertainty < 0) {
+    report.colorUncertainty = colorUncertaintyOf(fit);
+    if (!report.noiseGiven)
+      report.colorUncertainty = std::max(report.colorUncertainty, usualColorUncertainty(report.noise));
+  }
+  if (!refine) return;
+  context.plan = fit.plan;
+  report.colorChange = fit.change;
+  report.refinedColors = fit.plan.colors;
+}
+
 /// Writes the flags; returns the pixels that nothing is known of (no shot has a finite value in some
 /// channel).
 std::vector<uint8_t> writeFlags(const CapturePixels& pixels, const ShotSignal& signal, SolvedSet& set) {
@@ -162,12 +186,14 @@ SolvedSet solve(const Capture& capture, const CapturePixels& pixels, const Solve
   report.noise = options.noise   ? *options.noise
                  : capture.noise ? *capture.noise
                                  : estimateSensorNoise(pixels);
-  report.colorUncertainty = std::max(options.colorUncertainty, 0.0F);
-  context.noise = noiseModel(report.noise, pixels, report.colorUncertainty);
-
   std::vector<float> exposure;
   for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
+  context.noise = noiseModel(report.noise, pixels, 0);
   const ShotSignal signal(pixels, context.plan, context.noise, exposure);
+  if (!report.noiseGiven) context.noise = calibratedNoise(context, signal);
+  report.colorUncertainty = options.colorUncertainty;
+  fitLightColors(options, unknown, signal, context, report);
+  context.noise.square += report.colorUncertainty * report.colorUncertainty;
 
   SolvedSet set = emptySet(capture, pixels);
   if (info.name == "auto")

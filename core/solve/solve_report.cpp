@@ -65,6 +65,8 @@ Json jsonFromSolveReport(const SolveReport& report) {
                         {"singular_values", report.conditioning.singularValues[c]},
                         {"condition", finiteOrNull(report.conditioning.condition[c])},
                         {"amplification", finiteOrNull(report.conditioning.amplification[c])}});
+  Json refined = Json::array();
+  for (const Rgb& color : report.refinedColors) refined.push_back({color.r, color.g, color.b});
   return {{"message", report.message},
           {"model", report.model},
           {"solver", report.solver},
@@ -73,6 +75,9 @@ Json jsonFromSolveReport(const SolveReport& report) {
             {"full_well", report.noise.fullWell},
             {"estimated", !report.noiseGiven}}},
           {"color_uncertainty", report.colorUncertainty},
+          {"color_disagreement", report.colorDisagreement},
+          {"color_change", report.colorChange},
+          {"refined_colors", refined},
           {"conditioning", {{"channels", channels}, {"advice", report.conditioning.advice}}},
           {"residual_median", report.residualMedian},
           {"sigma_median", report.sigmaMedian},

@@ -16,7 +16,10 @@ struct SolveReport {
   std::string solver;
   SensorNoise noise;
   bool noiseGiven = false;
-  float colorUncertainty = 0;
+  float colorUncertainty = 0;      ///< relative, of a light's colour: given or estimated
+  double colorDisagreement = 0;    ///< what the matte model leaves in bright pixels, relative to the signal
+  double colorChange = 0;          ///< RMS change of the colours that were refined, relative
+  std::vector<Rgb> refinedColors;  ///< [shot * lights + light], exposure included; empty: as given
   Conditioning conditioning;
   double residualMedian = 0;  ///< in units of the expected noise
   double sigmaMedian = 0;     ///< relative to the sum of all lights

@@ -1,0 +1,91 @@
+#include "core/solve/noise_calibration.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/solve/matte_fit.h"
+#include "core/solve/pixel_sample.h"
+#include "core/solve/run_scratch.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kSample = 16000;
+constexpr int kBins = 10;
+constexpr double kLargestFactor = 10;
+
+/// The median of chi-square with k degrees of freedom (Wilson and Hilferty 1931).
+double medianChiSquare(double k) {
+  return k * std::pow(1 - 2 / (9 * k), 3);
+}
+
+/// Least squares over x >= 0 for three unknowns: the best of all subsets whose solution is not negative.
+Eigen::Vector3d nonNegative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+  Eigen::Vector3d best = Eigen::Vector3d::Zero();
+  double smallest = b.squaredNorm();
+  for (int subset = 1; subset < 8; ++subset) {
+    std::vector<int> columns;
+    for (int j = 0; j < 3; ++j)
+      if (subset >> j & 1) columns.push_back(j);
+    const Eigen::MatrixXd part = a(Eigen::all, columns);
+    const Eigen::VectorXd x = part.colPivHouseholderQr().solve(b);
+    if (x.minCoeff() < 0) continue;
+    const double left = (part * x - b).squaredNorm();
+    if (left >= smallest) continue;
+    smallest = left;
+    best.setZero();
+    for (size_t j = 0; j < columns.size(); ++j) best[columns[j]] = x[long(j)];
+  }
+  return best;
+}
+
+}  // namespace
+
+NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& signal) {
+  const int lights = context.plan.lights;
+  const MatteFit matte(context);
+  if (lights < 2 || matte.freedom() < 1) return context.noise;
+  const PackedRun sample = pixelSample(signal, context.plan.shots, kSample);
+  const PixelRun& in = sample.run();
+  if (in.count < 100 * kBins) return context.noise;
+  MatteScratch fit(lights, in.count);
+  matte.fit(in, fit.run());
+  std::vector<std::pair<float, int>> order;
+  for (int p = 0; p < in.count; ++p) {
+    float sum = 0;
+    for (int k = 0; k < context.plan.shots; ++k)
+      for (int c = 0; c < 3; ++c) sum += in.signal[k][c][p];
+    order.emplace_back(sum / float(3 * context.plan.shots), p);
+  }
+  std::sort(order.begin(), order.end());
+
+  Eigen::MatrixXd powers(kBins, 3);
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(kBins);
+  for (int bin = 0; bin < kBins; ++bin) {
+    const size_t first = order.size() * size_t(bin) / kBins;
+    const size_t last = order.size() * size_t(bin + 1) / kBins;
+    std::vector<float> misfit;
+    double y = 0;
+    for (size_t j = first; j < last; ++j) {
+      misfit.push_back(fit.run().misfit[order[j].second]);
+      y += std::max(order[j].first, 0.0F);
+    }
+    y /= double(misfit.size());
+    std::nth_element(misfit.begin(), misfit.begin() + long(misfit.size() / 2), misfit.end());
+    const double factor =
+        std::clamp(misfit[misfit.size() / 2] / medianChiSquare(matte.freedom()), 1.0, kLargestFactor);
+    // Relative errors of the variance count alike in all bins.
+    const double target = factor * context.noise.variance(float(y));
+    powers.row(bin) << 1 / target, y / target, y * y / target;
+  }
+  const Eigen::Vector3d x = nonNegative(powers, ones);
+  NoiseModel model = context.noise;
+  model.constant = std::max(float(x[0]), 1e-12F);
+  model.linear = float(x[1]);
+  model.square = std::max(float(x[2]), context.noise.square);
+  return model;
+}
+
+}  // namespace swaplight

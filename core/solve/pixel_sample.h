@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/solve/packed_run.h"
+#include "core/solve/shot_signal.h"
+
+namespace swaplight {
+
+/// About `count` usable pixels (none with a flag), spread evenly over the set in runs of a cache line.
+[[nodiscard]] PackedRun pixelSample(const ShotSignal& signal, int shots, size_t count);
+
+}  // namespace swaplight
