@@ -12,6 +12,20 @@
 namespace swaplight {
 namespace {
 
+/// The part of a pixel's variance that is noise of its own. The rest, above all what is not known of the
+/// light colours, is the same all over the picture: neighbours cannot take it away.
+float independentPart(const NoiseModel& noise, const PixelRun& in, int shots, int p) {
+  float signal = 0;
+  int count = 0;
+  for (int k = 0; k < shots; ++k)
+    for (int c = 0; c < 3; ++c)
+      if (const float y = in.signal[k][c][p]; y > 0) signal += y, ++count;
+  if (count == 0) return 1;
+  signal /= float(count);
+  const float own = noise.constant + noise.linear * signal;
+  return own / (own + noise.square * signal * signal);
+}
+
 /// Planes between the two streams.
 enum Between { kMisfit = 0, kVariance = 1, kOdds = 2, kShares = 3 };
 
@@ -48,7 +62,9 @@ void solveAuto(const EstimatorContext& context, const ShotSignal& signal, Solved
   eachRun(0.1F, 0.5F, [&](size_t first, const PixelRun& in, const MatteRun& fit) {
     shrinkage.matte().fit(in, fit);
     std::copy_n(fit.misfit, in.count, between.plane(kMisfit) + first);
-    std::copy_n(fit.shareVariance, in.count, between.plane(kVariance) + first);
+    for (int p = 0; p < in.count; ++p)
+      between.plane(kVariance)[first + size_t(p)] =
+          fit.shareVariance[p] * independentPart(context.noise, in, context.plan.shots, p);
     for (int i = 0; i < lights; ++i) std::copy_n(fit.share[i], in.count, between.plane(kShares + i) + first);
   });
 
@@ -63,7 +79,7 @@ void solveAuto(const EstimatorContext& context, const ShotSignal& signal, Solved
     shrinkage.matte().assess(in, fit);
     // Pooling took away part of the variance of the shares, which is nearly all of the contributions'.
     for (int p = 0; p < in.count; ++p) {
-      const float before = fit.shareVariance[p];
+      const float before = fit.shareVariance[p] * independentPart(context.noise, in, context.plan.shots, p);
       const float after = std::min(between.plane(kVariance)[first + size_t(p)], before);
       fit.variance[p] = std::max(fit.variance[p] - (before - after), after);
     }

@@ -66,7 +66,7 @@ const EstimatorInfo& estimatorFor(Model model) {
     case Model::Auto:
       break;
   }
-  return estimatorInfo("maximum-likelihood");
+  return estimatorInfo("auto");
 }
 
 std::unique_ptr<Estimator> makeEstimator(const std::string& name, const EstimatorContext& context) {

@@ -1,5 +1,8 @@
 #include "core/solve/solved_file.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/error.h"
 #include "core/file/json_file.h"
 #include "core/image/half.h"
@@ -46,6 +49,18 @@ Image sumAsWritten(const SolvedSet& set, bool half) {
   return sum;
 }
 
+/// Whether half float holds the sum to a thousandth of full scale. Where lamps in the picture are brighter
+/// than that allows, R G B is written as float, so that it stays the sum of its layers.
+bool halfIsEnough(const Image& sum) {
+  constexpr float kMost = 1e-3F;
+  for (int c = 0; c < sum.channelCount(); ++c) {
+    const float* plane = sum.plane(c);
+    for (size_t p = 0; p < sum.pixelCount(); ++p)
+      if (std::abs(roundedToHalf(plane[p]) - plane[p]) > kMost) return false;
+  }
+  return true;
+}
+
 /// Channels `names` of an image as a part.
 PartToWrite partOf(const std::string& name, const Image& image, std::span<const std::string> names,
                    PixelType type) {
@@ -63,15 +78,16 @@ std::vector<std::string> lightNames(const Capture& capture) {
 
 /// The file as one part a layer.
 std::vector<PartToWrite> partsOf(const SolvedSet& set, const Image& sum, PixelType pictures) {
+  const PixelType sumType =
+      pictures == PixelType::Half && halfIsEnough(sum) ? PixelType::Half : PixelType::Float;
   const std::vector<std::string> colors(std::begin(kColors), std::end(kColors));
-  const std::vector<std::string> quality(std::begin(kQuality), std::end(kQuality));
   const std::vector<std::string> lights = lightNames(set.capture);
-  std::vector<PartToWrite> parts = {partOf("rgb", sum, colors, pictures)};
+  std::vector<PartToWrite> parts = {partOf("rgb", sum, colors, sumType)};
   for (size_t i = 0; i < lights.size(); ++i)
     parts.push_back(partOf(lights[i], set.contributions[i], colors, pictures));
   if (set.ambient) parts.push_back(partOf("ambient", *set.ambient, colors, pictures));
   parts.push_back(partOf("beta", set.beta, lights, PixelType::Float));
-  parts.push_back(partOf("quality", set.quality, quality, PixelType::Float));
+  parts.push_back(partOf("quality", set.quality, set.quality.spec().channels, PixelType::Float));
   return parts;
 }
 
@@ -190,11 +206,12 @@ SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
     if (const auto report = info.text.find(kReport); report != info.text.end())
       set.report = parseJson(report->second, file.string() + " (" + kReport + ")");
     const std::vector<std::string> lights = lightNames(set.capture);
-    const std::vector<std::string> quality(std::begin(kQuality), std::end(kQuality));
+    std::vector<std::string> quality(std::begin(kQuality), std::end(kQuality));
     PlaneFinder finder(spec, file.string());
     for (const std::string& light : lights) set.contributions.push_back(finder.wantColor(light));
     if (finder.has("ambient.R")) set.ambient = finder.wantColor("ambient");
     set.beta = finder.want(inLayer("beta", lights), inLayer("beta", lights), "data");
+    if (finder.has("quality.model")) quality.emplace_back("model");
     set.quality = finder.want(inLayer("quality", quality), quality, "data");
     return finder.planes();
   };
