@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cstdint>
+#include <glm/vec3.hpp>
 #include <map>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "core/color/color_config.h"
 #include "core/color/rgb.h"
@@ -12,41 +11,39 @@
 #include "core/view/view_window.h"
 #include "render/display_program.h"
 #include "render/tiled_texture.h"
+#include "render/view_target.h"
 
 namespace swaplight {
 
-/// Shows linear pictures on the graphics card: into a texture of the window's size, as 8-bit display codes.
-/// Enlarged pictures show their pixels as squares; shrunk ones are read from halved pictures and
-/// interpolated. Needs the context in which it was made.
+/// Shows linear pictures on the graphics card, as 8-bit display codes. Enlarged pictures show their pixels as
+/// squares; shrunk ones are read from halved pictures and interpolated. Needs the context in which it was
+/// made.
 class ViewRenderer {
  public:
-  /// `config` must outlive it; `colorSpace` is that of the pictures.
+  /// `config` must outlive it. `colorSpace` is that of the pictures; empty: they are data, shown without a
+  /// view.
   ViewRenderer(const ColorConfig& config, std::string colorSpace);
 
-  /// The texture (row 0 is the top; transparent where there is no picture), valid until the next call. Throws
-  /// InputError where the configuration lacks the display or the view.
-  unsigned draw(TiledTexture& picture, const ViewWindow& window, const ViewSettings& settings);
-  /// The same for maps that are data: no view.
-  unsigned drawData(TiledTexture& picture, const ViewWindow& window, const ViewSettings& settings);
-
-  /// What was drawn last: 8-bit R G B A from the top, window.width * window.height of them.
-  [[nodiscard]] std::vector<uint8_t> readback() const;
+  /// Draws over what is in the target, where there is a picture. Throws InputError where the configuration
+  /// lacks the display or the view.
+  struct Part {
+    glm::vec3 side{0, 0, 1};  ///< only where side.x * x + side.y * y + side.z >= 0, for a pixel's centre
+    bool absolute = false;    ///< the picture is a difference, of which the size is shown
+  };
+  void draw(TiledTexture& picture, const ViewWindow& window, const ViewSettings& settings, const Part& part,
+            ViewTarget& target);
+  /// A whole picture; the target gets the window's size, and is transparent where there is no picture.
+  void draw(TiledTexture& picture, const ViewWindow& window, const ViewSettings& settings,
+            ViewTarget& target);
 
  private:
-  unsigned drawWith(const DisplayProgram& display, TiledTexture& picture, const ViewWindow& window,
-                    const ViewSettings& settings);
-  void resize(int width, int height);
+  const DisplayProgram& programFor(const ViewSettings& settings);
 
   const ColorConfig& m_config;
   std::string m_colorSpace;
   Rgb m_luminanceWeights;
   std::map<std::pair<std::string, std::string>, DisplayProgram> m_programs;  ///< by display and view
-  DisplayProgram m_data;
   GlVertexArray m_vertexArray;
-  GlTexture m_target;
-  GlFramebuffer m_framebuffer;
-  int m_width = 0;
-  int m_height = 0;
 };
 
 }  // namespace swaplight

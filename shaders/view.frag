@@ -10,6 +10,8 @@ uniform vec2 windowOrigin;  // the whole picture's point at the window's left to
 uniform float zoom;         // window pixels a picture pixel
 uniform int level;          // of the halved pictures; with `smoothed`
 uniform int smoothed;       // 1: interpolated, 0: pixels as squares
+uniform vec3 side;          // drawn where dot(side, (x, y, 1)) >= 0
+uniform int absolute;       // 1: the picture is a difference, of which the size is shown
 
 uniform float exposureFactor;
 uniform float gamma;
@@ -29,10 +31,12 @@ out vec4 color;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (dot(side, vec3(gl_FragCoord.xy, 1.0)) < 0.0) discard;
   vec2 point = windowOrigin + gl_FragCoord.xy / zoom - vec2(tileOrigin);
   if (any(lessThan(point, vec2(0.0))) || any(greaterThanEqual(point, vec2(tileSize)))) discard;
   vec3 linear = smoothed == 1 ? textureLod(picture, point / vec2(tileSize), float(level)).rgb
                               : texelFetch(picture, ivec2(point), 0).rgb;
+  if (absolute == 1) linear = abs(linear);
   linear = exposed(linear, exposureFactor);
   if (falseColor == 1) {
     float stops = stopsFromGrey(linear, luminanceWeights);

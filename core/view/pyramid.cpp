@@ -17,19 +17,23 @@ void halveRow(const float* upper, const float* lower, int width, float* out) {
   if (width % 2 != 0) out[pairs] = 0.5F * (upper[width - 1] + lower[width - 1]);
 }
 
-}  // namespace
-
-Image halveImage(ImageView image) {
-  ImageSpec spec{(image.width + 1) / 2, (image.height + 1) / 2, {}, "data"};
-  for (int c = 0; c < image.channels; ++c) spec.channels.push_back(std::to_string(c));
-  Image half(std::move(spec));
-  const ImageSpan out = half.span();
+/// `out` has half the size of `image`, rounded up.
+void halveInto(ImageView image, ImageSpan out) {
   parallelRows(out.height, 32, [&](int begin, int end) {
     for (int c = 0; c < out.channels; ++c)
       for (int y = begin; y < end; ++y)
         halveRow(image.row(c, 2 * y), image.row(c, std::min(2 * y + 1, image.height - 1)), image.width,
                  out.row(c, y));
   });
+}
+
+}  // namespace
+
+Image halveImage(ImageView image) {
+  ImageSpec spec{(image.width + 1) / 2, (image.height + 1) / 2, {}, "data"};
+  for (int c = 0; c < image.channels; ++c) spec.channels.push_back(std::to_string(c));
+  Image half(std::move(spec));
+  halveInto(image, half.span());
   return half;
 }
 
@@ -38,6 +42,22 @@ Pyramid::Pyramid(ImageView picture) : m_picture(picture) {
   while (std::max(last.width, last.height) > kSmallestSide) {
     m_halves.push_back(halveImage(last));
     last = m_halves.back().view();
+  }
+}
+
+void Pyramid::refresh(int x, int y, int width, int height) {
+  ImageView upper = m_picture;
+  int right = x + width, bottom = y + height;
+  for (Image& half : m_halves) {
+    x /= 2;
+    y /= 2;
+    right = std::min((right + 1) / 2, half.width());
+    bottom = std::min((bottom + 1) / 2, half.height());
+    const int upperWidth = std::min(2 * right, upper.width) - 2 * x;
+    const int upperHeight = std::min(2 * bottom, upper.height) - 2 * y;
+    halveInto(upper.crop(2 * x, 2 * y, upperWidth, upperHeight),
+              half.span().crop(x, y, right - x, bottom - y));
+    upper = half.view();
   }
 }
 

@@ -14,6 +14,9 @@ class Pyramid {
   /// The picture must outlive the pyramid. Builds every level down to a side of 64.
   explicit Pyramid(ImageView picture);
 
+  /// To be called when pixels of the picture have changed: makes the halves of that rectangle again.
+  void refresh(int x, int y, int width, int height);
+
   [[nodiscard]] int levels() const { return static_cast<int>(m_halves.size()) + 1; }
   [[nodiscard]] ImageView level(int index) const {
     return index == 0 ? m_picture : m_halves[static_cast<size_t>(index) - 1].view();

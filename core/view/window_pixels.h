@@ -16,6 +16,7 @@ namespace swaplight {
 struct ViewLayer {
   const Pyramid* picture = nullptr;
   Rgb factor{1, 1, 1};
+  bool operator==(const ViewLayer&) const = default;
 };
 
 /// Brings a row of linear pixels to the monitor: `count` pixels as 8-bit R G B A. Called from several

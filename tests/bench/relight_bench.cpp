@@ -79,6 +79,7 @@ void graphicsTable() {
       const SolvedSet set = syntheticSet(size, lights);
       RelightRenderer renderer(set);
       ViewRenderer viewer(ColorConfig::current(), "lin_rec709");
+      ViewTarget target;
       const ViewWindow window{0, 0, fitZoom(size.width, size.height, 1920, 1080), 1920, 1080};
       const Times upload = timed(
           [&](int) {
@@ -93,7 +94,7 @@ void graphicsTable() {
       });
       const Times readback = timed([&](int) { (void)renderer.readback(); }, 5);
       const Times shown = timed([&](int run) {
-        viewer.draw(renderer.relight(factorsOf(lights, run)), window, {});
+        viewer.draw(renderer.relight(factorsOf(lights, run)), window, {}, target);
         finishGl();
       });
       fmt::print("| {} x {} | {} | {} | {} | {} | {} |\n", size.width, size.height, lights, cell(upload),

@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include "render/gl_scope.h"
+
 namespace swaplight {
 
 GlStateSnapshot::GlStateSnapshot() {
@@ -19,6 +21,16 @@ GlStateSnapshot::GlStateSnapshot() {
     glGetIntegerv(name, four);
     values.insert(values.end(), four, four + 4);
   }
+}
+
+std::vector<uint8_t> texturePixels(unsigned texture, int width, int height) {
+  const GlFramebuffer framebuffer = GlFramebuffer::make();
+  const BoundFramebuffer bound(framebuffer.id(), width, height);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  std::vector<uint8_t> pixels(static_cast<size_t>(width) * static_cast<size_t>(height) * 4);
+  const TightPixels tight;
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  return pixels;
 }
 
 }  // namespace swaplight

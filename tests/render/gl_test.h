@@ -84,6 +84,9 @@ struct GlStateSnapshot {
   bool operator==(const GlStateSnapshot&) const = default;
 };
 
+/// The pixels of an 8-bit texture, row 0 first.
+[[nodiscard]] std::vector<uint8_t> texturePixels(unsigned texture, int width, int height);
+
 /// Colours for `lights` lights that bring a random set's picture to 0..2.
 inline std::vector<Rgb> variedFactors(int lights) {
   std::vector<Rgb> factors;

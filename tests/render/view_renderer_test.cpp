@@ -59,13 +59,14 @@ TEST_F(ViewRendererTest, ShowsEveryViewAsOpenColorIOsProcessorDoes) {
   const Image image = colorRamp(400, 300);
   TiledTexture picture = uploaded(image);
   ViewRenderer renderer(config, "lin_rec709");
+  ViewTarget target;
   for (const std::string& display : config.displays())
     for (const std::string& view : config.views(display)) {
       ViewSettings settings;
       settings.display = display;
       settings.view = view;
-      renderer.draw(picture, wholeOf(image), settings);
-      const std::vector<uint8_t> codes = renderer.readback();
+      renderer.draw(picture, wholeOf(image), settings, target);
+      const std::vector<uint8_t> codes = target.readback();
       Image exact = image.clone();
       config.applyView(exact.span(), "lin_rec709", display, view);
       double worst = 0;
@@ -83,6 +84,7 @@ TEST_F(ViewRendererTest, TheViewersSettingsActAsOnTheProcessor) {
   const Image image = colorRamp(200, 100);
   TiledTexture picture = uploaded(image);
   ViewRenderer renderer(config, "lin_rec709");
+  ViewTarget target;
   std::vector<ViewSettings> cases(6);
   cases[0].exposureStops = 1.3F;
   cases[1].gamma = 1.8F;
@@ -94,8 +96,8 @@ TEST_F(ViewRendererTest, TheViewersSettingsActAsOnTheProcessor) {
   DisplayTable table(config, "lin_rec709", cases[0]);
   for (const ViewSettings& settings : cases) {
     table.change(settings);
-    renderer.draw(picture, wholeOf(image), settings);
-    EXPECT_LE(largestDifference(renderer.readback(), shownByTable(table, image)), 2)
+    renderer.draw(picture, wholeOf(image), settings, target);
+    EXPECT_LE(largestDifference(target.readback(), shownByTable(table, image)), 2)
         << settings.exposureStops << " " << settings.gamma << " " << static_cast<int>(settings.channel);
   }
 }
@@ -105,10 +107,11 @@ TEST_F(ViewRendererTest, FalseColoursAreThoseOfTheProcessor) {
   const Image image = colorRamp(300, 50);
   TiledTexture picture = uploaded(image);
   ViewRenderer renderer(config, "lin_rec709");
+  ViewTarget target;
   ViewSettings settings;
   settings.falseColor = true;
-  renderer.draw(picture, wholeOf(image), settings);
-  const std::vector<uint8_t> codes = renderer.readback();
+  renderer.draw(picture, wholeOf(image), settings, target);
+  const std::vector<uint8_t> codes = target.readback();
   const std::vector<uint8_t> expected = shownByTable(DisplayTable(config, "lin_rec709", settings), image);
   size_t differing = 0;
   for (size_t i = 0; i < codes.size(); ++i) differing += std::abs(codes[i] - expected[i]) > 1 ? 1 : 0;
@@ -121,9 +124,10 @@ TEST_F(ViewRendererTest, EnlargedPixelsAreSquaresAndOutsideIsTransparent) {
   image.span().at(0, 1, 0) = 1;
   image.span().at(1, 2, 1) = 1;
   TiledTexture picture = uploaded(image);
-  ViewRenderer renderer(config, "lin_rec709");
-  renderer.drawData(picture, {-0.5, 0, 4, 16, 8}, {});
-  const std::vector<uint8_t> codes = renderer.readback();
+  ViewRenderer renderer(config, "");
+  ViewTarget target;
+  renderer.draw(picture, {-0.5, 0, 4, 16, 8}, {}, target);
+  const std::vector<uint8_t> codes = target.readback();
   const auto at = [&](int x, int y, int c) {
     return codes[4 * (16 * static_cast<size_t>(y) + static_cast<size_t>(x)) + static_cast<size_t>(c)];
   };
@@ -142,9 +146,10 @@ TEST_F(ViewRendererTest, AShrunkPictureIsAveraged) {
   for (int c = 0; c < 3; ++c)
     for (int p = 0; p < 64 * 64; ++p) image.plane(c)[p] = static_cast<float>((p % 64 + p / 64) % 2);
   TiledTexture picture = uploaded(image);
-  ViewRenderer renderer(config, "lin_rec709");
-  renderer.drawData(picture, {0, 0, 0.5, 32, 32}, {});
-  for (const uint8_t code : renderer.readback())
+  ViewRenderer renderer(config, "");
+  ViewTarget target;
+  renderer.draw(picture, {0, 0, 0.5, 32, 32}, {}, target);
+  for (const uint8_t code : target.readback())
     EXPECT_TRUE(code == 127 || code == 128 || code == 255) << int{code};
 }
 
@@ -154,12 +159,13 @@ TEST_F(ViewRendererTest, TiledEqualsUntiled) {
   TiledTexture whole = uploaded(image), tiled = uploaded(image, 256);
   EXPECT_GT(tiled.tiles.size(), 4U);
   ViewRenderer renderer(config, "lin_rec709");
+  ViewTarget target;
   for (const ViewWindow& window : {ViewWindow{0, 0, 1, 1024, 600}, ViewWindow{230.5, 240, 3, 300, 200},
                                    ViewWindow{0, 0, 0.5, 512, 300}, ViewWindow{10, 20, 0.37, 350, 200}}) {
-    renderer.draw(whole, window, {});
-    const std::vector<uint8_t> expected = renderer.readback();
-    renderer.draw(tiled, window, {});
-    EXPECT_LE(largestDifference(renderer.readback(), expected), 1) << window.zoom;
+    renderer.draw(whole, window, {}, target);
+    const std::vector<uint8_t> expected = target.readback();
+    renderer.draw(tiled, window, {}, target);
+    EXPECT_LE(largestDifference(target.readback(), expected), 1) << window.zoom;
   }
 }
 
@@ -172,11 +178,12 @@ TEST_F(ViewRendererTest, ZebraStripesWhatIsTooBrightAndTooDark) {
       image.span().at(c, 9, y) = 0.01F;
     }
   TiledTexture picture = uploaded(image);
-  ViewRenderer renderer(config, "lin_rec709");
+  ViewRenderer renderer(config, "");
+  ViewTarget target;
   ViewSettings settings;
   settings.zebra = {true, 0.05F, 0.95F};
-  renderer.drawData(picture, wholeOf(image), settings);
-  const std::vector<uint8_t> codes = renderer.readback();
+  renderer.draw(picture, wholeOf(image), settings, target);
+  const std::vector<uint8_t> codes = target.readback();
   int bright = 0, dark = 0, others = 0;
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 32; ++x) {
@@ -200,13 +207,14 @@ TEST_F(ViewRendererTest, ValuesThatAreNotFiniteAreShownAsOnTheProcessor) {
   }
   TiledTexture picture = uploaded(image);
   ViewRenderer renderer(config, "lin_rec709");
+  ViewTarget target;
   for (const std::string& display : config.displays())
     for (const std::string& view : config.views(display)) {
       ViewSettings settings;
       settings.display = display;
       settings.view = view;
-      renderer.draw(picture, wholeOf(image), settings);
-      EXPECT_LE(largestDifference(renderer.readback(),
+      renderer.draw(picture, wholeOf(image), settings, target);
+      EXPECT_LE(largestDifference(target.readback(),
                                   shownByTable(DisplayTable(config, "lin_rec709", settings), image)),
                 3)
           << display << ", " << view;
@@ -217,21 +225,23 @@ TEST_F(ViewRendererTest, AnUnknownViewIsSaid) {
   const ColorConfig config("");
   TiledTexture picture = uploaded(colorRamp(8, 8));
   ViewRenderer renderer(config, "lin_rec709");
+  ViewTarget target;
   ViewSettings settings;
   settings.view = "no such view";
-  EXPECT_THROW(renderer.draw(picture, {0, 0, 1, 8, 8}, settings), InputError);
+  EXPECT_THROW(renderer.draw(picture, {0, 0, 1, 8, 8}, settings, target), InputError);
 }
 
 TEST_F(ViewRendererTest, LeavesTheStateOfTheContextAsItWas) {
   const ColorConfig config("");
   TiledTexture picture = uploaded(colorRamp(64, 64));
   ViewRenderer renderer(config, "lin_rec709");
+  ViewTarget target;
   const GlStateSnapshot before;
   for (const std::string& view : config.views(config.defaultDisplay())) {
     ViewSettings settings;
     settings.view = view;
-    renderer.draw(picture, {0, 0, 0.5, 32, 32}, settings);
-    (void)renderer.readback();
+    renderer.draw(picture, {0, 0, 0.5, 32, 32}, settings, target);
+    (void)target.readback();
   }
   EXPECT_EQ(before, GlStateSnapshot());
 }

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "render/layer_renderer.h"
+#include "render/picture_screen.h"
+#include "render/view_renderer.h"
+#include "render/view_target.h"
+
+namespace swaplight {
+
+/// Computes the window's pixels by shaders. Keeps every picture that was ever shown on the graphics card, as
+/// half floats, until it is told to forget.
+class GraphicsScreen : public PictureScreen {
+ public:
+  explicit GraphicsScreen(const ColorConfig& config) : m_config(config) {}
+
+  unsigned texture(const ScreenRequest& request, int place) override;
+  void changed(const Pyramid& picture, const TileRect& where) override;
+  void forget() override;
+  [[nodiscard]] std::string words() const override;
+
+ private:
+  /// A sum of pictures, kept while only the view of it changes.
+  struct Frame {
+    std::vector<ViewLayer> layers;
+    TiledTexture picture;
+  };
+  struct Place {
+    std::optional<ScreenRequest> shown;
+    Frame a, b;
+    ViewTarget target;
+  };
+  void draw(const ScreenRequest& request, Place& place);
+  TiledTexture& relit(Frame& frame, const std::vector<ViewLayer>& layers);
+  const TiledTexture& uploaded(const Pyramid& picture);
+  ViewRenderer& viewerFor(const std::string& colorSpace);
+
+  const ColorConfig& m_config;
+  LayerRenderer m_layers;
+  std::map<const Pyramid*, TiledTexture> m_pictures;
+  std::map<std::string, ViewRenderer> m_viewers;  ///< by colour space
+  std::map<int, Place> m_places;
+};
+
+}  // namespace swaplight

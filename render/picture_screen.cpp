@@ -1,0 +1,15 @@
+#include "render/picture_screen.h"
+
+#include "render/gl_info.h"
+#include "render/graphics_screen.h"
+#include "render/processor_screen.h"
+
+namespace swaplight {
+
+std::unique_ptr<PictureScreen> makePictureScreen(Engine engine, const ColorConfig& config) {
+  const bool processor = engine == Engine::Processor || (engine == Engine::Auto && glInfo().software);
+  if (processor) return std::make_unique<ProcessorScreen>(config);
+  return std::make_unique<GraphicsScreen>(config);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/color/color_config.h"
+#include "core/view/comparison.h"
+#include "core/view/view_settings.h"
+#include "core/view/view_window.h"
+#include "core/view/window_pixels.h"
+#include "render/tiled_texture.h"
+
+namespace swaplight {
+
+/// Pictures that are added up and shown as one.
+struct ShownPicture {
+  std::vector<ViewLayer> layers;  ///< of one size
+  std::string colorSpace;         ///< of the layers, linear; empty: they are data, shown without a view
+  bool operator==(const ShownPicture&) const = default;
+};
+
+/// What is to be seen in a window.
+struct ScreenRequest {
+  ShownPicture a;
+  ShownPicture b;  ///< where the comparison is not Off; of A's size
+  Comparison comparison;
+  ViewWindow window;
+  ViewSettings settings;
+  bool operator==(const ScreenRequest&) const = default;
+};
+
+/// Who computes what the viewer shows.
+enum class Engine {
+  Auto,       ///< the graphics card, unless what calls itself one is software
+  Graphics,   ///< shaders
+  Processor,  ///< core/view, at the size shown; the result is uploaded
+};
+
+/// Makes textures of what is to be seen. Pictures are told apart by the address of their pyramid. Needs the
+/// OpenGL context in which it was made.
+class PictureScreen {
+ public:
+  PictureScreen() = default;
+  PictureScreen(const PictureScreen&) = delete;
+  PictureScreen& operator=(const PictureScreen&) = delete;
+  virtual ~PictureScreen() = default;
+
+  /// A texture of the window's size, row 0 at the top, transparent where there is no picture; does nothing
+  /// where the request is that of the last call. Several windows at a time are told apart by their place.
+  /// Throws InputError (unknown view), ResourceError (no memory).
+  virtual unsigned texture(const ScreenRequest& request, int place = 0) = 0;
+
+  /// To be called when pixels of a picture have changed, after its pyramid was refreshed.
+  virtual void changed(const Pyramid& picture, const TileRect& where) = 0;
+  /// To be called when pictures have gone.
+  virtual void forget() = 0;
+
+  /// Who computes, in words.
+  [[nodiscard]] virtual std::string words() const = 0;
+};
+
+/// `config` must outlive it.
+[[nodiscard]] std::unique_ptr<PictureScreen> makePictureScreen(Engine engine, const ColorConfig& config);
+
+}  // namespace swaplight

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/view/display_table.h"
+#include "render/picture_screen.h"
+#include "render/screen.h"
+
+namespace swaplight {
+
+/// Computes the window's pixels on the processor.
+class ProcessorScreen : public PictureScreen {
+ public:
+  explicit ProcessorScreen(const ColorConfig& config) : m_config(config) {}
+
+  unsigned texture(const ScreenRequest& request, int place) override;
+  void changed(const Pyramid& picture, const TileRect& where) override;
+  void forget() override;
+  [[nodiscard]] std::string words() const override;
+
+ private:
+  struct Place {
+    std::optional<ScreenRequest> shown;
+    LayerSum sumA, sumB;
+    std::vector<uint8_t> pixels;
+    ScreenTexture texture;
+  };
+  void draw(const ScreenRequest& request, Place& place);
+  void drawB(const ScreenRequest& request, Place& place);
+  const DisplayTable& tableFor(const std::string& colorSpace, const ViewSettings& settings);
+
+  const ColorConfig& m_config;
+  std::map<std::string, DisplayTable> m_tables;  ///< by colour space
+  std::map<int, Place> m_places;
+};
+
+}  // namespace swaplight

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/color/rgb.h"
+#include "render/gl_handle.h"
+
+namespace swaplight {
+
+// What a user interface needs of OpenGL beside pictures: the surface that it draws on.
+
+/// Fills what is bound for drawing with display code values 0..1, and makes all of it the viewport.
+void clearScreen(int width, int height, Rgb code);
+
+/// What has been drawn: 8-bit R G B A, row after row from the top, without gaps.
+[[nodiscard]] std::vector<uint8_t> readScreen(int width, int height);
+
+/// A surface in memory for where there is no window: 8-bit R G B A.
+class ScreenTarget {
+ public:
+  ScreenTarget(int width, int height);
+  /// Everything is drawn into it, and read from it, until something else is bound.
+  void bind() const;
+
+ private:
+  GlTexture m_color;
+  GlFramebuffer m_framebuffer;
+};
+
+/// A picture of 8-bit R G B A that changes often. Sampled without smoothing: it is made at the size at which
+/// it is shown.
+class ScreenTexture {
+ public:
+  /// Rows from the top, without gaps.
+  void update(int width, int height, const uint8_t* rgba);
+  /// The texture's name; 0 before the first update.
+  [[nodiscard]] unsigned id() const { return m_texture.id(); }
+
+ private:
+  GlTexture m_texture;
+  int m_width = 0;
+  int m_height = 0;
+};
+
+}  // namespace swaplight

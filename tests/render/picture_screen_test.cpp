@@ -1,0 +1,152 @@
+#include "render/picture_screen.h"
+
+#include <cmath>
+
+#include "render/graphics_screen.h"
+#include "render/processor_screen.h"
+#include "tests/render/gl_test.h"
+
+namespace swaplight {
+namespace {
+
+/// A smooth picture, so that both engines' ways of shrinking agree.
+Image smoothPicture(int width, int height, float phase) {
+  Image image(ImageSpec::rgb(width, height));
+  for (int c = 0; c < 3; ++c)
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        image.span().at(c, x, y) = 0.3F + 0.25F * std::sin(0.03F * static_cast<float>(x) + phase) *
+                                              std::cos(0.02F * static_cast<float>(y * (c + 1)) - phase);
+  return image;
+}
+
+std::vector<uint8_t> pixelsOf(unsigned texture, const ViewWindow& window) {
+  return texturePixels(texture, window.width, window.height);
+}
+
+class PictureScreenTest : public GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    for (int i = 0; i < 3; ++i) m_images.push_back(smoothPicture(640, 400, static_cast<float>(i)));
+    m_pyramids.reserve(m_images.size());
+    for (const Image& image : m_images) m_pyramids.emplace_back(image.view());
+  }
+
+  [[nodiscard]] ScreenRequest request(const ViewWindow& window) const {
+    ScreenRequest request;
+    request.a = {{{&m_pyramids[0], {0.5F, 0.4F, 0.3F}}, {&m_pyramids[1], {0.2F, 0.3F, 0.6F}}}, "lin_rec709"};
+    request.b = {{{&m_pyramids[2], Rgb(0.7F)}, {&m_pyramids[1], {0.1F, 0.1F, 0.1F}}}, "lin_rec709"};
+    request.window = window;
+    return request;
+  }
+
+  /// Both engines' pictures of a request, which must agree to three codes but for a share of the values.
+  void expectBothAgree(const ScreenRequest& request, const std::string& what, double share = 0.002) {
+    ProcessorScreen processor(m_config);
+    GraphicsScreen graphics(m_config);
+    const std::vector<uint8_t> a = pixelsOf(processor.texture(request, 0), request.window);
+    const std::vector<uint8_t> b = pixelsOf(graphics.texture(request, 0), request.window);
+    size_t off = 0;
+    for (size_t i = 0; i < a.size(); ++i) off += std::abs(a[i] - b[i]) > 3 ? 1 : 0;
+    EXPECT_LE(static_cast<double>(off), share * static_cast<double>(a.size())) << what;
+  }
+
+  ColorConfig m_config{""};
+  std::vector<Image> m_images;
+  std::vector<Pyramid> m_pyramids;
+};
+
+const ViewWindow kWhole{0, 0, 1, 640, 400};
+
+TEST_F(PictureScreenTest, BothEnginesShowTheSameAtEveryZoom) {
+  for (const ViewWindow& window :
+       {kWhole, ViewWindow{0, 0, 0.5, 320, 200}, ViewWindow{13.5, 7, 0.8, 300, 200},
+        ViewWindow{100, 60, 0.3, 120, 80}, ViewWindow{40.25, 30, 2, 320, 200},
+        ViewWindow{40.25, 30, 2.7, 320, 200}, ViewWindow{40, 30, 7.3, 320, 200}})
+    expectBothAgree(request(window), "zoom " + std::to_string(window.zoom));
+}
+
+TEST_F(PictureScreenTest, BothEnginesCompareAlike) {
+  for (const double angle : {0.0, 30.0, 90.0, 135.0, 180.0, 270.0}) {
+    ScreenRequest wipe = request({20, 10, 0.9, 400, 300});
+    wipe.comparison = {Comparison::Mode::Wipe, 200, 150, angle};
+    expectBothAgree(wipe, "wipe at " + std::to_string(angle));
+  }
+  ScreenRequest difference = request(kWhole);
+  difference.comparison.mode = Comparison::Mode::Difference;
+  difference.settings.exposureStops = 2;
+  expectBothAgree(difference, "difference");
+}
+
+TEST_F(PictureScreenTest, BothEnginesDrawZebraAndFalseColourAlike) {
+  ScreenRequest zebra = request(kWhole);
+  zebra.settings.zebra = {true, 0.4F, 0.6F};
+  expectBothAgree(zebra, "zebra", 0.01);  // a code more or less decides at the edge of the stripes
+  ScreenRequest falseColor = request(kWhole);
+  falseColor.settings.falseColor = true;
+  expectBothAgree(falseColor, "false colour");
+}
+
+TEST_F(PictureScreenTest, AWipeShowsAAndBOnTheirSides) {
+  ProcessorScreen screen(m_config);
+  ScreenRequest wipe = request(kWhole);
+  const std::vector<uint8_t> a = pixelsOf(screen.texture(wipe, 0), kWhole);
+  std::swap(wipe.a, wipe.b);
+  const std::vector<uint8_t> b = pixelsOf(screen.texture(wipe, 0), kWhole);
+  std::swap(wipe.a, wipe.b);
+  wipe.comparison = {Comparison::Mode::Wipe, 200, 150, 0};
+  const std::vector<uint8_t> both = pixelsOf(screen.texture(wipe, 0), kWhole);
+  for (size_t i = 0; i < both.size(); ++i) ASSERT_NEAR(both[i], i / 4 % 640 < 200 ? a[i] : b[i], 1) << i;
+}
+
+TEST_F(PictureScreenTest, APictureAgainstItselfDiffersByNothing) {
+  ScreenRequest same = request(kWhole);
+  same.b = same.a;
+  same.comparison.mode = Comparison::Mode::Difference;
+  for (const Engine engine : {Engine::Processor, Engine::Graphics}) {
+    const auto screen = makePictureScreen(engine, m_config);
+    const std::vector<uint8_t> pixels = pixelsOf(screen->texture(same), kWhole);
+    for (size_t i = 0; i < pixels.size(); ++i) ASSERT_EQ(pixels[i], i % 4 == 3 ? 255 : 0);
+  }
+}
+
+TEST_F(PictureScreenTest, ChangedPixelsAreSeenAfterTheyWereAnnounced) {
+  for (const Engine engine : {Engine::Processor, Engine::Graphics}) {
+    const auto screen = makePictureScreen(engine, m_config);
+    ScreenRequest half = request({0, 0, 0.5, 320, 200});
+    half.a = {{{&m_pyramids[0], Rgb(1)}}, ""};
+    (void)screen->texture(half);
+    for (int c = 0; c < 3; ++c)
+      for (int y = 101; y < 140; ++y) std::fill_n(m_images[0].span().row(c, y) + 201, 60, 1.0F);
+    m_pyramids[0].refresh(201, 101, 60, 39);
+    screen->changed(m_pyramids[0], {201, 101, 60, 39});
+    const std::vector<uint8_t> pixels = pixelsOf(screen->texture(half), half.window);
+    EXPECT_EQ(pixels[4 * (60 * 320 + 115)], 255);
+    EXPECT_LT(pixels[4 * (60 * 320 + 90)], 200);
+    for (int c = 0; c < 3; ++c)
+      for (int y = 101; y < 140; ++y) std::fill_n(m_images[0].span().row(c, y) + 201, 60, 0.2F);
+    m_pyramids[0].refresh(201, 101, 60, 39);
+  }
+}
+
+TEST_F(PictureScreenTest, TheProcessorIsChosenOnASoftwareRasteriser) {
+  const auto screen = makePictureScreen(Engine::Auto, m_config);
+  EXPECT_EQ(screen->words().starts_with("processor"), glInfo().software);
+  EXPECT_TRUE(makePictureScreen(Engine::Graphics, m_config)->words().starts_with("graphics card: "));
+}
+
+TEST(Comparison, AWipesLineStaysAtItsPointOfThePicture) {
+  const Comparison wipe{Comparison::Mode::Wipe, 50, 20, 0};
+  EXPECT_EQ(columnsOfB(sideOfB(wipe, {0, 0, 1, 100, 40}), 5, 100), (std::pair{50, 100}));
+  EXPECT_EQ(columnsOfB(sideOfB(wipe, {40, 0, 2, 100, 40}), 5, 100), (std::pair{20, 100}));
+  const Comparison turned{Comparison::Mode::Wipe, 50, 20, 180};
+  EXPECT_EQ(columnsOfB(sideOfB(turned, {0, 0, 1, 100, 40}), 5, 100), (std::pair{0, 50}));
+  const Comparison level{Comparison::Mode::Wipe, 50, 20, 90};
+  EXPECT_EQ(columnsOfB(sideOfB(level, {0, 0, 1, 100, 40}), 19, 100), (std::pair{0, 0}));
+  EXPECT_EQ(columnsOfB(sideOfB(level, {0, 0, 1, 100, 40}), 20, 100), (std::pair{0, 100}));
+}
+
+}  // namespace
+}  // namespace swaplight
