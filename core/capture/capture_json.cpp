@@ -148,7 +148,7 @@ std::map<std::string, std::string> truthFromJson(JsonFields& fields) {
 }
 
 std::string defaultName(const Capture& capture) {
-  const std::filesystem::path folder = std::filesystem::absolute(capture.folder).lexically_normal();
+  const std::filesystem::path folder = std::filesystem::absolute(capture.folder / ".").lexically_normal();
   return folder.has_filename() ? folder.filename().string() : folder.parent_path().filename().string();
 }
 

@@ -13,7 +13,8 @@ import unittest
 import numpy as np
 import OpenImageIO as oiio
 
-PROGRAM = os.environ.get('SWAPLIGHT') or os.path.join(os.path.dirname(__file__), '../../build/release/swaplight')
+PROGRAM = os.path.abspath(os.environ.get('SWAPLIGHT') or
+                          os.path.join(os.path.dirname(__file__), '../../build/release/swaplight'))
 SHARED = os.environ.get('SWAPLIGHT_SHARED', '')
 SWAPPED = [[[.9, .2, .15], [.15, .8, .25]], [[.15, .8, .25], [.9, .2, .15]]]
 

@@ -150,7 +150,7 @@ class BadInputTest(cli.CliTest):
         self.refuse('zero.png')
 
 
-class DiskFullTest(cli.CliTest):
+class DiskTest(cli.CliTest):
     def setUp(self):
         super().setUp()
         self.disk = self.path('disk')
@@ -170,6 +170,11 @@ class DiskFullTest(cli.CliTest):
         self.fail('relight', solved, '-o', full + '.exr', '--type', 'float', '-q', naming='full.exr')
         self.fail('relight', solved, '-o', full + '.tif', '--type', 'float', '-q', naming='full.tif')
         self.assertEqual(os.listdir(self.disk), [])
+
+    def test_of_a_disk_that_is_read_only(self):
+        subprocess.run(['mount', '-o', 'remount,ro', self.disk], check=True)
+        capture = cli.Capture(self.path('set'))
+        self.fail('solve', capture.path, '-o', os.path.join(self.disk, 'solved.exr'), '-q', naming='solved.exr')
 
     def test_leaves_the_old_file_as_it_was(self):
         capture = cli.Capture(self.path('set'), height=120, width=160)

@@ -38,6 +38,15 @@ class RelightTest(cli.CliTest):
         self.near(self.frame('--light', 'key=rgb:0/1/0', '--light', 'key=+1st', '--light', 'fill=off'),
                   self.key * [0, 2, 0])
 
+    def test_files_may_be_named_from_the_folder_they_lie_in(self):
+        here = {'cwd': self.folder}
+        self.succeed('relight', 'solved.exr', '-o', 'frame.exr', **here)
+        self.near(cli.read_rgb(self.path('frame.exr')), self.key + self.fill)
+        self.assertEqual(self.succeed_json('info', 'solved.exr', **here)['capture']['name'], 'small')
+        self.succeed('solve', 'capture.json', '-o', 'again.exr', cwd=self.capture.folder)
+        self.succeed('info', 'capture.json', cwd=self.capture.folder)
+        self.succeed('solve', '.', '-o', '../again.exr', cwd=self.capture.folder)
+
     def test_a_capture_is_solved_on_the_way(self):
         self.near(self.frame('--light', 'fill=off', '--model', 'transport', source=self.capture.path), self.key)
 
