@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 
 #include "core/color/rgb.h"
 
@@ -8,14 +9,17 @@ namespace swaplight {
 
 // The sRGB transfer function (IEC 61966-2-1), 0..1 to 0..1. Negative values are mirrored.
 
-[[nodiscard]] inline float linearFromSrgb(float encoded) {
-  const float a = std::fabs(encoded);
-  return std::copysign(a <= 0.04045f ? a / 12.92f : std::pow((a + 0.055f) / 1.055f, 2.4f), encoded);
+template <std::floating_point T>
+[[nodiscard]] T linearFromSrgb(T encoded) {
+  const T a = std::abs(encoded);
+  return std::copysign(a <= T(0.04045) ? a / T(12.92) : std::pow((a + T(0.055)) / T(1.055), T(2.4)), encoded);
 }
 
-[[nodiscard]] inline float srgbFromLinear(float linear) {
-  const float a = std::fabs(linear);
-  return std::copysign(a <= 0.0031308f ? 12.92f * a : 1.055f * std::pow(a, 1 / 2.4f) - 0.055f, linear);
+template <std::floating_point T>
+[[nodiscard]] T srgbFromLinear(T linear) {
+  const T a = std::abs(linear);
+  return std::copysign(a <= T(0.0031308) ? T(12.92) * a : T(1.055) * std::pow(a, 1 / T(2.4)) - T(0.055),
+                       linear);
 }
 
 [[nodiscard]] inline Rgb linearFromSrgb(const Rgb& encoded) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "core/color/srgb.h"
 #include "core/error.h"
 #include "core/measure/delta_e.h"
 #include "core/parallel.h"
@@ -50,8 +51,7 @@ Image linearOf(const Image& image, bool encoded) {
   Image linear = image.clone();
   if (!encoded) return linear;
   for (int c = 0; c < 3; ++c)
-    for (float& v : std::span(linear.plane(c), linear.pixelCount()))
-      v = static_cast<float>(linearFromSrgb(v));
+    for (float& v : std::span(linear.plane(c), linear.pixelCount())) v = linearFromSrgb(v);
   return linear;
 }
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <span>
 
+#include "core/color/srgb.h"
 #include "core/error.h"
 #include "core/image/image_io.h"
 #include "core/image/rgb_image.h"
 #include "core/measure/difference_picture.h"
-#include "core/measure/lab.h"
 #include "core/measure/plot.h"
 
 namespace swaplight {
@@ -17,7 +17,7 @@ namespace {
 
 void linearize(Image& image) {
   for (int c = 0; c < 3; ++c)
-    for (float& v : std::span(image.plane(c), image.pixelCount())) v = static_cast<float>(linearFromSrgb(v));
+    for (float& v : std::span(image.plane(c), image.pixelCount())) v = linearFromSrgb(v);
 }
 
 }  // namespace

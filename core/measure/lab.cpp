@@ -29,8 +29,4 @@ Lab labFromLinearRec709(double r, double g, double b) {
   return {116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])};
 }
 
-double linearFromSrgb(double code) {
-  return code <= .04045 ? code / 12.92 : std::pow((code + .055) / 1.055, 2.4);
-}
-
 }  // namespace swaplight

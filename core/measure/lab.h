@@ -13,7 +13,4 @@ struct Lab {
 /// A component that is not a number gives a Lab that is not a number.
 [[nodiscard]] Lab labFromLinearRec709(double r, double g, double b);
 
-/// The sRGB transfer curve (IEC 61966-2-1): code value 0..1 -> linear 0..1.
-[[nodiscard]] double linearFromSrgb(double code);
-
 }  // namespace swaplight

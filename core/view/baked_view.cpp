@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <random>
 
+#include "core/color/srgb.h"
 #include "core/image/half.h"
 #include "core/parallel.h"
 #include "core/simd.h"
@@ -15,20 +16,6 @@ namespace {
 constexpr int kHalves = 65536;
 constexpr int kPositiveHalves = 0x7c00;
 constexpr float kTolerance = 0.25F / 255;
-
-// What a cube holds is decoded by sRGB's curve, mirrored below 0: the colours are then nearly linear in
-// light.
-float srgbDecoded(float code) {
-  const float size = std::abs(code);
-  const float linear = size <= 0.04045F ? size / 12.92F : std::pow((size + 0.055F) / 1.055F, 2.4F);
-  return std::copysign(linear, code);
-}
-
-float srgbEncoded(float linear) {
-  const float size = std::abs(linear);
-  const float code = size <= 0.0031308F ? 12.92F * size : 1.055F * std::pow(size, 1 / 2.4F) - 0.055F;
-  return std::copysign(code, linear);
-}
 
 /// The view of every half float as a grey, a curve a channel.
 std::array<std::vector<float>, 3> curvesOfGreys(const ViewFunction& view) {
@@ -138,11 +125,11 @@ BakedView::BakedView(const ViewFunction& view) : m_curves(curvesOfGreys(view)) {
     for (int c = 0; c < 3; ++c)
       for (int y = 0; y < vertices.height; ++y)
         std::transform(vertices.row(c, y), vertices.row(c, y) + vertices.width, vertices.row(c, y),
-                       srgbDecoded);
+                       linearFromSrgb<float>);
   });
   for (std::vector<float>& curve : m_curves)
     for (int bits = 0; bits < kHalves; ++bits)
-      curve[static_cast<size_t>(bits)] = srgbEncoded(finiteHalf(bits));
+      curve[static_cast<size_t>(bits)] = srgbFromLinear(finiteHalf(bits));
 }
 
 void BakedView::mix(float* rgb, size_t count) const {

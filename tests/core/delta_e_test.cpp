@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/color/srgb.h"
 #include "core/measure/lab.h"
 
 namespace swaplight {
@@ -109,8 +110,8 @@ TEST(Lab, MatchesTheKnownLabOfSrgbPrimaries) {
 TEST(Lab, TheSrgbCurveKnowsItsPublishedPoints) {
   EXPECT_NEAR(linearFromSrgb(.04045), .0031308, 1e-6);
   EXPECT_NEAR(linearFromSrgb(.5), .214041, 1e-6);
-  EXPECT_EQ(linearFromSrgb(0), 0);
-  EXPECT_EQ(linearFromSrgb(1), 1);
+  EXPECT_EQ(linearFromSrgb(0.0), 0);
+  EXPECT_EQ(linearFromSrgb(1.0), 1);
 }
 
 }  // namespace
