@@ -6,6 +6,7 @@
 
 #include "core/color/chromaticities.h"
 #include "core/error.h"
+#include "core/image/exr_file.h"
 #include "core/image/image_format.h"
 #include "core/image/image_io.h"
 #include "core/image/orientation.h"
@@ -246,6 +247,10 @@ bool coversImage(const Part& part, const ImageSpec& spec) {
          part.y + int64_t{part.spec.height} >= spec.height;
 }
 
+bool fillsImage(const Part& part, const ImageSpec& spec) {
+  return part.x == 0 && part.y == 0 && part.spec.width == spec.width && part.spec.height == spec.height;
+}
+
 void readParts(Input& input, const Contents& contents, std::span<float* const> planes,
                const Progress& progress) {
   const ImageSpec& spec = contents.spec;
@@ -253,16 +258,23 @@ void readParts(Input& input, const Contents& contents, std::span<float* const> p
   for (const Part& part : contents.parts) total += part.spec.height;
   int64_t read = 0;
   size_t channel = 0;
+  std::optional<ExrZipReader> exr;
+  if (input.format() == "openexr") exr.emplace(input.name());
   for (const Part& part : contents.parts) {
     const PartTarget target{planes.subspan(channel, part.channels.size()), spec.width, spec.height};
     channel += part.channels.size();
     if (!coversImage(part, spec))
       for (float* plane : target.planes)
         if (plane) std::fill_n(plane, spec.pixelCount(), 0.0F);
-    readPart(input, part, target, [&](int rows) {
+    const auto done = [&](int rows) {
       read += rows;
       progress.update(static_cast<float>(read) / static_cast<float>(total), "reading");
-    });
+    };
+    const std::vector<std::string>& names = part.spec.channelnames;
+    if (exr && fillsImage(part, spec) && exr->canRead(part.index, names, spec.width, spec.height))
+      exr->read(part.index, names, target.planes, done);
+    else
+      readPart(input, part, target, done);
   }
 }
 

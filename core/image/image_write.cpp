@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/file/atomic_file.h"
+#include "core/image/exr_file.h"
 #include "core/image/file_proxy.h"
 #include "core/image/image_format.h"
 #include "core/image/image_io.h"
@@ -152,32 +153,38 @@ void writePart(Output& output, const FileToWrite& contents, const PartToWrite& p
   }
 }
 
+void writeByOpenImageIO(const FileToWrite& contents, const std::string& format, const AtomicFile& file,
+                        const Progress& progress) {
+  Output output(file, format);
+  std::vector<OIIO::ImageSpec> specs;
+  for (const PartToWrite& part : contents.parts) specs.push_back(specOf(contents, part, format));
+  const std::string temporary = file.temporary().string();
+  const int count = static_cast<int>(specs.size());
+  if (!(count == 1 ? output->open(temporary, specs.front()) : output->open(temporary, count, specs.data())))
+    output.fail();
+  std::vector<std::byte> band;
+  int64_t written = 0;
+  for (size_t i = 0; i < specs.size(); ++i) {
+    if (i > 0 && !output->open(temporary, specs[i], OIIO::ImageOutput::AppendSubimage)) output.fail();
+    writePart(output, contents, contents.parts[i], band, [&](int rows) {
+      written += rows;
+      progress.update(static_cast<float>(written) / static_cast<float>(int64_t{contents.height} * count),
+                      "writing");
+    });
+  }
+  output.close();
+}
+
 }  // namespace
 
 void writeChannels(const FileToWrite& contents, const std::filesystem::path& path, const Progress& progress) {
   const std::string format = imageFormatForWriting(path);
   checkSuits(contents, format, path.string());
   AtomicFile file(path);
-  {
-    Output output(file, format);
-    std::vector<OIIO::ImageSpec> specs;
-    for (const PartToWrite& part : contents.parts) specs.push_back(specOf(contents, part, format));
-    const std::string temporary = file.temporary().string();
-    const int count = static_cast<int>(specs.size());
-    if (!(count == 1 ? output->open(temporary, specs.front()) : output->open(temporary, count, specs.data())))
-      output.fail();
-    std::vector<std::byte> band;
-    int64_t written = 0;
-    for (size_t i = 0; i < specs.size(); ++i) {
-      if (i > 0 && !output->open(temporary, specs[i], OIIO::ImageOutput::AppendSubimage)) output.fail();
-      writePart(output, contents, contents.parts[i], band, [&](int rows) {
-        written += rows;
-        progress.update(static_cast<float>(written) / static_cast<float>(int64_t{contents.height} * count),
-                        "writing");
-      });
-    }
-    output.close();
-  }
+  if (format == "openexr" && isExrZip(contents))
+    writeExrZip(contents, file, progress);
+  else
+    writeByOpenImageIO(contents, format, file, progress);
   file.commit();
 }
 

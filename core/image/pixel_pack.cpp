@@ -1,5 +1,6 @@
 #include "core/image/pixel_pack.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -78,6 +79,22 @@ void packRow(const float* in, PixelType type, std::byte* out, size_t stride, int
   }
 }
 
+SWAPLIGHT_SIMD
+void clampRow(const float* in, float* out, size_t count) {
+  for (size_t i = 0; i < count; ++i) out[i] = clampedToHalf(in[i]);
+}
+
+/// Side by side, which the processor converts by itself.
+void packHalves(const float* in, uint16_t* out, size_t count) {
+  constexpr size_t kBlock = 1024;
+  std::array<float, kBlock> clamped;
+  for (size_t i = 0; i < count; i += kBlock) {
+    const size_t length = std::min(kBlock, count - i);
+    clampRow(in + i, clamped.data(), length);
+    halfFromFloat(clamped.data(), out + i, length);
+  }
+}
+
 constexpr std::array<std::pair<PixelType, const char*>, 5> kNames = {{{PixelType::UInt8, "uint8"},
                                                                       {PixelType::UInt16, "uint16"},
                                                                       {PixelType::UInt32, "uint32"},
@@ -108,6 +125,21 @@ PackedLayout::PackedLayout(std::vector<PixelType> channelTypes) : types(std::mov
     offsets.push_back(pixelBytes);
     pixelBytes += bytesOf(type);
   }
+}
+
+void unpackRow(const std::byte* in, PixelType type, float* out, int width) {
+  const auto count = static_cast<size_t>(width);
+  if (type == PixelType::Half)
+    floatFromHalf(reinterpret_cast<const uint16_t*>(in), out, count);
+  else
+    unpackRow(in, bytesOf(type), type, out, width);
+}
+
+void packRow(const float* in, PixelType type, std::byte* out, int width) {
+  if (type == PixelType::Half)
+    packHalves(in, reinterpret_cast<uint16_t*>(out), static_cast<size_t>(width));
+  else
+    packRow(in, type, out, bytesOf(type), width);
 }
 
 void unpackPixels(const std::byte* rows, const PackedLayout& layout, int packedWidth, int firstX,

@@ -36,6 +36,10 @@ struct UnpackTarget {
 void unpackPixels(const std::byte* rows, const PackedLayout& layout, int packedWidth, int firstX,
                   const UnpackTarget& target);
 
+/// A row of one channel on its own, packed and unpacked as the two below do.
+void unpackRow(const std::byte* in, PixelType type, float* out, int width);
+void packRow(const float* in, PixelType type, std::byte* out, int width);
+
 /// Planes (row y at planes[c] + y * width) to packed rows, in parallel. What a type cannot hold is clamped:
 /// half to +-65504, integers to 0..1 and NaN to 0.
 void packPixels(std::span<const float* const> planes, int width, int height, const PackedLayout& layout,

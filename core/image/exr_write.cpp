@@ -1,0 +1,147 @@
+#include <tbb/parallel_pipeline.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/error.h"
+#include "core/image/exr_context.h"
+#include "core/image/exr_file.h"
+#include "core/image/exr_zip.h"
+#include "core/parallel.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kLongName = 32;
+
+void check(exr_result_t result, const AtomicFile& file) {
+  if (result != EXR_ERR_SUCCESS) file.fail(exr_get_error_code_as_string(result));
+}
+
+exr_compression_t compressionOf(const FileToWrite& contents) {
+  return contents.compression == "zips" ? EXR_COMPRESSION_ZIPS : EXR_COMPRESSION_ZIP;
+}
+
+void setText(exr_context_t exr, int part, const FileToWrite& contents, const AtomicFile& file) {
+  std::map<std::string, std::string> text = contents.text;
+  text.emplace("Software", "swaplight " SWAPLIGHT_VERSION);
+  for (const auto& [name, value] : text)
+    check(exr_attr_set_string(exr, part, name.c_str(), value.c_str()), file);
+}
+
+void setChromaticities(exr_context_t exr, int part, const FileToWrite& contents, const AtomicFile& file) {
+  const auto known = chromaticitiesOf(contents.colorSpace);
+  if (!known) return;
+  const Chromaticities& xy = *known;
+  const exr_attr_chromaticities_t value = {xy[0], xy[1], xy[2], xy[3], xy[4], xy[5], xy[6], xy[7]};
+  check(exr_attr_set_chromaticities(exr, part, "chromaticities", &value), file);
+}
+
+bool needsLongNames(const FileToWrite& contents) {
+  for (const PartToWrite& part : contents.parts)
+    for (const ChannelToWrite& channel : part.channels)
+      if (channel.name.size() >= kLongName) return true;
+  return false;
+}
+
+void writeHeader(exr_context_t exr, const FileToWrite& contents, const AtomicFile& file) {
+  check(exr_set_longname_support(exr, needsLongNames(contents) ? 1 : 0), file);
+  for (const PartToWrite& part : contents.parts) {
+    int index = 0;
+    const char* name = part.name.empty() ? nullptr : part.name.c_str();
+    check(exr_add_part(exr, name, EXR_STORAGE_SCANLINE, &index), file);
+    check(exr_initialize_required_attr_simple(exr, index, contents.width, contents.height,
+                                              compressionOf(contents)),
+          file);
+    for (const ChannelToWrite& channel : part.channels) {
+      const exr_pixel_type_t type = channel.type == PixelType::Half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT;
+      check(exr_add_channel(exr, index, channel.name.c_str(), type, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1),
+            file);
+    }
+    setChromaticities(exr, index, contents, file);
+    if (index == 0) setText(exr, index, contents, file);
+  }
+  check(exr_write_header(exr), file);
+}
+
+/// In the order of the file: by name.
+std::vector<ChannelToWrite> sorted(std::vector<ChannelToWrite> channels) {
+  std::sort(channels.begin(), channels.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  return channels;
+}
+
+/// A chunk on its way through the pipeline.
+struct Chunk {
+  int y = 0;
+  int rows = 0;
+  std::vector<std::byte> raw;
+  std::vector<std::byte> packed;  ///< empty: stored raw
+};
+
+/// Lines of a chunk: for each line the channels' rows one after the other.
+void gather(Chunk& chunk, const std::vector<ChannelToWrite>& channels, int width) {
+  size_t pixelBytes = 0;
+  for (const ChannelToWrite& channel : channels) pixelBytes += bytesOf(channel.type);
+  chunk.raw.resize(pixelBytes * static_cast<size_t>(width) * static_cast<size_t>(chunk.rows));
+  std::byte* to = chunk.raw.data();
+  for (int y = chunk.y; y < chunk.y + chunk.rows; ++y)
+    for (const ChannelToWrite& channel : channels) {
+      packRow(channel.plane + ptrdiff_t{y} * width, channel.type, to, width);
+      to += bytesOf(channel.type) * static_cast<size_t>(width);
+    }
+}
+
+void writePart(exr_context_t exr, int index, const FileToWrite& contents, const AtomicFile& file,
+               const std::function<void(int rows)>& done) {
+  const std::vector<ChannelToWrite> channels = sorted(contents.parts[static_cast<size_t>(index)].channels);
+  const int lines = compressionOf(contents) == EXR_COMPRESSION_ZIPS ? 1 : 16;
+  int next = 0;
+  const auto begin = [&](tbb::flow_control& control) {
+    auto chunk = std::make_shared<Chunk>();
+    if (next >= contents.height) {
+      control.stop();
+      return chunk;
+    }
+    chunk->y = next;
+    chunk->rows = std::min(lines, contents.height - next);
+    next += chunk->rows;
+    return chunk;
+  };
+  const auto pack = [&](std::shared_ptr<Chunk> chunk) {
+    gather(*chunk, channels, contents.width);
+    packExrZip(chunk->raw, chunk->packed);
+    return chunk;
+  };
+  const auto write = [&](const std::shared_ptr<Chunk>& chunk) {
+    const std::vector<std::byte>& bytes = chunk->packed.empty() ? chunk->raw : chunk->packed;
+    check(exr_write_scanline_chunk(exr, index, chunk->y, bytes.data(), bytes.size()), file);
+    done(chunk->rows);
+  };
+  using Shared = std::shared_ptr<Chunk>;
+  tbb::parallel_pipeline(static_cast<size_t>(threadCount()) * 4,
+                         tbb::make_filter<void, Shared>(tbb::filter_mode::serial_in_order, begin) &
+                             tbb::make_filter<Shared, Shared>(tbb::filter_mode::parallel, pack) &
+                             tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order, write));
+}
+
+}  // namespace
+
+bool isExrZip(const FileToWrite& contents) {
+  return contents.compression.empty() || contents.compression == "zip" || contents.compression == "zips";
+}
+
+void writeExrZip(const FileToWrite& contents, const AtomicFile& file, const Progress& progress) {
+  ExrContext exr;
+  check(exr.startWrite(file.temporary().c_str()), file);
+  writeHeader(exr.get(), contents, file);
+  const auto total = static_cast<float>(contents.parts.size()) * static_cast<float>(contents.height);
+  int64_t written = 0;
+  for (size_t i = 0; i < contents.parts.size(); ++i)
+    writePart(exr.get(), static_cast<int>(i), contents, file, [&](int rows) {
+      written += rows;
+      progress.update(static_cast<float>(written) / total, "writing");
+    });
+  check(exr.finish(), file);
+}
+
+}  // namespace swaplight
