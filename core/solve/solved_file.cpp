@@ -1,6 +1,7 @@
 #include "core/solve/solved_file.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/error.h"
@@ -18,8 +19,8 @@ constexpr const char* kCapture = "swaplight/capture";
 constexpr const char* kCaptureFile = "swaplight/captureFile";  // relative to the solved file
 constexpr const char* kReport = "swaplight/report";
 constexpr const char* kColors[] = {"R", "G", "B"};
-constexpr const char* kQuality[] = {"residual", "sigma", "flags"};
-constexpr int kGrain = 64;  // rows
+constexpr const char* kQuality[] = {"residual", "sigma", "flags", "model"};  // the last one is optional
+constexpr int kGrain = 64;                                                   // rows
 
 /// The pictures that add up to R G B.
 std::vector<const Image*> layersOf(const SolvedSet& set) {
@@ -53,12 +54,17 @@ Image sumAsWritten(const SolvedSet& set, bool half) {
 /// than that allows, R G B is written as float, so that it stays the sum of its layers.
 bool halfIsEnough(const Image& sum) {
   constexpr float kMost = 1e-3F;
-  for (int c = 0; c < sum.channelCount(); ++c) {
-    const float* plane = sum.plane(c);
-    for (size_t p = 0; p < sum.pixelCount(); ++p)
-      if (std::abs(roundedToHalf(plane[p]) - plane[p]) > kMost) return false;
-  }
-  return true;
+  std::atomic<bool> enough = true;
+  parallelRows(sum.height(), kGrain, [&](int begin, int end) {
+    const ptrdiff_t first = ptrdiff_t{begin} * sum.width();
+    const ptrdiff_t last = ptrdiff_t{end} * sum.width();
+    float worst = 0;
+    for (int c = 0; c < sum.channelCount() && enough; ++c)
+      for (ptrdiff_t p = first; p < last; ++p)
+        worst = std::max(worst, std::abs(roundedToHalf(sum.plane(c)[p]) - sum.plane(c)[p]));
+    if (worst > kMost) enough = false;
+  });
+  return enough;
 }
 
 /// Channels `names` of an image as a part.
@@ -87,7 +93,8 @@ std::vector<PartToWrite> partsOf(const SolvedSet& set, const Image& sum, PixelTy
     parts.push_back(partOf(lights[i], set.contributions[i], colors, pictures));
   if (set.ambient) parts.push_back(partOf("ambient", *set.ambient, colors, pictures));
   parts.push_back(partOf("beta", set.beta, lights, PixelType::Float));
-  parts.push_back(partOf("quality", set.quality, set.quality.spec().channels, PixelType::Float));
+  const std::vector<std::string> quality(kQuality, kQuality + set.quality.channelCount());
+  parts.push_back(partOf("quality", set.quality, quality, PixelType::Float));
   return parts;
 }
 
@@ -206,12 +213,12 @@ SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
     if (const auto report = info.text.find(kReport); report != info.text.end())
       set.report = parseJson(report->second, file.string() + " (" + kReport + ")");
     const std::vector<std::string> lights = lightNames(set.capture);
-    std::vector<std::string> quality(std::begin(kQuality), std::end(kQuality));
     PlaneFinder finder(spec, file.string());
+    std::vector<std::string> quality(std::begin(kQuality), std::end(kQuality));
+    if (!finder.has("quality.model")) quality.pop_back();
     for (const std::string& light : lights) set.contributions.push_back(finder.wantColor(light));
     if (finder.has("ambient.R")) set.ambient = finder.wantColor("ambient");
     set.beta = finder.want(inLayer("beta", lights), inLayer("beta", lights), "data");
-    if (finder.has("quality.model")) quality.emplace_back("model");
     set.quality = finder.want(inLayer("quality", quality), quality, "data");
     return finder.planes();
   };

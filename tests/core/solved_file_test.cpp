@@ -18,11 +18,11 @@ using test::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Random contributions over many magnitudes: the worst for rounding.
-Image randomPicture(unsigned seed, int width = 61, int height = 43) {
+/// Random contributions over many magnitudes: the worst for rounding. Up to 2^brightest.
+Image randomPicture(unsigned seed, float brightest = -0.1F, int width = 61, int height = 43) {
   Image image(ImageSpec::rgb(width, height));
   std::mt19937 random(seed);
-  std::uniform_real_distribution<float> stops(-14, 6);
+  std::uniform_real_distribution<float> stops(-14, brightest);
   for (int c = 0; c < 3; ++c)
     for (size_t p = 0; p < image.pixelCount(); ++p) image.plane(c)[p] = std::exp2(stops(random));
   return image;
@@ -41,8 +41,7 @@ SolvedSet threeLights() {
   }
   set.ambient = randomPicture(9);
   updateBeta(set);
-  set.quality =
-      Image(ImageSpec{61, 43, {"quality.residual", "quality.sigma", "quality.flags"}, "data"}, 0.1F);
+  set.quality = Image(ImageSpec{61, 43, {"residual", "sigma", "flags", "model"}, "data"}, 0.1F);
   for (size_t p = 0; p < set.quality.pixelCount(); ++p)
     set.quality.plane(kFlags)[p] = static_cast<float>(p % 32);
   set.report = {{"model", "auto"}, {"rel", 0.125}};
@@ -71,6 +70,7 @@ TEST_P(SolvedFile, ComesBackAsItWasToHalfPrecision) {
       ASSERT_EQ(back.beta.plane(c)[p], set.beta.plane(c)[p]);
       ASSERT_EQ(back.quality.plane(c)[p], set.quality.plane(c)[p]);
     }
+  EXPECT_EQ(back.quality.spec(), set.quality.spec());
 }
 
 TEST_P(SolvedFile, TheLayersAddUpToTheBeautyToTheLastBit) {
@@ -106,6 +106,24 @@ TEST(SolvedFileHeader, HoldsWhatTheContractSays) {
   const auto* xy = spec.find_attribute("chromaticities");
   ASSERT_TRUE(xy);
   EXPECT_FLOAT_EQ(static_cast<const float*>(xy->data())[0], 0.713F) << "ACEScg";
+}
+
+TEST(SolvedFileHeader, ASumThatHalfCannotHoldIsFloat) {
+  const TemporaryFolder folder;
+  SolvedSet set = threeLights();
+  set.contributions[0] = randomPicture(4, 6);
+  writeSolvedSet(set, folder / "solved.exr");
+  const auto in = OIIO::ImageInput::open((folder / "solved.exr").string());
+  ASSERT_TRUE(in);
+  EXPECT_EQ(in->spec().channelformat(in->spec().channelindex("R")), OIIO::TypeFloat);
+  EXPECT_EQ(in->spec().channelformat(in->spec().channelindex("key.R")), OIIO::TypeHalf);
+  const Image all = readImage(folder / "solved.exr").image;
+  for (size_t p = 0; p < all.pixelCount(); ++p) {
+    float sum = 0;
+    for (const char* layer : {"key.G", "fill.G", "rim.G", "ambient.G"})
+      sum += all.plane(all.channelIndex(layer))[p];
+    ASSERT_EQ(all.plane(all.channelIndex("G"))[p], sum);
+  }
 }
 
 TEST(SolvedFileHeader, MultiPartHasOnePartALight) {
