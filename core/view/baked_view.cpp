@@ -124,6 +124,7 @@ BakedView::BakedView(const ViewFunction& view) : m_curves(curvesOfGreys(view)) {
     view(vertices);
     for (int c = 0; c < 3; ++c)
       for (int y = 0; y < vertices.height; ++y)
+        // Decoded, so that what is interpolated is nearly linear in light.
         std::transform(vertices.row(c, y), vertices.row(c, y) + vertices.width, vertices.row(c, y),
                        linearFromSrgb<float>);
   });
