@@ -59,6 +59,8 @@ void SolveArguments::addTo(CLI::App& verb) {
       ->type_name("NAME");
   add(verb.add_option("--denoise", m_solve.denoise, "off"))->type_name("HOW")->capture_default_str();
   add(verb.add_option("--align", m_align, "off"))->type_name("HOW")->capture_default_str();
+  add(verb.add_flag("--refine-colors", m_solve.refineColors,
+                    "Estimate the light colours from the pictures, starting at the capture's"));
   add(verb.add_option("--color-uncertainty", m_solve.colorUncertainty,
                       "Relative standard error of the light colours, as .03 (default: estimated)"))
       ->check(CLI::Range(0.0, 1.0).description(""))

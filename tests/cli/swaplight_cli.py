@@ -64,11 +64,19 @@ def read_rgb(path, layer=''):
     return np.stack([channels[prefix + c] for c in 'RGB'], -1)
 
 
+def smooth(random, height, width, low, high):
+    """A smooth random field: a coarse grid of values, interpolated."""
+    coarse = random.uniform(low, high, (4, 5))
+    y, x = np.linspace(0, 3, height), np.linspace(0, 4, width)
+    rows = np.stack([np.interp(x, range(5), row) for row in coarse])
+    return np.stack([np.interp(y, range(4), column) for column in rows.T], -1)
+
+
 def contributions(lights, height=12, width=16, seed=1):
     """Matte contributions of a random set at unit white: lights x height x width x 3."""
     random = np.random.default_rng(seed)
-    albedo = random.uniform(.1, .9, (height, width, 3))
-    shading = random.uniform(.02, .5, (lights, height, width, 1))
+    albedo = np.stack([smooth(random, height, width, .1, .9) for _ in range(3)], -1)
+    shading = np.stack([smooth(random, height, width, .02, .5) for _ in range(lights)])[..., None]
     return (albedo * shading).astype(np.float32)
 
 

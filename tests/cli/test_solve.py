@@ -52,6 +52,27 @@ class SolveTest(cli.CliTest):
         self.assertEqual(printed['solved'], solved)
         self.assertEqual(self.succeed_json('info', solved)['report']['message'], result.stdout.strip())
 
+    def error_of(self, capture, *options):
+        """Relative to the truth, whose overall scale nobody can tell from wrong colours."""
+        solved = self.solve(capture, '--float', *options)
+        found = np.stack([cli.read_rgb(solved, light['name']) for light in capture.manifest['lights']])
+        found *= capture.truth.mean((0, 1, 2)) / found.mean((0, 1, 2))
+        return np.sqrt(((found - capture.truth) ** 2).mean() / (capture.truth ** 2).mean())
+
+    def test_refined_colors_are_nearer_to_the_true_ones(self):
+        capture = cli.Capture(self.path('set'), height=60, width=80)
+        for k, shot in enumerate(capture.manifest['shots']):
+            for i, color in enumerate(shot['light_colors']):
+                color[:] = [value * (1 + .04 * np.sin(5 * k + 3 * i + c)) for c, value in enumerate(color)]
+        capture.save()
+        self.assertLess(self.error_of(capture, '--refine-colors'), .7 * self.error_of(capture))
+
+    def test_a_color_that_is_unknown_is_estimated(self):
+        capture = cli.Capture(self.path('set'), height=60, width=80)
+        capture.manifest['shots'][1]['light_colors'][0] = None
+        capture.save()
+        self.assertLess(self.error_of(capture), .05)
+
     def test_a_folder_stands_for_its_capture(self):
         capture = cli.Capture(self.path('set'))
         self.succeed('solve', capture.folder, '-o', self.path('solved.exr'))
