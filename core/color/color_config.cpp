@@ -198,6 +198,7 @@ std::vector<std::string> ColorConfig::displays() const {
 
 std::vector<std::string> ColorConfig::views(const std::string& display) const {
   std::vector<std::string> names;
+  names.reserve(static_cast<size_t>(m_impl->config->getNumViews(display.c_str())));
   for (int i = 0; i < m_impl->config->getNumViews(display.c_str()); ++i)
     names.emplace_back(m_impl->config->getView(display.c_str(), i));
   return names;

@@ -37,7 +37,7 @@ OIIO::ImageSpec specOf(const FileToWrite& contents, const PartToWrite& part, con
     spec.channelnames.push_back(channel.name);
     spec.channelformats.push_back(oiioType(channel.type));
   }
-  const auto sameType = [&](OIIO::TypeDesc type) { return type == spec.format; };
+  const auto sameType = [&](const OIIO::TypeDesc& type) { return type == spec.format; };
   if (std::all_of(spec.channelformats.begin(), spec.channelformats.end(), sameType))
     spec.channelformats.clear();
   // Alpha is written as it is.
