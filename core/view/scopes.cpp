@@ -86,16 +86,16 @@ size_t binAt(float place, int bins) {
 
 ScopeCounts waveform(const ScopeSample& sample, ScopeChannel channel, int columns) {
   ScopeCounts scope = emptyScope(columns, kCodes);
-  std::vector<int> columnOf(static_cast<size_t>(sample.width()));
+  std::vector<size_t> columnOf(static_cast<size_t>(sample.width()));
   for (size_t x = 0; x < columnOf.size(); ++x)
-    columnOf[x] = static_cast<int>(x * static_cast<size_t>(columns) / columnOf.size());
+    columnOf[x] = x * static_cast<size_t>(columns) / columnOf.size();
   countRows(sample.height(), scope.counts, [&](int begin, int end, std::vector<uint32_t>& own) {
     for (int y = begin; y < end; ++y) {
       const uint8_t* codes = codesOfRow(sample, y);
       for (size_t x = 0; x < columnOf.size(); ++x) {
         const uint8_t* pixel = codes + 4 * x;
         const int code = channel == ScopeChannel::Luma ? lumaOf(pixel) : pixel[static_cast<int>(channel)];
-        ++own[static_cast<size_t>((kCodes - 1 - code) * columns + columnOf[x])];
+        ++own[static_cast<size_t>(kCodes - 1 - code) * static_cast<size_t>(columns) + columnOf[x]];
       }
     }
   });

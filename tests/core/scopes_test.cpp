@@ -82,8 +82,9 @@ TEST(Scopes, ChromaticitiesAreThoseOfThePrimaries) {
   const auto places = [&](const Rgb& color) {
     const ScopeCounts scope = chromaticityScope(sampleOf(filled(4, 4, color)), xyz, 200);
     const auto at = std::find(scope.counts.begin(), scope.counts.end(), 16U) - scope.counts.begin();
-    return std::array<double, 2>{(static_cast<double>(at % 200) + 0.5) / 200 * 0.8,
-                                 (1 - (static_cast<double>(at / 200) + 0.5) / 200) * 0.9};
+    const ptrdiff_t column = at % 200, row = at / 200;
+    return std::array<double, 2>{(static_cast<double>(column) + 0.5) / 200 * 0.8,
+                                 (1 - (static_cast<double>(row) + 0.5) / 200) * 0.9};
   };
   EXPECT_NEAR(places({1, 0, 0})[0], 0.64, 0.003);
   EXPECT_NEAR(places({1, 0, 0})[1], 0.33, 0.003);
