@@ -83,8 +83,10 @@ void solveAuto(const EstimatorContext& context, const ShotSignal& signal, Solved
       const float after = std::min(between.plane(kVariance)[first + size_t(p)], before);
       fit.variance[p] = std::max(fit.variance[p] - (before - after), after);
     }
-    shrinkage.finish(in, fit, between.plane(kMisfit) + first, between.plane(kOdds) + first, runAt(set, first),
+    const SolvedRun out = runAt(set, first);
+    shrinkage.finish(in, fit, between.plane(kMisfit) + first, between.plane(kOdds) + first, out,
                      set.quality.plane(kModel) + first);
+    writeBeta(lights, in.count, out);
   });
 }
 

@@ -37,9 +37,14 @@ SolvedRun runAt(SolvedSet& set, size_t first) {
   SolvedRun run;
   for (int i = 0; i < set.lightCount(); ++i)
     for (int c = 0; c < 3; ++c) run.contribution[i][c] = set.contributions[size_t(i)].plane(c) + first;
+  for (int i = 0; i < set.lightCount(); ++i) run.beta[i] = set.beta.plane(i) + first;
   run.residual = set.quality.plane(kResidual) + first;
   run.sigma = set.quality.plane(kSigma) + first;
   return run;
+}
+
+void writeBeta(int lights, int count, const SolvedRun& run) {
+  sharesOf(lights, &run.contribution[0][0], run.beta, size_t(count));
 }
 
 std::span<const EstimatorInfo> estimators() {

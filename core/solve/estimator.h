@@ -24,6 +24,7 @@ struct PixelRun {
 /// Where an estimator puts its answer; planes of the same run.
 struct SolvedRun {
   float* contribution[kMaxLights][3];  ///< T >= 0
+  float* beta[kMaxLights];             ///< written by writeBeta
   float* residual = nullptr;           ///< in units of the expected noise; may be null
   float* sigma = nullptr;  ///< standard error of a light's contribution (mean of channels, RMS of lights)
                            ///< over the sum of all; may be null
@@ -31,6 +32,9 @@ struct SolvedRun {
 
 /// The planes of a set from pixel `first` on.
 [[nodiscard]] SolvedRun runAt(SolvedSet& set, size_t first);
+
+/// beta from the contributions of a run.
+void writeBeta(int lights, int count, const SolvedRun& run);
 
 /// What every estimator needs to know of the capture.
 struct EstimatorContext {

@@ -31,6 +31,9 @@ SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
   spec.channels = {"residual", "sigma", "flags", "model"};
   spec.colorSpace = "data";
   set.quality = Image(spec, 0);
+  spec.channels.clear();
+  for (const Light& light : capture.lights) spec.channels.push_back("beta." + light.name);
+  set.beta = Image(spec);
   if (pixels.ambient) set.ambient = pixels.ambient->clone();
   return set;
 }
@@ -91,6 +94,7 @@ void solveWithEstimator(const EstimatorInfo& info, const EstimatorContext& conte
       estimator->estimate(in, out);
       if (careful && signal.flagged(first, count))
         repairRun(signal, first, count, *careful, context.plan.lights, context.plan.shots, out);
+      writeBeta(context.plan.lights, count, out);
     }
     progress.update(0.1F + 0.8F * float(done += end - begin) / float(runs), "Telling the lights apart");
   });
@@ -203,9 +207,10 @@ SolvedSet solve(const Capture& capture, const CapturePixels& pixels, const Solve
 
   progress.update(0.9F, "Finishing");
   const std::vector<uint8_t> missing = writeFlags(pixels, signal, set);
-  if (!missing.empty())
+  if (!missing.empty()) {
     for (Image& contribution : set.contributions) fillFromNeighbours(contribution, missing);
-  updateBeta(set);
+    updateBeta(set);
+  }
   fillDarkBeta(set);
 
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

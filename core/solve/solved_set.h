@@ -42,6 +42,10 @@ struct SolvedSet {
 /// The set under every light at unit white: sum of T, and ambient.
 [[nodiscard]] Image allWhite(const SolvedSet& set);
 
+/// beta of neighbouring pixels: the sum over channels of each light's contribution (three planes a light)
+/// over that of all lights; 0 where there is none.
+void sharesOf(int lights, const float* const* contributions, float* const* shares, size_t count);
+
 /// beta[i] = sum over channels of T[i] / sum over lights and channels; written into set.beta.
 void updateBeta(SolvedSet& set);
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/capture/capture_pixels.h"
+
+namespace swaplight {
+
+/// A set of random pixels (albedo .05 .. .9, shading 0 .. .5 a light) and its photographs: the colours of
+/// FORMATS' sample plan, rotated; full well 20000, read noise .002.
+struct BenchScene {
+  Capture capture;
+  CapturePixels pixels;
+};
+
+/// `highlights`: the share of pixels that have a white highlight (mean .2) of a light. The same every time.
+[[nodiscard]] BenchScene makeBenchScene(int width, int height, int lights, float highlights);
+
+/// Photographs known contributions under a capture's colours with the noise that the capture states.
+[[nodiscard]] CapturePixels photograph(const Capture& capture, const std::vector<Image>& truth,
+                                       unsigned seed);
+
+}  // namespace swaplight
