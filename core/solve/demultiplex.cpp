@@ -7,54 +7,34 @@
 
 #include "core/error.h"
 #include "core/simd.h"
+#include "core/solve/lanes.h"
 
 namespace swaplight {
 namespace {
 
 constexpr double kSingular = 1e-4;
 
-/// out[i] = max(sum over k of inverse[i][k] in[k], 0) or unclamped; returns whether anything was negative.
+/// out[i] = sum over k of inverse[i][k] in[k], clamped to >= 0 or not; returns whether anything was negative
+/// before.
 template <int kLights, int kShots, bool kClamp>
-[[gnu::always_inline]] inline bool demultiplexChannel(int count, const float* const* in, float* const* out,
-                                                      const float* inverse, int lights, int shots) {
+SWAPLIGHT_LANES bool demultiplexChannel(int count, const float* const* in, float* const* out,
+                                        const float* inverse, int lights, int shots) {
+  constexpr int kMostShots = kShots > 0 ? kShots : kMaxShots;
   const int n = kLights > 0 ? kLights : lights;
   const int m = kShots > 0 ? kShots : shots;
-  float lowest = 0;
-  if constexpr (kLights > 0) {
-    const float* __restrict y[kShots];
-    float* __restrict t[kLights];
-    float a[kLights * kShots];
-    for (int k = 0; k < kShots; ++k) y[k] = in[k];
-    for (int i = 0; i < kLights; ++i) t[i] = out[i];
-    for (int j = 0; j < kLights * kShots; ++j) a[j] = inverse[j];
-#pragma GCC ivdep
-    for (int p = 0; p < count; ++p) {
-#pragma GCC unroll 8
-      for (int i = 0; i < kLights; ++i) {
-        float sum = 0;
-#pragma GCC unroll 8
-        for (int k = 0; k < kShots; ++k) sum += a[i * kShots + k] * y[k][p];
-        if constexpr (!kClamp) lowest = sum < lowest ? sum : lowest;
-        t[i][p] = kClamp ? (sum > 0 ? sum : 0) : sum;
-      }
-    }
-  } else {
+  Lanes lowest = splat(0);
+  for (int at = 0; at < count; at += kLanes) {
+    Lanes y[kMostShots];
+    for (int k = 0; k < m; ++k) y[k] = load(in[k] + at);
     for (int i = 0; i < n; ++i) {
-      float* __restrict t = out[i];
-      const float* __restrict y0 = in[0];
-      for (int p = 0; p < count; ++p) t[p] = inverse[i * m] * y0[p];
-      for (int k = 1; k < m; ++k) {
-        const float* __restrict y = in[k];
-        const float a = inverse[i * m + k];
-        for (int p = 0; p < count; ++p) t[p] += a * y[p];
-      }
-      for (int p = 0; p < count; ++p) {
-        if constexpr (!kClamp) lowest = t[p] < lowest ? t[p] : lowest;
-        if constexpr (kClamp) t[p] = t[p] > 0 ? t[p] : 0;
-      }
+      Lanes sum = splat(0);
+      for (int k = 0; k < m; ++k) sum += inverse[i * m + k] * y[k];
+      // The last lanes of a run may lie beyond it: what is there does not count.
+      if (!kClamp && at + kLanes <= count) lowest = smaller(sum, lowest);
+      store(out[i] + at, kClamp ? larger(sum, splat(0)) : sum);
     }
   }
-  return lowest < 0;
+  return kClamp || count % kLanes != 0 || any(lowest < 0);
 }
 
 #define SWAPLIGHT_DEMULTIPLEX(name, clamp)                                                                \

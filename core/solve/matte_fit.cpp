@@ -12,6 +12,7 @@ namespace swaplight {
 namespace {
 
 constexpr int kSteps = 5;          // Gauss-Newton steps; from the ridge guess, three are usually enough
+constexpr float kGain = 1e-3F;     // of chi-square: a step that gains less is the last
 constexpr float kRidge = 0.03F;    // of the first guess, relative to the mean squared colour
 constexpr float kDamping = 1e-5F;  // relative to the mean curvature
 constexpr float kTiny = 1e-20F;
@@ -201,64 +202,70 @@ SWAPLIGHT_LANES void variances(const Normal<kN>& normal, const At<kN>& at, int n
   share = smaller(share / float(n), splat(kWorst));
 }
 
+/// Writes what is known at the maximum.
 template <int kN>
-[[gnu::always_inline]] inline void fitRun(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out,
-                                          int lights) {
+SWAPLIGHT_LANES void writeFit(const Normal<kN>& normal, int n, const Lanes* u, const MatteRun& out, int at) {
+  At<kN> here;
+  evaluate<kN>(normal, n, u, here);
+  for (int c = 0; c < 3; ++c) store(out.reflectance[c] + at, here.rho[c]);
+  store(out.misfit + at, larger(normal.energy - here.explained, splat(0)));
+  if (!out.variance) return;
+  Lanes h[kN * (kN + 1) / 2];
+  Lanes slope[kN];
+  curvature<kN>(normal, here, n, u, h, slope);
+  factorCholesky<kN>(n, h);
+  Lanes variance;
+  Lanes shareVariance;
+  variances<kN>(normal, here, n, u, h, variance, shareVariance);
+  store(out.variance + at, variance);
+  store(out.shareVariance + at, shareVariance);
+}
+
+template <int kN>
+SWAPLIGHT_LANES void fitRun(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out, int lights) {
   const int n = lights;
   for (int at = 0; at < in.count; at += kLanes) {
     Lanes best[kN];
+    Lanes step[kN];
     Lanes rho[3];
     firstGuess<kN>(plan, in, at, n, best, rho);
     Normal<kN> normal;
     accumulate<kN>(plan, in, at, n, best, rho, normal);
-    At<kN> here;
-    evaluate<kN>(normal, n, best, here);
-    Lanes h[kN * (kN + 1) / 2];
-    Lanes step[kN];
-    for (int iteration = 0; iteration < kSteps; ++iteration) {
-      curvature<kN>(normal, here, n, best, h, step);
-      factorCholesky<kN>(n, h);
-      solveCholesky<kN>(n, h, step);
-      // A whole step, or a quarter where that does not help, or none.
+    for (int i = 0; i < n; ++i) step[i] = splat(0);
+    Lanes explained = splat(-1);
+    for (int iteration = 0; iteration <= kSteps; ++iteration) {
+      // Take the step, lights >= 0, back to sum 1.
       Lanes next[kN];
-      At<kN> there;
-      for (int i = 0; i < n; ++i) next[i] = larger(best[i] + step[i], splat(0));
-      evaluate<kN>(normal, n, next, there);
-      const LaneMask worse = ~(there.explained >= here.explained);
-      if (any(worse)) {
-        for (int i = 0; i < n; ++i)
-          next[i] = select(worse, larger(best[i] + 0.25F * step[i], splat(0)), next[i]);
-        evaluate<kN>(normal, n, next, there);
-      }
-      const LaneMask better = there.explained >= here.explained;
       Lanes sum = splat(kTiny);
       for (int i = 0; i < n; ++i) {
-        best[i] = select(better, next[i], best[i]);
-        sum += best[i];
+        next[i] = larger(best[i] + step[i], splat(0));
+        sum += next[i];
       }
-      const Lanes gain = there.explained - here.explained;
-      // The gauge drifts a little where lights are clamped: back to sum 1.
-      for (int i = 0; i < n; ++i) best[i] /= sum;
-      evaluate<kN>(normal, n, best, here);
-      if (!any(gain > 1e-3F)) break;
+      for (int i = 0; i < n; ++i) next[i] = next[i] / sum;
+      At<kN> there;
+      evaluate<kN>(normal, n, next, there);
+      const LaneMask better = there.explained >= explained;
+      const bool moving = any(there.explained > explained + kGain);
+      explained = select(better, there.explained, explained);
+      for (int i = 0; i < n; ++i) best[i] = select(better, next[i], best[i]);
+      if (!moving || iteration == kSteps) break;
+      // The next step; a shorter one where this did not help.
+      Lanes h[kN * (kN + 1) / 2];
+      Lanes newton[kN];
+      curvature<kN>(normal, there, n, next, h, newton);
+      factorCholesky<kN>(n, h);
+      solveCholesky<kN>(n, h, newton);
+      for (int i = 0; i < n; ++i) step[i] = select(better, newton[i], 0.25F * step[i]);
     }
-    curvature<kN>(normal, here, n, best, h, step);
-    factorCholesky<kN>(n, h);
-    Lanes variance;
-    Lanes shareVariance;
-    variances<kN>(normal, here, n, best, h, variance, shareVariance);
-    store(out.variance + at, variance);
-    store(out.shareVariance + at, shareVariance);
-    store(out.misfit + at, larger(normal.energy - here.explained, splat(0)));
     for (int i = 0; i < n; ++i) store(out.share[i] + at, best[i]);
-    for (int c = 0; c < 3; ++c) store(out.reflectance[c] + at, here.rho[c]);
+    writeFit<kN>(normal, n, best, out, at);
   }
 }
 
 /// Everything but the shares, at shares that are given.
 template <int kN>
-[[gnu::always_inline]] inline void assessRun(const MatteFit::Plan& plan, const PixelRun& in,
-                                             const MatteRun& out, int lights) {
+SWAPLIGHT_LANES void assessRun(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out,
+                               int lights) {
   const int n = lights;
   for (int at = 0; at < in.count; at += kLanes) {
     Lanes u[kN];
@@ -266,45 +273,31 @@ template <int kN>
     for (int i = 0; i < n; ++i) u[i] = load(out.share[i] + at);
     plainReflectance<kN>(plan, in, at, n, u, rho);
     Normal<kN> normal;
-    At<kN> here;
     accumulate<kN>(plan, in, at, n, u, rho, normal);
-    evaluate<kN>(normal, n, u, here);
-    Lanes h[kN * (kN + 1) / 2];
-    Lanes slope[kN];
-    curvature<kN>(normal, here, n, u, h, slope);
-    factorCholesky<kN>(n, h);
-    Lanes variance;
-    Lanes shareVariance;
-    variances<kN>(normal, here, n, u, h, variance, shareVariance);
-    store(out.variance + at, variance);
-    store(out.shareVariance + at, shareVariance);
-    store(out.misfit + at, larger(normal.energy - here.explained, splat(0)));
-    for (int c = 0; c < 3; ++c) store(out.reflectance[c] + at, here.rho[c]);
+    writeFit<kN>(normal, n, u, out, at);
   }
 }
 
-#define SWAPLIGHT_BY_LIGHTS(run)                   \
-  switch (plan.lights) {                           \
-    case 1:                                        \
-      run<1>(plan, in, out, 1);                    \
-      break;                                       \
-    case 2:                                        \
-      run<2>(plan, in, out, 2);                    \
-      break;                                       \
-    case 3:                                        \
-      run<3>(plan, in, out, 3);                    \
-      break;                                       \
-    case 4:                                        \
-      run<4>(plan, in, out, 4);                    \
-      break;                                       \
-    default:                                       \
-      run<kMaxLights>(plan, in, out, plan.lights); \
-  }
+SWAPLIGHT_SIMD void fitKernel(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out) {
+  if (plan.lights == 2)
+    fitRun<2>(plan, in, out, 2);
+  else if (plan.lights == 3)
+    fitRun<3>(plan, in, out, 3);
+  else if (plan.lights == 4)
+    fitRun<4>(plan, in, out, 4);
+  else
+    fitRun<kMaxLights>(plan, in, out, plan.lights);
+}
 
-SWAPLIGHT_SIMD void fitKernel(const MatteFit::Plan& plan, const PixelRun& in,
-                              const MatteRun& out){SWAPLIGHT_BY_LIGHTS(fitRun)} SWAPLIGHT_SIMD
-    void assessKernel(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out) {
-  SWAPLIGHT_BY_LIGHTS(assessRun)
+SWAPLIGHT_SIMD void assessKernel(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out) {
+  if (plan.lights == 2)
+    assessRun<2>(plan, in, out, 2);
+  else if (plan.lights == 3)
+    assessRun<3>(plan, in, out, 3);
+  else if (plan.lights == 4)
+    assessRun<4>(plan, in, out, 4);
+  else
+    assessRun<kMaxLights>(plan, in, out, plan.lights);
 }
 
 }  // namespace
@@ -343,7 +336,9 @@ void MatteFit::assess(const PixelRun& in, const MatteRun& inOut) const {
 
 void Lambert::estimate(const PixelRun& in, const SolvedRun& out) const {
   MatteScratch scratch(m_fit.lights(), in.count);
-  m_fit.fit(in, scratch.run());
+  MatteRun run = scratch.run();
+  if (!out.sigma) run.variance = run.shareVariance = nullptr;
+  m_fit.fit(in, run);
   scratch.writeContributions(m_fit.lights(), in.count, out);
   scratch.writeQuality(m_fit.freedom(), in.count, out);
 }

@@ -11,8 +11,9 @@ struct MatteRun {
   float* share[kMaxLights];  ///< beta: >= 0, sum 1
   float* reflectance[3];     ///< rho >= 0, scaled so that T = beta rho
   float* misfit;             ///< chi-square: residuals over their expected noise, squared and summed
-  float* variance;  ///< of a light's contribution (mean of channels, averaged over the lights) over the sum
-                    ///< of all
+  /// Of a light's contribution (mean of channels, averaged over the lights) over the sum of all. May be null,
+  /// and shareVariance with it.
+  float* variance;
   float* shareVariance;  ///< of beta, mean over the lights
 };
 

@@ -22,8 +22,8 @@ SWAPLIGHT_SIMD void scaledRoot(const float* __restrict in, float scale, float* _
 
 MatteScratch::MatteScratch(int lights, int count) {
   const size_t padded = (size_t(count) + kLanes - 1) / kLanes * kLanes;
-  m_data.resize(padded * size_t(lights + 6));
-  float* next = m_data.data();
+  m_data.reset(new float[padded * size_t(lights + 6)]);  // not cleared: the fit writes all of it
+  float* next = m_data.get();
   const auto take = [&] {
     float* plane = next;
     next += padded;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "core/solve/matte_fit.h"
 
@@ -20,7 +20,7 @@ class MatteScratch {
   void writeQuality(int freedom, int count, const SolvedRun& out) const;
 
  private:
-  std::vector<float> m_data;
+  std::unique_ptr<float[]> m_data;
   MatteRun m_run;
 };
 

@@ -199,9 +199,6 @@ template <int kN>
 SWAPLIGHT_SIMD void shrinkRun(const Shrinkage::Plan& plan, const PixelRun& in, const MatteRun& matte,
                               const float* odds, const ShrinkageRun& out) {
   switch (plan.lights) {
-    case 1:
-      shrink<1>(plan, in, matte, odds, out, 1);
-      break;
     case 2:
       shrink<2>(plan, in, matte, odds, out, 2);
       break;

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/simd.h"
+#include "core/solve/lanes.h"
 #include "core/solve/run_scratch.h"
 
 namespace swaplight {
@@ -18,38 +19,34 @@ struct Colors {
 
 /// beta of (5.7) and the matte contributions, in one stream over a run.
 template <bool kPublished>
-[[gnu::always_inline]] inline void closedForm(const PixelRun& in, const SolvedRun& out, const Colors& l) {
-  const float* __restrict r1 = in.signal[0][0];
-  const float* __restrict g1 = in.signal[0][1];
-  const float* __restrict b1 = in.signal[0][2];
-  const float* __restrict r2 = in.signal[1][0];
-  const float* __restrict g2 = in.signal[1][1];
-  const float* __restrict b2 = in.signal[1][2];
-  float* __restrict out0[3] = {out.contribution[0][0], out.contribution[0][1], out.contribution[0][2]};
-  float* __restrict out1[3] = {out.contribution[1][0], out.contribution[1][1], out.contribution[1][2]};
-  for (int p = 0; p < in.count; ++p) {
-    const float y1[3] = {r1[p], g1[p], b1[p]};
-    const float y2[3] = {r2[p], g2[p], b2[p]};
-    float aa = 0;
-    float ab = 0;
+SWAPLIGHT_LANES void closedForm(const PixelRun& in, const SolvedRun& out, const Colors& l) {
+  for (int at = 0; at < in.count; at += kLanes) {
+    Lanes y1[3];
+    Lanes y2[3];
+    Lanes aa = splat(1e-30F);
+    Lanes ab = splat(0);
     for (int c = 0; c < 3; ++c) {
+      y1[c] = load(in.signal[0][c] + at);
+      y2[c] = load(in.signal[1][c] + at);
       // The residual y1 g2(beta) - y2 g1(beta) = slope beta + offset.
-      const float slope = y1[c] * (l.c[c] - l.d[c]) - y2[c] * (l.a[c] - l.b[c]);
-      const float offset = y1[c] * l.d[c] - y2[c] * l.b[c];
+      const Lanes slope = y1[c] * (l.c[c] - l.d[c]) - y2[c] * (l.a[c] - l.b[c]);
+      const Lanes offset = y1[c] * l.d[c] - y2[c] * l.b[c];
       aa += slope * slope;
       ab += slope * offset;
     }
-    float beta = aa > 1e-30F ? -ab / aa : 0.5F;
-    beta = beta > 0 ? beta : 0;
-    beta = beta < 1 ? beta : 1;
+    const Lanes beta = smaller(larger(-ab / aa, splat(0)), splat(1));
     for (int c = 0; c < 3; ++c) {
-      const float p1 = beta * l.a[c] + (1 - beta) * l.b[c];
-      const float p2 = beta * l.c[c] + (1 - beta) * l.d[c];
-      float rho =
-          kPublished ? y1[c] / (p1 + 0.01F) : (y1[c] * p1 + y2[c] * p2) / (p1 * p1 + p2 * p2 + 1e-20F);
-      rho = rho > 0 ? rho : 0;
-      out0[c][p] = beta * rho;
-      out1[c][p] = (1 - beta) * rho;
+      const Lanes g1 = l.b[c] + beta * (l.a[c] - l.b[c]);
+      const Lanes g2 = l.d[c] + beta * (l.c[c] - l.d[c]);
+      Lanes rho;
+      if constexpr (kPublished)
+        rho = y1[c] / (g1 + 0.01F);
+      else
+        rho = (y1[c] * g1 + y2[c] * g2) / (g1 * g1 + g2 * g2 + 1e-20F);
+      rho = larger(rho, splat(0));
+      const Lanes first = beta * rho;
+      store(out.contribution[0][c] + at, first);
+      store(out.contribution[1][c] + at, rho - first);
     }
   }
 }
