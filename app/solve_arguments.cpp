@@ -38,8 +38,11 @@ SensorNoise noiseFromText(const std::string& text) {
   return noise;
 }
 
-void checkIsOff(const char* option, const std::string& text) {
-  if (text != "off") throw InputError("{}: '{}' is not known; known: off", option, text);
+/// True for the second of two words, false for the first.
+bool chosen(const char* option, const std::string& text, const char* off, const char* on) {
+  if (text != off && text != on)
+    throw InputError("{}: '{}' is not known; known: {}, {}", option, text, off, on);
+  return text == on;
 }
 
 }  // namespace
@@ -58,7 +61,9 @@ void SolveArguments::addTo(CLI::App& verb) {
                       fmt::format("Instead of the model's own estimator: {}", fmt::join(solvers, ", "))))
       ->type_name("NAME");
   add(verb.add_option("--denoise", m_solve.denoise, "off"))->type_name("HOW")->capture_default_str();
-  add(verb.add_option("--align", m_align, "off"))->type_name("HOW")->capture_default_str();
+  add(verb.add_option("--align", m_align, "off or on: register the shots to the first"))
+      ->type_name("HOW")
+      ->capture_default_str();
   add(verb.add_flag("--refine-colors", m_solve.refineColors,
                     "Estimate the light colours from the pictures, starting at the capture's"));
   add(verb.add_option("--color-uncertainty", m_solve.colorUncertainty,
@@ -77,8 +82,9 @@ bool SolveArguments::given() const {
 SolveOptions SolveArguments::resolve() const {
   SolveOptions resolved = m_solve;
   resolved.model = modelFromName(m_model);
-  checkIsOff("--align", m_align);
-  checkIsOff("--denoise", m_solve.denoise);
+  resolved.align = chosen("--align", m_align, "off", "on");
+  if (m_solve.denoise != "off")
+    throw InputError("--denoise: '{}' is not known; known: off", m_solve.denoise);
   if (!m_noise.empty()) resolved.noise = noiseFromText(m_noise);
   return resolved;
 }

@@ -6,9 +6,11 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/solve/align_shots.h"
 #include "core/solve/auto_solve.h"
 #include "core/solve/color_fit.h"
 #include "core/solve/estimator.h"
@@ -146,6 +148,20 @@ std::vector<uint8_t> writeFlags(const CapturePixels& pixels, const ShotSignal& s
   return unknown;
 }
 
+/// Pixels that a moved shot does not show are marked as filled in: from its edge.
+void flagOutside(const std::vector<ShotShift>& shifts, SolvedSet& set) {
+  if (std::none_of(shifts.begin(), shifts.end(), worthMoving)) return;
+  const int width = set.quality.width();
+  const int height = set.quality.height();
+  float* flags = set.quality.plane(kFlags);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (outsideAny(shifts, x, y, width, height)) {
+        float& pixel = flags[size_t(y) * size_t(width) + size_t(x)];
+        pixel = float(int(pixel) | kFilled);
+      }
+}
+
 /// A pixel too dark to tell is given its neighbours' proportions; its light, such as it is, stays.
 void fillDarkBeta(SolvedSet& set) {
   float* flags = set.quality.plane(kFlags);
@@ -167,20 +183,33 @@ void fillDarkBeta(SolvedSet& set) {
 
 }  // namespace
 
-SolvedSet solve(const Capture& capture, const CapturePixels& pixels, const SolveOptions& options,
+SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const SolveOptions& options,
                 const Progress& progress) {
   const auto started = std::chrono::steady_clock::now();
   const std::string where = capture.file.empty() ? capture.name : capture.file.filename().string();
   progress.update(0, "Looking at the shots");
   SolveReport report;
   report.warnings = capture.warnings;
-  report.warnings.insert(report.warnings.end(), pixels.warnings.begin(), pixels.warnings.end());
+  const auto warn = [&](const std::vector<std::string>& warnings) {
+    report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
+  };
+  warn(photographs.warnings);
 
   EstimatorContext context;
   std::vector<int> unknown;
   context.plan = planFromCapture(capture, &unknown);
   checkSolvable(context.plan, where);
   report.conditioning = conditioningOf(context.plan);
+
+  std::optional<CapturePixels> aligned;
+  if (options.align) {
+    progress.update(0.02F, "Aligning the shots");
+    report.shifts = measureShifts(photographs);
+    warn(shiftWarnings(report.shifts));
+    if (std::any_of(report.shifts.begin(), report.shifts.end(), worthMoving))
+      aligned = movedShots(photographs, report.shifts);
+  }
+  const CapturePixels& pixels = aligned ? *aligned : photographs;
 
   const EstimatorInfo& info =
       options.solver.empty() ? estimatorFor(options.model) : estimatorInfo(options.solver);
@@ -211,6 +240,7 @@ SolvedSet solve(const Capture& capture, const CapturePixels& pixels, const Solve
     for (Image& contribution : set.contributions) fillFromNeighbours(contribution, missing);
     updateBeta(set);
   }
+  flagOutside(report.shifts, set);
   fillDarkBeta(set);
 
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

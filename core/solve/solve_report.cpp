@@ -50,6 +50,9 @@ void SolveReport::summarize(const SolvedSet& set) {
         " The pictures disagree with the light colours by {:.1f} times their noise: check the "
         "colours, and that nothing moved.",
         residualMedian);
+  double farthest = 0;
+  for (const ShotShift& shift : shifts) farthest = std::max(farthest, double(std::hypot(shift.x, shift.y)));
+  if (farthest > 0) message += fmt::format(" Shots aligned; the farthest lay {:.2f} pixels off.", farthest);
   if (clipped) message += fmt::format(" Clipped in a shot: {:.2f} % of the pixels.", percent(clipped));
   if (tooDark) message += fmt::format(" Too dark to tell: {:.2f} %.", percent(tooDark));
   if (moved) message += fmt::format(" Moved between shots: {:.2f} %.", percent(moved));
@@ -66,6 +69,9 @@ Json jsonFromSolveReport(const SolveReport& report) {
                         {"condition", finiteOrNull(report.conditioning.condition[c])},
                         {"amplification", finiteOrNull(report.conditioning.amplification[c])}});
   Json refined = Json::array();
+  Json shifts = Json::array();
+  for (const ShotShift& shift : report.shifts)
+    shifts.push_back(shift.found ? Json{shift.x, shift.y} : Json(nullptr));
   for (const Rgb& color : report.refinedColors) refined.push_back({color.r, color.g, color.b});
   return {{"message", report.message},
           {"model", report.model},
@@ -78,6 +84,7 @@ Json jsonFromSolveReport(const SolveReport& report) {
           {"color_disagreement", report.colorDisagreement},
           {"color_change", report.colorChange},
           {"refined_colors", refined},
+          {"shifts", shifts},
           {"conditioning", {{"channels", channels}, {"advice", report.conditioning.advice}}},
           {"residual_median", report.residualMedian},
           {"sigma_median", report.sigmaMedian},

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/json.h"
+#include "core/solve/align_shots.h"
 #include "core/solve/light_plan.h"
 #include "core/solve/solved_set.h"
 
@@ -21,8 +22,9 @@ struct SolveReport {
   double colorChange = 0;          ///< RMS change of the colours that were refined, relative
   std::vector<Rgb> refinedColors;  ///< [shot * lights + light], exposure included; empty: as given
   Conditioning conditioning;
-  double residualMedian = 0;  ///< in units of the expected noise
-  double sigmaMedian = 0;     ///< relative to the sum of all lights
+  std::vector<ShotShift> shifts;  ///< of each shot against the first; empty: not measured
+  double residualMedian = 0;      ///< in units of the expected noise
+  double sigmaMedian = 0;         ///< relative to the sum of all lights
   size_t pixels = 0;
   size_t clipped = 0, tooDark = 0, moved = 0, notFinite = 0, filled = 0;  ///< counts of pixels
   double seconds = 0;
