@@ -15,6 +15,7 @@
 #include "core/solve/color_fit.h"
 #include "core/solve/estimator.h"
 #include "core/solve/fill.h"
+#include "core/solve/moved_pixels.h"
 #include "core/solve/noise_calibration.h"
 #include "core/solve/shot_signal.h"
 #include "core/solve/solve_report.h"
@@ -131,7 +132,7 @@ std::vector<uint8_t> writeFlags(const CapturePixels& pixels, const ShotSignal& s
   const float* sigma = set.quality.plane(kSigma);
   std::vector<uint8_t> unknown;
   for (size_t p = 0; p < signal.pixelCount(); ++p) {
-    int bits = signal.flags().empty() ? 0 : signal.flags()[p];
+    int bits = int(flags[p]) | (signal.flags().empty() ? 0 : signal.flags()[p]);
     if (sigma[p] > kTooDarkSigma) bits |= kTooDark;
     if (bits & kNotFinite) {
       for (int c = 0; c < 3; ++c) {
@@ -235,6 +236,7 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
     solveWithEstimator(info, context, signal, set, progress);
 
   progress.update(0.9F, "Finishing");
+  if (info.model != Model::Single && markMoved(context, signal, set) > 0) updateBeta(set);
   const std::vector<uint8_t> missing = writeFlags(pixels, signal, set);
   if (!missing.empty()) {
     for (Image& contribution : set.contributions) fillFromNeighbours(contribution, missing);
