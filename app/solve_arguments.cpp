@@ -60,7 +60,10 @@ void SolveArguments::addTo(CLI::App& verb) {
   add(verb.add_option("--solver", m_solve.solver,
                       fmt::format("Instead of the model's own estimator: {}", fmt::join(solvers, ", "))))
       ->type_name("NAME");
-  add(verb.add_option("--denoise", m_solve.denoise, "off"))->type_name("HOW")->capture_default_str();
+  add(verb.add_option("--denoise", m_solve.denoise,
+                      "off or guided: smooth what noise left, by the sum's edges"))
+      ->type_name("HOW")
+      ->capture_default_str();
   add(verb.add_option("--align", m_align, "off or on: register the shots to the first"))
       ->type_name("HOW")
       ->capture_default_str();
@@ -83,8 +86,7 @@ SolveOptions SolveArguments::resolve() const {
   SolveOptions resolved = m_solve;
   resolved.model = modelFromName(m_model);
   resolved.align = chosen("--align", m_align, "off", "on");
-  if (m_solve.denoise != "off")
-    throw InputError("--denoise: '{}' is not known; known: off", m_solve.denoise);
+  chosen("--denoise", m_solve.denoise, "off", "guided");
   if (!m_noise.empty()) resolved.noise = noiseFromText(m_noise);
   return resolved;
 }

@@ -13,6 +13,7 @@
 #include "core/solve/align_shots.h"
 #include "core/solve/auto_solve.h"
 #include "core/solve/color_fit.h"
+#include "core/solve/denoise.h"
 #include "core/solve/estimator.h"
 #include "core/solve/fill.h"
 #include "core/solve/moved_pixels.h"
@@ -244,6 +245,11 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
   }
   flagOutside(report.shifts, set);
   fillDarkBeta(set);
+  if (options.denoise == "guided") {
+    denoiseGuided(set, context, options.guidedRadius);
+    updateBeta(set);
+    fillDarkBeta(set);
+  }
 
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   report.summarize(set);
