@@ -15,16 +15,16 @@
 namespace swaplight {
 
 /// Pictures that are added up and shown as one.
-struct ShownPicture {
+struct LayeredPicture {
   std::vector<ViewLayer> layers;  ///< of one size
   std::string colorSpace;         ///< of the layers, linear; empty: they are data, shown without a view
-  bool operator==(const ShownPicture&) const = default;
+  bool operator==(const LayeredPicture&) const = default;
 };
 
 /// What is to be seen in a window.
 struct ScreenRequest {
-  ShownPicture a;
-  ShownPicture b;  ///< where the comparison is not Off; of A's size
+  LayeredPicture a;
+  LayeredPicture b;  ///< where the comparison is not Off; of A's size
   Comparison comparison;
   ViewWindow window;
   ViewSettings settings;
