@@ -7,5 +7,6 @@ int main(int argc, char** argv) {
   addSolveVerb(program);
   addRelightVerb(program);
   addEvaluateVerb(program);
+  addStudioVerb(program);
   return program.run(argc, argv);
 }

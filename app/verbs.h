@@ -10,5 +10,6 @@ void addInfoVerb(Program& program);
 void addSolveVerb(Program& program);
 void addRelightVerb(Program& program);
 void addEvaluateVerb(Program& program);
+void addStudioVerb(Program& program);
 
 }  // namespace swaplight

@@ -1,0 +1,56 @@
+#include <array>
+#include <memory>
+
+#include "app/verbs.h"
+#include "core/error.h"
+#include "ui/studio.h"
+
+namespace swaplight {
+namespace {
+
+/// "1920x1080"
+void readSize(const std::string& text, StudioOptions& options) {
+  const size_t x = text.find('x');
+  try {
+    options.width = std::stoi(text.substr(0, x));
+    options.height = std::stoi(text.substr(x + 1));
+  } catch (const std::exception&) {
+    options.width = 0;
+  }
+  if (x == std::string::npos || options.width < 320 || options.height < 240 || options.width > 16384 ||
+      options.height > 16384)
+    throw InputError("--size {}: write WIDTHxHEIGHT in pixels, from 320x240 to 16384x16384", text);
+}
+
+}  // namespace
+
+void addStudioVerb(Program& program) {
+  struct Arguments {
+    StudioOptions options;
+    std::string size = "1600x900";
+  };
+  const auto a = std::make_shared<Arguments>();
+  CLI::App& verb =
+      program.addVerb("studio", "Open the studio: light a set again, and see it", [a](Terminal& terminal) {
+        readSize(a->size, a->options);
+        a->options.samplesFolder = SWAPLIGHT_SAMPLES_DIR;
+        runStudio(a->options);
+        if (!a->options.screenshot.empty()) terminal.say("wrote {}", a->options.screenshot.string());
+        terminal.result("", Json{{"screenshot", a->options.screenshot.string()}});
+        return 0;
+      });
+  verb.add_option("FILE", a->options.file, "A capture, a solved set or a session");
+  verb.add_option("--screenshot", a->options.screenshot,
+                  "Write the studio's picture to a file instead of opening a window; needs no display")
+      ->type_name("PNG");
+  verb.add_option("--size", a->size, "Of the window, in pixels (default: 1600x900)")->type_name("WxH");
+  verb.add_option("--scale", a->options.scale, "Of the interface (default: the desktop's)")
+      ->check(CLI::Range(0.5, 4.0).description(""))
+      ->type_name("X");
+  verb.add_option("--script", a->options.script, "Commands for the studio, one a line")->type_name("FILE");
+  verb.add_option("--probe-layout", a->options.layoutProbe,
+                  "Write where the named widgets lie to a JSON file, for tests")
+      ->type_name("JSON");
+}
+
+}  // namespace swaplight

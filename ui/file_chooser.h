@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swaplight {
+
+/// A dialog that chooses a file, and needs no desktop environment.
+class FileChooser {
+ public:
+  struct Question {
+    std::string title;                    ///< "Open"
+    std::string button;                   ///< "Open"
+    std::vector<std::string> extensions;  ///< what is listed: ".json", in lower case; empty: everything
+    bool saving = false;                  ///< a name may be typed, an existing file is asked about
+    std::string name;                     ///< suggested, when saving
+    std::filesystem::path folder;         ///< where to begin; empty: where the last question ended
+    std::function<void(const std::filesystem::path&)> answer;
+  };
+
+  void ask(Question question);
+  [[nodiscard]] bool isOpen() const { return m_question.has_value(); }
+  /// Draws the dialog while a question is open.
+  void draw();
+
+ private:
+  struct Entry {
+    std::string name;
+    bool folder;
+    uintmax_t bytes;
+  };
+  void goTo(const std::filesystem::path& folder);
+  void drawPlaces();
+  void drawPath();
+  bool drawEntries(float height);
+  void choose();
+
+  std::optional<Question> m_question;
+  bool m_opened = false;
+  std::filesystem::path m_folder;
+  std::vector<Entry> m_entries;
+  std::string m_error;
+  std::string m_name;
+  std::string m_confirm;  ///< the existing file that the person was asked about
+};
+
+}  // namespace swaplight

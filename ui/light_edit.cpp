@@ -1,0 +1,64 @@
+#include "ui/light_edit.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "core/color/srgb.h"
+
+namespace swaplight {
+namespace {
+
+std::string stepName(const Document& document, size_t light, const std::string& what) {
+  return document.rig.lights[light].light + ": " + what;
+}
+
+Document withLight(Document document, size_t light, const LightSetting& setting) {
+  document.rig.lights[light] = setting;
+  return document;
+}
+
+}  // namespace
+
+void previewLight(StudioContext& studio, size_t light, const std::string& what, const LightSetting& setting) {
+  studio.editor.preview(stepName(studio.document(), light, what),
+                        withLight(studio.document(), light, setting));
+}
+
+void editLight(StudioContext& studio, size_t light, const std::string& what, const LightSetting& setting) {
+  studio.editor.edit(stepName(studio.document(), light, what), withLight(studio.document(), light, setting));
+}
+
+Rgb chipColor(const LightColor& color) {
+  const Rgb linear = glm::max(colorFactor(color), Rgb(0));
+  const float brightest = std::max({linear.r, linear.g, linear.b});
+  return brightest > 0 ? srgbFromLinear(linear / brightest) : Rgb(0);
+}
+
+std::string hexText(const Rgb& codes) {
+  const auto byte = [](float code) { return static_cast<int>(std::clamp(code, 0.0F, 1.0F) * 255 + 0.5F); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(codes.r), byte(codes.g), byte(codes.b));
+}
+
+std::string colorWords(const LightColor& color) {
+  std::string words;
+  switch (color.kind) {
+    case LightColor::Kind::White:
+      words = "white";
+      break;
+    case LightColor::Kind::Kelvin:
+      words = fmt::format("{:.0f} K", color.kelvin);
+      break;
+    case LightColor::Kind::Hex:
+      words = hexText(color.value);
+      break;
+    case LightColor::Kind::LinearRgb:
+    case LightColor::Kind::Hsv:
+      words = hexText(chipColor(color));
+      break;
+  }
+  if (color.green != 0) words += fmt::format(", {:+.2f} green", color.green);
+  if (!color.gel.empty()) words += ", " + color.gel;
+  return words;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,95 @@
+#include "ui/script.h"
+
+#include <chrono>
+#include <sstream>
+#include <thread>
+
+#include "core/error.h"
+#include "core/file/atomic_file.h"
+#include "core/relight/setting.h"
+#include "ui/light_edit.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kSettleFrames = 3;  // Dear ImGui's windows take their size in the second frame
+
+size_t lightIndex(const StudioContext& studio, const std::string& name) {
+  const std::vector<LightSetting>& lights = studio.document().rig.lights;
+  for (size_t i = 0; i < lights.size(); ++i)
+    if (lights[i].light == name) return i;
+  throw InputError("there is no light \"{}\"", name);
+}
+
+}  // namespace
+
+Script::Script(const std::filesystem::path& file,
+               std::function<void(const std::filesystem::path&)> screenshot)
+    : m_name(file.string()), m_screenshot(std::move(screenshot)) {
+  std::istringstream in(readFile(file, 1 << 20));
+  int number = 0;
+  for (std::string text; std::getline(in, text);) {
+    ++number;
+    if (!text.empty() && text[0] != '#') m_lines.push_back({number, text});
+  }
+}
+
+void Script::step(StudioWindow& studio) {
+  while (!m_lines.empty()) {
+    if (m_frames > 0) {
+      --m_frames;
+      return;
+    }
+    if (studio.context().sets.busy()) return;
+    const Line line = m_lines.front();
+    m_lines.pop_front();
+    try {
+      if (!run(studio, line)) return;
+    } catch (const InputError& error) {
+      throw InputError("{}, line {}: {}", m_name, line.number, error.what());
+    }
+  }
+}
+
+bool Script::run(StudioWindow& studio, const Line& line) {
+  std::istringstream words(line.text);
+  std::string command;
+  std::string argument;
+  words >> command;
+  std::getline(words >> std::ws, argument);
+  StudioContext& context = studio.context();
+  if (command == "open") {
+    context.session.open(argument);
+  } else if (command == "wait") {
+    m_frames = kSettleFrames;
+  } else if (command == "frames") {
+    m_frames = std::stoi(argument);
+  } else if (command == "action") {
+    if (!context.actions.run(argument)) throw InputError("there is no action \"{}\" to run now", argument);
+  } else if (command == "select") {
+    context.view.selectedLight = static_cast<int>(lightIndex(context, argument));
+  } else if (command == "light") {
+    const size_t space = argument.find(' ');
+    const size_t index = lightIndex(context, argument.substr(0, space));
+    LightSetting setting = context.document().rig.lights[index];
+    applySetting(setting, space == std::string::npos ? "" : argument.substr(space + 1));
+    editLight(context, index, argument.substr(space + 1), setting);
+  } else if (command == "save") {
+    context.session.saveAs(argument);
+  } else if (command == "export") {
+    studio.exportFrame(argument);
+  } else if (command == "screenshot") {
+    m_screenshot(argument);
+  } else if (command == "sleep") {
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::stod(argument)));
+    return false;
+  } else if (command == "quit") {
+    m_lines.clear();
+    studio.quit();
+  } else {
+    throw InputError("there is no command \"{}\"", command);
+  }
+  return m_frames == 0;
+}
+
+}  // namespace swaplight

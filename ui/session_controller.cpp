@@ -1,0 +1,201 @@
+#include "ui/session_controller.h"
+
+#include "core/session/open_source.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::chrono::seconds kAutosaveInterval{2};
+constexpr uint64_t kNothingAutosaved = ~uint64_t{0};  // no revision: the recovery file has to be looked after
+
+std::string shortName(const fs::path& file) {
+  // Every capture's file is called capture.json; its folder says more.
+  return file.filename() == "capture.json" ? file.parent_path().filename().string()
+                                           : file.filename().string();
+}
+
+}  // namespace
+
+SessionController::SessionController(DocumentEditor& editor, ViewState& view, SetController& sets,
+                                     Messages& messages, const fs::path& stateFolder)
+    : m_editor(editor),
+      m_view(view),
+      m_sets(sets),
+      m_messages(messages),
+      m_recent(stateFolder / "recent.json"),
+      m_recovered(findRecovered(stateFolder / "recovery")) {
+  try {
+    m_slot = std::make_unique<RecoverySlot>(stateFolder / "recovery");
+  } catch (const std::exception& error) {
+    m_messages.warn(error.what());
+  }
+}
+
+SessionController::Pending SessionController::pendingFor(const fs::path& path) const {
+  Pending pending;
+  if (sourceKind(path) == SourceKind::Session) {
+    pending.session = readSession(path);
+    pending.file = fs::absolute(path).lexically_normal();
+  } else {
+    if (!fs::exists(path)) throw InputError("{}: there is no such file", path.string());
+    pending.session.document.source = sourceFile(path);
+  }
+  return pending;
+}
+
+void SessionController::open(const fs::path& path) {
+  try {
+    begin(pendingFor(path));
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+  }
+}
+
+void SessionController::openWithoutPictures(const fs::path& path) {
+  try {
+    adopt(pendingFor(path), std::nullopt);
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+  }
+}
+
+void SessionController::recover(const Recovered& recovered) {
+  try {
+    Pending pending{readSession(recovered.session), recovered.savedAs, true};
+    pending.session.unknown.erase("recovery_of");
+    pending.session.warnings.clear();
+    begin(std::move(pending));
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+  }
+}
+
+void SessionController::loadPictures() {
+  if (!hasDocument()) return;
+  Pending pending{currentSession(), m_file, !m_editor.saved()};
+  begin(std::move(pending));
+}
+
+void SessionController::begin(Pending pending) {
+  if (pending.session.document.source.empty()) {
+    adopt(std::move(pending), std::nullopt);
+    return;
+  }
+  if (m_slot) m_slot->opening(pending.file.empty() ? pending.session.document.source : pending.file);
+  m_sets.load(pending.session.document.source, pending.session.document.solve);
+  m_pending = std::move(pending);
+}
+
+void SessionController::takeSet() {
+  try {
+    std::optional<OpenSet> set = m_sets.take();
+    if (!set) return;
+    adopt(*std::exchange(m_pending, std::nullopt), std::move(set));
+  } catch (const Stopped&) {
+    m_messages.info("Cancelled.");
+    m_pending.reset();
+  } catch (const std::bad_alloc&) {
+    m_messages.error("There is not enough memory for these pictures.");
+    m_pending.reset();
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+    m_pending.reset();
+  }
+  if (m_slot) m_slot->opened();
+}
+
+void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
+  Document& document = pending.session.document;
+  if (set) {
+    document.rig = fitRig(document.rig, set->solved->capture);
+    for (const std::string& warning : set->solved->capture.warnings) m_messages.warn(warning);
+  }
+  for (const std::string& warning : pending.session.warnings) m_messages.warn(warning);
+  m_editor.reset(document, "Open " + shortName(document.source));
+  if (pending.unsaved) m_editor.markUnsaved();
+  m_view = viewStateFromJson(pending.session.studio);
+  m_file = pending.file;
+  m_base = std::move(pending.session);
+  m_set = std::move(set);
+  ++m_setRevision;
+  m_autosaved = m_editor.revision();
+  if (pending.unsaved) m_autosaved = kNothingAutosaved;
+  m_recent.add(m_file.empty() ? m_editor.document().source : m_file);
+}
+
+void SessionController::close() {
+  m_sets.cancel();
+  m_editor.reset({}, "Start");
+  m_view = {};
+  m_set.reset();
+  ++m_setRevision;
+  m_file.clear();
+  m_base = {};
+  if (m_slot) m_slot->forget();
+}
+
+Session SessionController::currentSession() const {
+  Session session = m_base;
+  session.document = m_editor.document();
+  session.studio = jsonFromViewState(m_view);
+  return session;
+}
+
+bool SessionController::saveAs(const fs::path& file) {
+  try {
+    m_editor.commit();
+    writeSession(currentSession(), file);
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+    return false;
+  }
+  m_file = fs::absolute(file).lexically_normal();
+  m_editor.markSaved();
+  m_autosaved = kNothingAutosaved;
+  m_recent.add(m_file);
+  m_messages.info("Saved " + m_file.filename().string());
+  return true;
+}
+
+void SessionController::update() {
+  takeSet();
+  autosave();
+}
+
+void SessionController::autosave() {
+  if (!m_slot) return;
+  try {
+    m_autosave.take();
+  } catch (const std::exception& error) {
+    m_messages.warn(error.what());
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (m_autosave.running() || now - m_lastAutosave < kAutosaveInterval) return;
+  if (m_autosaved == m_editor.revision()) return;
+  m_lastAutosave = now;
+  m_autosaved = m_editor.revision();
+  if (m_editor.saved()) {
+    m_slot->forget();
+    return;
+  }
+  m_autosave.start(
+      [slot = m_slot.get(), session = currentSession(), file = m_file](const Progress&) {
+        slot->save(session, file);
+        return true;
+      },
+      [] {});
+}
+
+void SessionController::discardRecoveredFiles() {
+  for (const Recovered& recovered : m_recovered) discardRecovered(recovered);
+  m_recovered.clear();
+}
+
+std::string SessionController::title() const {
+  if (!hasDocument()) return "Swaplight";
+  const std::string name = shortName(m_file.empty() ? m_editor.document().source : m_file);
+  return name + (m_editor.saved() ? "" : " (edited)") + " – Swaplight";
+}
+
+}  // namespace swaplight

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/session/document_editor.h"
+#include "core/session/recent_files.h"
+#include "core/session/recovery.h"
+#include "ui/job.h"
+#include "ui/messages.h"
+#include "ui/set_controller.h"
+#include "ui/view_state.h"
+
+namespace swaplight {
+
+/// Opens and saves sessions, and sees to it that nothing is lost: which file the document belongs to, the set
+/// that it is about, recovery.
+class SessionController {
+ public:
+  SessionController(DocumentEditor& editor, ViewState& view, SetController& sets, Messages& messages,
+                    const std::filesystem::path& stateFolder);
+
+  /// A capture, a solved set or a session. What goes wrong becomes a message.
+  void open(const std::filesystem::path& path);
+  /// The same without solving or reading the pictures, for a file that stopped us before.
+  void openWithoutPictures(const std::filesystem::path& path);
+  /// Continues with what a studio that died has left.
+  void recover(const Recovered& recovered);
+  /// Reads or solves the document's set (again).
+  void loadPictures();
+  void close();
+
+  /// False where it failed, and a message says why.
+  bool saveAs(const std::filesystem::path& file);
+  bool save() { return saveAs(m_file); }
+
+  /// To be called often: takes what threads have finished, saves for recovery.
+  void update();
+
+  /// The set that is open, or nullptr.
+  [[nodiscard]] const OpenSet* set() const { return m_set ? &*m_set : nullptr; }
+  /// Counts up with every set; for those who cache what they make of it.
+  [[nodiscard]] uint64_t setRevision() const { return m_setRevision; }
+  /// The session's file; empty while there is none.
+  [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
+  /// Something is open, with or without its pictures.
+  [[nodiscard]] bool hasDocument() const { return !m_editor.document().source.empty(); }
+  /// What the window's title says.
+  [[nodiscard]] std::string title() const;
+  [[nodiscard]] const RecentFiles& recent() const { return m_recent; }
+  /// What died studios have left and nobody has decided about.
+  [[nodiscard]] const std::vector<Recovered>& recovered() const { return m_recovered; }
+  void discardRecoveredFiles();
+
+ private:
+  /// What becomes the document once its pictures are there.
+  struct Pending {
+    Session session;
+    std::filesystem::path file;
+    bool unsaved = false;
+  };
+  [[nodiscard]] Pending pendingFor(const std::filesystem::path& path) const;
+  void begin(Pending pending);
+  void takeSet();
+  void adopt(Pending pending, std::optional<OpenSet> set);
+  void autosave();
+  [[nodiscard]] Session currentSession() const;
+
+  DocumentEditor& m_editor;
+  ViewState& m_view;
+  SetController& m_sets;
+  Messages& m_messages;
+
+  std::optional<OpenSet> m_set;
+  uint64_t m_setRevision = 0;
+  std::optional<Pending> m_pending;
+  std::filesystem::path m_file;
+  Session m_base;  ///< what was read with the document and travels back into the file
+
+  RecentFiles m_recent;
+  std::vector<Recovered> m_recovered;
+  std::unique_ptr<RecoverySlot> m_slot;
+  Job<bool> m_autosave;
+  std::chrono::steady_clock::time_point m_lastAutosave;
+  uint64_t m_autosaved = 0;  ///< the document's revision in the recovery file
+};
+
+}  // namespace swaplight

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/solve/solve_options.h"
+#include "core/solve/solved_set.h"
+#include "ui/job.h"
+#include "ui/view_pictures.h"
+
+namespace swaplight {
+
+/// A set that is open, and what the viewer needs to show it quickly.
+struct OpenSet {
+  std::filesystem::path source;
+  std::shared_ptr<const SolvedSet> solved;
+  std::shared_ptr<const ViewPictures> pictures;
+};
+
+/// Reads or solves the set that the person has chosen, in a thread. The set that was open stays until the new
+/// one is there.
+class SetController {
+ public:
+  explicit SetController(std::function<void()> wake) : m_wake(std::move(wake)) {}
+
+  void load(const std::filesystem::path& source, const SolveOptions& options);
+  void cancel() { m_job.cancel(); }
+  [[nodiscard]] bool busy() const { return m_job.running(); }
+  [[nodiscard]] bool cancelling() const { return m_job.cancelling(); }
+  [[nodiscard]] const std::filesystem::path& loading() const { return m_loading; }
+  [[nodiscard]] float fraction() const { return m_job.fraction(); }
+  [[nodiscard]] std::string what() const { return m_job.what(); }
+
+  /// The result of load(), once, when it is there. Throws what went wrong, Stopped where it was cancelled.
+  std::optional<OpenSet> take() { return m_job.take(); }
+
+ private:
+  std::function<void()> m_wake;
+  std::filesystem::path m_loading;
+  Job<OpenSet> m_job;
+};
+
+}  // namespace swaplight

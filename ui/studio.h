@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace swaplight {
+
+struct StudioOptions {
+  std::filesystem::path file;  ///< opened at once; empty: the first screen
+  int width = 1600;            ///< of the window, in pixels
+  int height = 900;
+  float scale = 0;                      ///< of the interface; 0: the desktop's
+  std::filesystem::path screenshot;     ///< written once the file is there, without a window; then ends
+  std::filesystem::path script;         ///< commands, one a line, run one after the other
+  std::filesystem::path layoutProbe;    ///< where named widgets lie goes here, for tests
+  std::filesystem::path samplesFolder;  ///< offered on the first screen
+};
+
+/// The desktop application, until the person closes it. Throws InputError where the file, the script or the
+/// screenshot cannot be what they should; ResourceError where there is no display or no OpenGL.
+void runStudio(const StudioOptions& options);
+
+}  // namespace swaplight

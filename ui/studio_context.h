@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/session/document_editor.h"
+#include "ui/action_table.h"
+#include "ui/messages.h"
+#include "ui/panel_layout.h"
+#include "ui/picture_presenter.h"
+#include "ui/session_controller.h"
+#include "ui/set_controller.h"
+#include "ui/view_state.h"
+
+namespace swaplight {
+
+/// What the viewer has drawn last: for those who draw over it or ask what is under the mouse.
+struct ShownPicture {
+  bool valid = false;
+  ViewWindow window;  ///< of the whole viewer, in pixels of the screen
+  float originX = 0;  ///< the viewer's corner on the screen
+  float originY = 0;
+};
+
+/// What a panel reads, and where its edits go. References to parts that the studio owns.
+struct StudioContext {
+  DocumentEditor& editor;
+  ViewState& view;
+  PanelLayout& layout;
+  SessionController& session;
+  SetController& sets;
+  PicturePresenter& presenter;
+  const ActionTable& actions;
+  Messages& messages;
+  const Keyboard& keyboard;
+  ShownPicture& shown;
+
+  [[nodiscard]] const Document& document() const { return editor.document(); }
+  [[nodiscard]] const OpenSet* set() const { return session.set(); }
+};
+
+}  // namespace swaplight

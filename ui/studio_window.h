@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+
+#include "ui/dialogs.h"
+#include "ui/export_controller.h"
+#include "ui/file_chooser.h"
+#include "ui/screen.h"
+#include "ui/studio.h"
+#include "ui/studio_context.h"
+
+namespace swaplight {
+
+/// The studio on a screen: owns its parts, draws them around each other.
+class StudioWindow {
+ public:
+  StudioWindow(Screen& screen, const StudioOptions& options);
+  ~StudioWindow();
+  StudioWindow(const StudioWindow&) = delete;
+  StudioWindow& operator=(const StudioWindow&) = delete;
+
+  /// Draws one frame.
+  void frame();
+  /// What goes on between frames: threads, recovery, dropped files.
+  void update();
+
+  /// Ends the studio, after asking what to do with unsaved work.
+  void askToQuit();
+  /// Ends it without asking.
+  void quit() { m_done = true; }
+  [[nodiscard]] bool done() const { return m_done; }
+  void exportFrame(const std::filesystem::path& file);
+  [[nodiscard]] StudioContext& context() { return m_context; }
+
+ private:
+  void addActions();
+  void addFileActions();
+  void addViewActions();
+  void drawToolbar();
+  void drawPanels();
+  /// Does it at once, or after the person has decided about unsaved work.
+  void whenSaved(std::function<void()> then);
+  void askForFile();
+  void askForSaveName(std::function<void()> then);
+  void askForExport();
+
+  Screen& m_screen;
+  std::filesystem::path m_layoutFile;
+  std::vector<std::filesystem::path> m_samples;
+
+  DocumentEditor m_editor;
+  ViewState m_view;
+  PanelLayout m_layout;
+  PanelLayout m_layoutOnDisk;
+  Messages m_messages;
+  SetController m_sets;
+  SessionController m_session;
+  PicturePresenter m_presenter;
+  ExportController m_exports;
+  ActionTable m_actions;
+  ShownPicture m_shown;
+  StudioContext m_context;
+
+  FileChooser m_chooser;
+  UnsavedDialog m_unsaved;
+  RecoveryDialog m_recovery;
+  std::string m_title;
+  bool m_done = false;
+};
+
+}  // namespace swaplight

@@ -1,0 +1,23 @@
+#include "ui/view_pictures.h"
+
+namespace swaplight {
+
+ViewPictures::ViewPictures(std::shared_ptr<const SolvedSet> set) : m_set(std::move(set)) {
+  m_contributions.reserve(m_set->contributions.size());
+  for (const Image& contribution : m_set->contributions) m_contributions.emplace_back(contribution.view());
+  if (m_set->ambient) m_ambient.emplace(m_set->ambient->view());
+}
+
+std::vector<ViewLayer> ViewPictures::layers(const ViewSubject& subject, std::span<const Rgb> factors,
+                                            float ambientFactor) const {
+  std::vector<ViewLayer> layers;
+  if (subject.kind == ViewSubject::Kind::Contribution) {
+    layers.push_back({&m_contributions.at(static_cast<size_t>(subject.index)), Rgb(1)});
+    return layers;
+  }
+  for (size_t i = 0; i < m_contributions.size(); ++i) layers.push_back({&m_contributions[i], factors[i]});
+  if (m_ambient) layers.push_back({&*m_ambient, Rgb(ambientFactor)});
+  return layers;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/solve/solved_set.h"
+#include "core/view/view_subject.h"
+#include "core/view/window_pixels.h"
+
+namespace swaplight {
+
+/// A set's pictures at every size at which they are shown.
+class ViewPictures {
+ public:
+  explicit ViewPictures(std::shared_ptr<const SolvedSet> set);
+
+  [[nodiscard]] int width() const { return m_set->width(); }
+  [[nodiscard]] int height() const { return m_set->height(); }
+
+  /// What has to be added up to show a subject; `factors` are the rig's.
+  [[nodiscard]] std::vector<ViewLayer> layers(const ViewSubject& subject, std::span<const Rgb> factors,
+                                              float ambientFactor) const;
+
+ private:
+  std::shared_ptr<const SolvedSet> m_set;
+  std::vector<Pyramid> m_contributions;
+  std::optional<Pyramid> m_ambient;
+};
+
+}  // namespace swaplight
