@@ -1,0 +1,209 @@
+"""What the tests of the studio share: a real window on a display of its own, a real mouse, and what is on screen."""
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy as np
+import OpenImageIO as oiio
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PROGRAM = os.environ.get('SWAPLIGHT') or os.path.join(HERE, '../../build/release/swaplight')
+SAMPLES = os.path.join(HERE, '../../samples')
+ARTEFACTS = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), 'test-artefacts')
+TOOLS = ['Xvfb', 'xdotool', 'import']
+
+missing = [tool for tool in TOOLS if not shutil.which(tool)]
+if missing:
+    print('SKIPPED: these programs are not installed: ' + ', '.join(missing), file=sys.stderr)
+    sys.exit(77)
+
+
+def read_png(path):
+    """height x width x 3, 0..255."""
+    source = oiio.ImageInput.open(path)
+    assert source, oiio.geterror()
+    spec = source.spec()
+    pixels = np.asarray(source.read_image('uint8')).reshape(spec.height, spec.width, spec.nchannels)
+    source.close()
+    return pixels[..., :3].astype(np.int32)
+
+
+class Display:
+    """An X server without a monitor."""
+
+    def __init__(self, width, height):
+        read, write = os.pipe()
+        self.process = subprocess.Popen(
+            ['Xvfb', '-displayfd', str(write), '-screen', '0', f'{width}x{height}x24', '-nolisten', 'tcp'],
+            pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as numbers:
+            self.name = ':' + numbers.readline().strip()
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+class Studio:
+    """The studio in a window. Files of its own in `home`, so that no other run is seen."""
+
+    def __init__(self, display, home, *arguments, size='1280x720', scale='1'):
+        self.home = home
+        self.probe = os.path.join(home, 'layout.json')
+        if os.path.exists(self.probe):
+            os.remove(self.probe)
+        self.environment = {**os.environ, 'DISPLAY': display.name, 'LC_ALL': 'C.UTF-8', 'HOME': home}
+        for name in ('OCIO', 'XDG_CONFIG_HOME', 'XDG_DATA_HOME', 'XDG_STATE_HOME', 'WAYLAND_DISPLAY'):
+            self.environment.pop(name, None)
+        self.process = subprocess.Popen(
+            [PROGRAM, 'studio', *map(str, arguments), '--size', size, '--scale', scale,
+             '--probe-layout', self.probe], env=self.environment, stderr=subprocess.PIPE, text=True)
+
+    # What is on the screen
+
+    def layout(self):
+        try:
+            with open(self.probe) as file:
+                return json.load(file)
+        except (FileNotFoundError, json.JSONDecodeError):
+            return {'items': {}}
+
+    def wait(self, condition, what, seconds=60):
+        """Waits until condition(layout) holds; returns the layout."""
+        end = time.time() + seconds
+        while time.time() < end:
+            if self.process.poll() is not None:
+                raise AssertionError(f'the studio ended with {self.process.returncode}: {self.process.stderr.read()}')
+            layout = self.layout()
+            if condition(layout):
+                return layout
+            time.sleep(0.05)
+        raise AssertionError(f'not within {seconds} s: {what}; there is {sorted(self.layout()["items"])}')
+
+    def wait_ready(self):
+        return self.wait(lambda layout: layout.get('status') == 'ready' and 'viewer.picture' in layout['items'],
+                         'the picture')
+
+    def item(self, name):
+        layout = self.wait(lambda layout: name in layout['items'], name)
+        return layout['items'][name]
+
+    def has(self, name):
+        return name in self.layout()['items']
+
+    def state(self, name):
+        return self.layout().get(name)
+
+    def screenshot(self, name):
+        """The window's pixels; also kept as an artefact of this name."""
+        self.settle()
+        os.makedirs(ARTEFACTS, exist_ok=True)
+        path = os.path.join(ARTEFACTS, name + '.png')
+        subprocess.run(['import', '-window', 'root', '-depth', '8', 'png24:' + path], env=self.environment, check=True)
+        return read_png(path)
+
+    def picture(self, name):
+        """The pixels of the picture in the viewer."""
+        x0, y0, x1, y1 = map(int, self.item('viewer.picture'))
+        return self.screenshot(name)[y0:y1, x0:x1]
+
+    def settle(self):
+        time.sleep(0.4)
+
+    # A mouse and a keyboard
+
+    def xdotool(self, *words):
+        subprocess.run(['xdotool', *map(str, words)], env=self.environment, check=True)
+
+    def point(self, name, x=0.5, y=0.5):
+        x0, y0, x1, y1 = self.item(name)
+        return round(x0 + x * (x1 - x0 - 1)), round(y0 + y * (y1 - y0 - 1))
+
+    def move(self, x, y):
+        self.xdotool('mousemove', x, y)
+        time.sleep(0.12)
+
+    def click(self, name, x=0.5, y=0.5, button=1):
+        self.click_at(*self.point(name, x, y), button=button)
+
+    def click_at(self, x, y, button=1):
+        self.move(x, y)
+        self.xdotool('mousedown', button)
+        time.sleep(0.12)
+        self.xdotool('mouseup', button)
+        time.sleep(0.2)
+
+    def drag(self, start, end, button=1, steps=8):
+        self.move(*start)
+        self.xdotool('mousedown', button)
+        time.sleep(0.1)
+        for step in range(1, steps + 1):
+            self.move(*(round(a + (b - a) * step / steps) for a, b in zip(start, end)))
+        self.xdotool('mouseup', button)
+        time.sleep(0.2)
+
+    def key(self, *keys):
+        for key in keys:
+            self.xdotool('key', key)
+            time.sleep(0.2)
+
+    def type(self, text):
+        self.xdotool('type', '--delay', '60', text)
+        time.sleep(0.3)
+
+    # The end
+
+    def kill(self):
+        self.process.send_signal(signal.SIGKILL)
+        self.process.communicate()
+
+    def quit(self):
+        """Ends it as a person does; True where it went without complaint."""
+        self.key('ctrl+q')
+        try:
+            self.process.communicate(timeout=20)
+        except subprocess.TimeoutExpired:
+            self.kill()
+            return False
+        return self.process.returncode == 0
+
+
+class StudioTest(unittest.TestCase):
+    """One display a class, one folder a test."""
+    size = (1280, 720)
+
+    @classmethod
+    def setUpClass(cls):
+        cls.display = Display(*cls.size)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.display.close()
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix='swaplight-studio-')
+        self.studio = None
+
+    def tearDown(self):
+        if self.studio and self.studio.process.poll() is None:
+            self.studio.kill()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def start(self, *arguments, **options):
+        self.studio = Studio(self.display, self.folder, *arguments, size='%dx%d' % self.size, **options)
+        return self.studio
+
+    def open_sample(self, name='three_point', **options):
+        studio = self.start(os.path.join(SAMPLES, name), **options)
+        studio.wait_ready()
+        return studio

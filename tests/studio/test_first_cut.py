@@ -1,0 +1,130 @@
+"""The studio's main path, in a real window with a real mouse: open, light again, look, export."""
+import json
+import os
+import unittest
+
+import numpy as np
+import OpenImageIO as oiio
+
+from studio_session import SAMPLES, StudioTest
+
+
+def mean(pixels):
+    return pixels.reshape(-1, 3).mean(0)
+
+
+class FirstCut(StudioTest):
+    def test_a_light_is_recoloured_by_the_wheel(self):
+        studio = self.open_sample()
+        before = studio.picture('first_open')
+        self.assertGreater(before.std(), 20, 'the picture shows nothing')
+        studio.click('mixer.key.chip')
+        # The wheel's ring: blue lies at 240 degrees, which is up and left of its centre.
+        x0, y0, x1, y1 = studio.item('light.wheel')
+        side = y1 - y0
+        center = ((x0 + x1) / 2, (y0 + y1) / 2)
+        angle = np.radians(240)
+        studio.click_at(round(center[0] + 0.46 * side * np.cos(angle)), round(center[1] + 0.46 * side * np.sin(angle)))
+        # White has no saturation, so its hue does not show yet: pull the triangle's point to the pure hue.
+        tip = (round(center[0] + 0.34 * side * np.cos(angle)), round(center[1] + 0.34 * side * np.sin(angle)))
+        studio.drag((round(center[0]), round(center[1])), tip)
+        after = studio.picture('first_recoloured')
+        change = mean(after) - mean(before)
+        self.assertLess(change[0], -15, f'red should fall: {change}')
+        self.assertGreater(change[2] - change[0], 15, f'blue should gain on red: {change}')
+        studio.key('ctrl+z', 'ctrl+z')
+        self.assertLess(np.abs(studio.picture('first_undone') - before).max(), 2, 'undo brings the picture back')
+
+    def test_stops_solo_and_mute_change_the_picture(self):
+        studio = self.open_sample()
+        before = mean(studio.picture('first_stops_before'))
+        x0, y0, x1, y1 = studio.item('mixer.key.stops')
+        y = (y0 + y1) // 2
+        studio.drag(((x0 + x1) // 2, y), (round(x0 + 0.62 * (x1 - x0)), y))
+        brighter = mean(studio.picture('first_stops'))
+        self.assertTrue((brighter > before + 10).all(), f'{before} -> {brighter}')
+        studio.key('ctrl+z')
+        self.assertTrue(np.allclose(mean(studio.picture('first_stops_undone')), before, atol=0.5),
+                        'one drag is one step')
+        studio.click('mixer.fill.solo')
+        fill = mean(studio.picture('first_solo'))
+        studio.click('mixer.fill.solo')
+        studio.click('mixer.fill.mute')
+        others = mean(studio.picture('first_mute'))
+        self.assertTrue((fill < before).all() and (others < before).all())
+        studio.click('mixer.fill.mute')
+        studio.click('mixer.key.on')
+        self.assertTrue((mean(studio.picture('first_off')) < before - 5).any())
+
+    def test_zoom_holds_the_point_under_the_mouse_and_fit_returns(self):
+        studio = self.open_sample()
+        before = studio.picture('first_fit')
+        x0, y0, x1, y1 = studio.item('viewer.picture')
+        studio.move(round(x0 + 0.7 * (x1 - x0)), round(y0 + 0.4 * (y1 - y0)))
+        under = studio.screenshot('first_zoom_before')
+        x, y = studio.point('viewer.picture', 0.7, 0.4)
+        for _ in range(6):
+            studio.xdotool('click', 4)
+        zoomed = studio.screenshot('first_zoom')
+        patch = lambda image: image[y - 3:y + 4, x - 3:x + 4].reshape(-1, 3).mean(0)
+        self.assertTrue(np.allclose(patch(under), patch(zoomed), atol=24), 'the point under the mouse moved')
+        studio.drag((x, y), (x - 150, y - 80))
+        self.assertGreater(np.abs(studio.screenshot('first_pan') - zoomed).mean(), 2, 'the picture did not move')
+        studio.key('f')
+        self.assertTrue(np.array_equal(studio.picture('first_fit_again'), before))
+
+    def test_a_session_is_saved_and_opened_again(self):
+        studio = self.open_sample()
+        studio.click('mixer.back.mute')
+        studio.key('ctrl+s')
+        studio.item('chooser.name')
+        studio.key('ctrl+a')
+        studio.type(self.path('mine'))
+        studio.key('Return')
+        studio.wait(lambda layout: layout.get('title', '').startswith('mine.swaplight'), 'the session has a name')
+        with open(self.path('mine.swaplight')) as file:
+            session = json.load(file)
+        self.assertEqual(session['format'], 'swaplight-session')
+        self.assertFalse(os.path.isabs(session['source']))
+        picture = studio.picture('first_saved')
+        self.assertTrue(studio.quit(), 'nothing unsaved, so nothing to ask')
+        studio = self.start(self.path('mine.swaplight'))
+        studio.wait_ready()
+        self.assertLess(np.abs(studio.picture('first_reopened') - picture).max(), 2)
+
+    def test_the_frame_is_exported(self):
+        studio = self.open_sample()
+        studio.click('mixer.fill.mute')
+        studio.key('ctrl+e')
+        studio.item('chooser.name')
+        studio.key('ctrl+a')
+        studio.type(self.path('frame.exr'))
+        studio.key('Return')
+        studio.wait(lambda _: os.path.exists(self.path('frame.exr')), 'the frame')
+        source = oiio.ImageInput.open(self.path('frame.exr'))
+        spec = source.spec()
+        self.assertEqual([*spec.channelnames][:3], ['R', 'G', 'B'])
+        self.assertIn('mute', spec.getattribute('swaplight/rig'))
+
+    def test_the_chooser_opens_a_capture(self):
+        studio = self.start()
+        studio.item('welcome.open')
+        studio.screenshot('first_welcome')
+        studio.click('welcome.open')
+        studio.item('chooser.name')
+        studio.type(os.path.join(SAMPLES, 'two_swapped', 'capture.json'))
+        studio.screenshot('first_chooser')
+        studio.key('Return')
+        studio.wait_ready()
+
+    def test_what_cannot_be_opened_is_said(self):
+        with open(self.path('broken.json'), 'w') as file:
+            file.write('{"format": ')
+        studio = self.start(self.path('broken.json'))
+        studio.item('message.0')
+        studio.screenshot('first_broken')
+        self.assertTrue(studio.quit())
+
+
+if __name__ == '__main__':
+    unittest.main()
