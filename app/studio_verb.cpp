@@ -1,4 +1,4 @@
-#include <array>
+#include <map>
 #include <memory>
 
 #include "app/verbs.h"
@@ -47,6 +47,13 @@ void addStudioVerb(Program& program) {
   verb.add_option("--scale", a->options.scale, "Of the interface (default: the desktop's)")
       ->check(CLI::Range(0.5, 4.0).description(""))
       ->type_name("X");
+  const std::map<std::string, Engine> engines{
+      {"auto", Engine::Auto}, {"graphics", Engine::Graphics}, {"processor", Engine::Processor}};
+  verb.add_option(
+          "--engine", a->options.engine,
+          "Who computes the picture: graphics, processor, or auto (the graphics card, if there is one)")
+      ->transform(CLI::CheckedTransformer(engines).description(""))
+      ->type_name("NAME");
   verb.add_option("--script", a->options.script, "Commands for the studio, one a line")->type_name("FILE");
   verb.add_option("--probe-layout", a->options.layoutProbe,
                   "Write where the named widgets lie to a JSON file, for tests")

@@ -55,8 +55,9 @@ void ActionTable::runKeys(const Keyboard& keyboard) const {
 }
 
 void ActionTable::setKeys(const std::string& id, std::string keys) {
-  for (Action& action : m_actions)
-    if (action.id == id) action.keys = std::move(keys);
+  const auto found =
+      std::find_if(m_actions.begin(), m_actions.end(), [&](const Action& action) { return action.id == id; });
+  if (found != m_actions.end()) found->keys = std::move(keys);
 }
 
 }  // namespace swaplight

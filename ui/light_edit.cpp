@@ -1,6 +1,7 @@
 #include "ui/light_edit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
 #include "core/color/srgb.h"
@@ -35,7 +36,7 @@ Rgb chipColor(const LightColor& color) {
 }
 
 std::string hexText(const Rgb& codes) {
-  const auto byte = [](float code) { return static_cast<int>(std::clamp(code, 0.0F, 1.0F) * 255 + 0.5F); };
+  const auto byte = [](float code) { return std::lround(255 * std::clamp(code, 0.0F, 1.0F)); };
   return fmt::format("#{:02x}{:02x}{:02x}", byte(codes.r), byte(codes.g), byte(codes.b));
 }
 

@@ -3,12 +3,15 @@
 #include <filesystem>
 #include <string>
 
+#include "render/picture_screen.h"
+
 namespace swaplight {
 
 struct StudioOptions {
   std::filesystem::path file;  ///< opened at once; empty: the first screen
   int width = 1600;            ///< of the window, in pixels
   int height = 900;
+  Engine engine = Engine::Auto;         ///< who computes what the viewer shows
   float scale = 0;                      ///< of the interface; 0: the desktop's
   std::filesystem::path screenshot;     ///< written once the file is there, without a window; then ends
   std::filesystem::path script;         ///< commands, one a line, run one after the other

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/session/document_editor.h"
+#include "render/picture_screen.h"
 #include "ui/action_table.h"
 #include "ui/messages.h"
 #include "ui/panel_layout.h"
-#include "ui/picture_presenter.h"
 #include "ui/session_controller.h"
 #include "ui/set_controller.h"
 #include "ui/view_state.h"
@@ -26,7 +26,7 @@ struct StudioContext {
   PanelLayout& layout;
   SessionController& session;
   SetController& sets;
-  PicturePresenter& presenter;
+  PictureScreen& pictures;
   const ActionTable& actions;
   Messages& messages;
   const Keyboard& keyboard;

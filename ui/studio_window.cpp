@@ -42,9 +42,10 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_layoutOnDisk(m_layout),
       m_sets([&screen] { screen.wake(); }),
       m_session(m_editor, m_view, m_sets, m_messages, stateFolder()),
+      m_pictures(makePictureScreen(options.engine, ColorConfig::current())),
       m_exports([&screen] { screen.wake(); }),
       m_context{m_editor,    m_view,    m_layout,   m_session,           m_sets,
-                m_presenter, m_actions, m_messages, m_screen.keyboard(), m_shown} {
+                *m_pictures, m_actions, m_messages, m_screen.keyboard(), m_shown} {
   addActions();
 }
 
@@ -196,6 +197,8 @@ void StudioWindow::drawPanels() {
 void StudioWindow::frame() {
   if (!ImGui::GetIO().WantTextInput && !m_chooser.isOpen() && !m_unsaved.isOpen())
     m_actions.runKeys(m_screen.keyboard());
+  if (m_setShown != m_session.setRevision()) m_pictures->forget();
+  m_setShown = m_session.setRevision();
   m_screen.beginFrame();
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);

@@ -55,7 +55,8 @@ class StudioWindow {
   Messages m_messages;
   SetController m_sets;
   SessionController m_session;
-  PicturePresenter m_presenter;
+  std::unique_ptr<PictureScreen> m_pictures;
+  uint64_t m_setShown = 0;
   ExportController m_exports;
   ActionTable m_actions;
   ShownPicture m_shown;

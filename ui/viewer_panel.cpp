@@ -93,18 +93,15 @@ void drawViewerPanel(StudioContext& studio) {
   const Covered covered = coveredPart(window, pictures.width(), pictures.height());
   if (covered.window.width < 1 || covered.window.height < 1) return;
   const Document& document = studio.document();
-  PicturePresenter::Request request;
-  request.pictures = &pictures;
-  request.setRevision = studio.session.setRevision();
-  request.subject = studio.view.subject;
-  request.factors = rigFactors(document.rig);
-  request.ambientFactor = document.rig.ambient;
+  ScreenRequest request;
+  request.a.layers = pictures.layers(studio.view.subject, rigFactors(document.rig, set->solved->colorSpace()),
+                                     document.rig.ambient);
+  request.a.colorSpace = set->solved->colorSpace();
   request.window = covered.window;
   request.settings = studio.view.settings;
   request.settings.display = document.display.display;
   request.settings.view = document.display.view;
-  request.colorSpace = set->solved->colorSpace();
-  const unsigned texture = studio.presenter.texture(request);
+  const unsigned texture = studio.pictures.texture(request);
   const ImVec2 low(origin.x + static_cast<float>(covered.x), origin.y + static_cast<float>(covered.y));
   const ImVec2 high(low.x + static_cast<float>(covered.window.width),
                     low.y + static_cast<float>(covered.window.height));
