@@ -8,5 +8,6 @@ int main(int argc, char** argv) {
   addRelightVerb(program);
   addEvaluateVerb(program);
   addStudioVerb(program);
+  addBenchVerb(program);
   return program.run(argc, argv);
 }

@@ -11,5 +11,6 @@ void addSolveVerb(Program& program);
 void addRelightVerb(Program& program);
 void addEvaluateVerb(Program& program);
 void addStudioVerb(Program& program);
+void addBenchVerb(Program& program);
 
 }  // namespace swaplight
