@@ -37,7 +37,7 @@ TiledTexture::TiledTexture(int pictureWidth, int pictureHeight, int maxSide)
     const BoundTexture texture(0, GL_TEXTURE_2D, tile.texture.id());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, rect.width, rect.height, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     checkGl(fmt::format("for a picture of {} x {}. Use a smaller one, or relight on the processor", width,

@@ -12,12 +12,6 @@ namespace swaplight {
 namespace {
 
 constexpr int kBand = 24;  // rows: enough that a level row on a band's edge, read twice, costs little
-constexpr double kSquaresZoom = 4;
-
-// Squares of unequal size disturb more than softness does, until they are large.
-bool showsSquares(double zoom) {
-  return zoom >= kSquaresZoom || zoom == std::floor(zoom);
-}
 
 /// How positions along one side of a window fall onto a level's pixels.
 struct Axis {

@@ -68,6 +68,17 @@ TEST_F(PictureScreenTest, BothEnginesShowTheSameAtEveryZoom) {
     expectBothAgree(request(window), "zoom " + std::to_string(window.zoom));
 }
 
+TEST_F(PictureScreenTest, BothEnginesInterpolateBetweenTheSamePixels) {
+  const Image coarse = randomImage(80, 60, 1, 5);
+  const Pyramid pyramid(coarse.view());
+  for (const ViewWindow& window : {ViewWindow{3, 2, 0.8, 40, 30}, ViewWindow{0, 0, 0.5, 40, 30},
+                                   ViewWindow{3.25, 2.5, 2.45, 100, 80}, ViewWindow{3.25, 2.5, 3, 100, 80}}) {
+    ScreenRequest noisy = request(window);
+    noisy.a = {{{&pyramid, Rgb(1)}}, ""};
+    expectBothAgree(noisy, "zoom " + std::to_string(window.zoom));
+  }
+}
+
 TEST_F(PictureScreenTest, BothEnginesCompareAlike) {
   for (const double angle : {0.0, 30.0, 90.0, 135.0, 180.0, 270.0}) {
     ScreenRequest wipe = request({20, 10, 0.9, 400, 300});
