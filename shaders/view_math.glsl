@@ -3,7 +3,7 @@
 
 // Scene-linear light that every view can take: NaN becomes 0, infinity the largest half float.
 float finiteValue(float value) {
-  return isnan(value) ? 0.0 : clamp(value, -65504.0, 65504.0);
+  return isnan(value) ? 0.0 : clamp(value, -65504.0f, 65504.0f);
 }
 
 vec3 exposed(vec3 linear, float factor) {
