@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <deque>
+#include <mutex>
 
 #include "core/error.h"
 #include "core/file/atomic_file.h"
@@ -12,17 +14,56 @@ namespace {
 
 constexpr size_t kLargestTable = size_t{16} << 20;
 
+/// Every list that was ever given out; the last one is in use.
+struct GelLists {
+  std::mutex mutex;
+  std::deque<std::vector<Gel>> lists;
+};
+
+GelLists& gelLists() {
+  static GelLists instance;
+  return instance;
+}
+
+std::vector<std::filesystem::path> personsTables() {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::exists(dataFolder() / "gels.csv")) files.push_back(dataFolder() / "gels.csv");
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(dataFolder() / "gels", none))
+    if (entry.path().extension() == ".csv") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Gel> readGels() {
+  std::vector<Gel> all;
+  for (const std::filesystem::path& file : personsTables()) {
+    const std::vector<Gel> own = gelsFromCsv(readFile(file, kLargestTable), file.string());
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  all.insert(all.end(), builtInGels().begin(), builtInGels().end());
+  return all;
+}
+
 }  // namespace
 
 const std::vector<Gel>& allGels() {
-  static const std::vector<Gel> gels = [] {
-    const std::filesystem::path file = dataFolder() / "gels.csv";
-    std::vector<Gel> all;
-    if (std::filesystem::exists(file)) all = gelsFromCsv(readFile(file, kLargestTable), file.string());
-    all.insert(all.end(), builtInGels().begin(), builtInGels().end());
-    return all;
-  }();
-  return gels;
+  GelLists& gels = gelLists();
+  const std::lock_guard lock(gels.mutex);
+  if (gels.lists.empty()) gels.lists.push_back(readGels());
+  return gels.lists.back();
+}
+
+size_t importGels(const std::filesystem::path& csv) {
+  const std::string text = readFile(csv, kLargestTable);
+  const size_t count = gelsFromCsv(text, csv.string()).size();
+  std::error_code ignored;
+  std::filesystem::create_directories(dataFolder() / "gels", ignored);
+  writeFile(dataFolder() / "gels" / csv.filename(), text);
+  GelLists& gels = gelLists();
+  const std::lock_guard lock(gels.mutex);
+  gels.lists.push_back(readGels());
+  return count;
 }
 
 const Gel& findGel(const std::string& id) {

@@ -30,9 +30,14 @@ struct Gel {
 /// making, for trying out; no maker's table.
 [[nodiscard]] const std::vector<Gel>& builtInGels();
 
-/// The person's own gels and then the built-in ones. The former are read from the data folder's gels.csv when
-/// this is first called; throws InputError where that has mistakes.
+/// The person's own gels and then the built-in ones. The former are read when this is first called, from
+/// gels.csv and from every table in the folder gels/ of the data folder; throws InputError where one has
+/// mistakes. The list stays valid for good, also when more are imported.
 [[nodiscard]] const std::vector<Gel>& allGels();
+
+/// Takes a table (see gelsFromCsv) into the data folder, from where it is read from now on. Returns how many
+/// gels it holds. Throws InputError where it has mistakes or the folder cannot be written.
+size_t importGels(const std::filesystem::path& csv);
 
 /// By its id, upper or lower case. Throws InputError that lists the known ones.
 [[nodiscard]] const Gel& findGel(const std::string& id);

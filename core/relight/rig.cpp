@@ -66,6 +66,7 @@ LightSetting& findLight(Rig& rig, const std::string& name) {
 Rig rigFor(const Capture& capture, const Rig& rig) {
   Rig fitted = defaultRig(capture);
   fitted.ambient = rig.ambient;
+  fitted.groups = rig.groups;
   for (const LightSetting& light : rig.lights) findLight(fitted, light.light) = light;
   return fitted;
 }

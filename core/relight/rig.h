@@ -33,13 +33,26 @@ struct LightSetting {
   bool mute = false;
   Role role = Role::Other;
   bool ratioLock = false;  ///< keeps its ratio to the other locked lights when one of them is dimmed
+  std::string label;       ///< what the person calls it; empty: its name
+  std::string group;       ///< of Rig::groups; empty: none
   bool operator==(const LightSetting&) const = default;
+
+  [[nodiscard]] const std::string& title() const { return label.empty() ? light : label; }
+};
+
+/// A fader over several lights.
+struct LightGroup {
+  std::string name;
+  float stops = 0;
+  bool on = true;
+  bool operator==(const LightGroup&) const = default;
 };
 
 /// A lighting of the set: what the mixer edits, what relight applies.
 struct Rig {
   std::vector<LightSetting> lights;  ///< in the capture's order
-  float ambient = 1;                 ///< multiplier of what no light explains, >= 0
+  std::vector<LightGroup> groups;
+  float ambient = 1;  ///< multiplier of what no light explains, >= 0
   bool operator==(const Rig&) const = default;
 };
 
@@ -62,7 +75,8 @@ struct Rig {
 /// Does not look at solo.
 [[nodiscard]] Rgb lightFactor(const LightSetting& setting);
 
-/// The factors of all lights, solo and mute applied: where any light is solo, the others are off.
+/// The factors of all lights, groups, solo and mute applied: where any light is solo, the others are off. A
+/// light whose group is not there stands alone.
 [[nodiscard]] std::vector<Rgb> rigFactors(const Rig& rig);
 /// The same for pictures in the primaries of another scene-linear colour space (a solved set's).
 [[nodiscard]] std::vector<Rgb> rigFactors(const Rig& rig, const std::string& colorSpace);

@@ -34,19 +34,34 @@ LightSetting settingFromJson(const Json& json, const std::string& where) {
   light.solo = fields.boolean("solo").value_or(false);
   light.mute = fields.boolean("mute").value_or(false);
   light.ratioLock = fields.boolean("ratio_lock").value_or(false);
+  light.label = fields.text("label").value_or("");
+  light.group = fields.text("group").value_or("");
   return light;
 }
 
+LightGroup groupFromJson(const Json& json, const std::string& where) {
+  JsonFields fields(json, where);
+  LightGroup group;
+  group.name = fields.text("name").value_or("");
+  if (group.name.empty()) throw InputError("{}: \"name\" is missing.", where);
+  group.stops = static_cast<float>(fields.number("stops", -kMostStops, kMostStops).value_or(0));
+  group.on = fields.boolean("on").value_or(true);
+  return group;
+}
+
 Json jsonFromSetting(const LightSetting& light) {
-  return {{"name", light.light},
-          {"role", roleName(light.role)},
-          {"color", colorText(light.color)},
-          {"stops", jsonNumber(light.stops)},
-          {"multiplier", jsonNumber(light.multiplier)},
-          {"on", light.on},
-          {"solo", light.solo},
-          {"mute", light.mute},
-          {"ratio_lock", light.ratioLock}};
+  Json json{{"name", light.light},
+            {"role", roleName(light.role)},
+            {"color", colorText(light.color)},
+            {"stops", jsonNumber(light.stops)},
+            {"multiplier", jsonNumber(light.multiplier)},
+            {"on", light.on},
+            {"solo", light.solo},
+            {"mute", light.mute},
+            {"ratio_lock", light.ratioLock}};
+  if (!light.label.empty()) json["label"] = light.label;
+  if (!light.group.empty()) json["group"] = light.group;
+  return json;
 }
 
 }  // namespace
@@ -54,8 +69,11 @@ Json jsonFromSetting(const LightSetting& light) {
 Json jsonFromRig(const Rig& rig) {
   Json lights = Json::array();
   for (const LightSetting& light : rig.lights) lights.push_back(jsonFromSetting(light));
-  return {
+  Json json{
       {"format", kFormat}, {"version", kVersion}, {"lights", lights}, {"ambient", jsonNumber(rig.ambient)}};
+  for (const LightGroup& group : rig.groups)
+    json["groups"].push_back({{"name", group.name}, {"stops", jsonNumber(group.stops)}, {"on", group.on}});
+  return json;
 }
 
 Rig rigFromJson(const Json& json, const std::string& where) {
@@ -71,6 +89,9 @@ Rig rigFromJson(const Json& json, const std::string& where) {
   for (const Json& light :
        fields.list("lights", "a list such as [{\"name\": \"key\", \"color\": \"3200K\"}]"))
     rig.lights.push_back(settingFromJson(light, fmt::format("{}: light {}", where, rig.lights.size() + 1)));
+  if (const Json* groups = fields.find("groups"); groups && groups->is_array())
+    for (const Json& group : *groups)
+      rig.groups.push_back(groupFromJson(group, fmt::format("{}: group {}", where, rig.groups.size() + 1)));
   rig.ambient = static_cast<float>(fields.number("ambient", 0, kLargestFactor).value_or(1));
   return rig;
 }

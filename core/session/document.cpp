@@ -7,13 +7,14 @@ namespace swaplight {
 size_t documentBytes(const Document& document, const Document& /*before*/) {
   size_t bytes = sizeof(Document) + document.source.native().size();
   for (const LightSetting& light : document.rig.lights)
-    bytes += sizeof(LightSetting) + light.light.size() + light.color.gel.size();
+    bytes += sizeof(LightSetting) + light.light.size() + light.color.gel.size() + light.label.size();
   return bytes;
 }
 
 Rig fitRig(const Rig& rig, const Capture& capture) {
   Rig fitted = defaultRig(capture);
   fitted.ambient = rig.ambient;
+  fitted.groups = rig.groups;
   for (LightSetting& setting : fitted.lights) {
     const auto known = std::find_if(rig.lights.begin(), rig.lights.end(),
                                     [&](const LightSetting& other) { return other.light == setting.light; });

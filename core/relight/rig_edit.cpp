@@ -1,0 +1,115 @@
+#include "core/relight/rig_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "core/color/color_config.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kMostGain = 16;
+constexpr float kDarkest = 1e-6F;  // below, a channel of a pixel tells nothing
+
+Rgb converted(const Rgb& color, const std::string& from, const std::string& to) {
+  if (from == to) return color;
+  Image pixel(ImageSpec::rgb(1, 1));
+  for (int c = 0; c < 3; ++c) pixel.plane(c)[0] = color[c];
+  ColorConfig::current().convert(pixel.span(), from, to);
+  return {pixel.plane(0)[0], pixel.plane(1)[0], pixel.plane(2)[0]};
+}
+
+LightColor linearColor(const Rgb& rec709) {
+  LightColor color;
+  color.kind = LightColor::Kind::LinearRgb;
+  color.value = glm::max(rec709, Rgb(0));
+  return color;
+}
+
+}  // namespace
+
+Rig rigOfShot(Rig rig, const SolvedSet& set, size_t shot) {
+  const Shot& taken = set.capture.shots.at(shot);
+  for (size_t i = 0; i < rig.lights.size() && i < taken.lightColors.size(); ++i) {
+    if (!taken.lightColors[i]) continue;
+    LightSetting& light = rig.lights[i];
+    light.color = linearColor(converted(*taken.lightColors[i], set.colorSpace(), "lin_rec709"));
+    light.stops = taken.exposureStops;
+    light.multiplier = 1;
+    light.on = true;
+    light.solo = light.mute = false;
+  }
+  return rig;
+}
+
+LightSetting resetLight(const LightSetting& setting) {
+  LightSetting fresh;
+  fresh.light = setting.light;
+  fresh.role = setting.role;
+  fresh.label = setting.label;
+  fresh.group = setting.group;
+  fresh.ratioLock = setting.ratioLock;
+  return fresh;
+}
+
+Rig allWhiteRig(Rig rig) {
+  for (LightSetting& light : rig.lights) light = resetLight(light);
+  for (LightGroup& group : rig.groups) group = {group.name, 0, true};
+  rig.ambient = 1;
+  return rig;
+}
+
+Rig allOffRig(Rig rig) {
+  for (LightSetting& light : rig.lights) light.on = false;
+  return rig;
+}
+
+LightSetting pastedLight(const LightSetting& onto, const LightSetting& copied) {
+  LightSetting pasted = onto;
+  pasted.color = copied.color;
+  pasted.stops = copied.stops;
+  pasted.multiplier = copied.multiplier;
+  pasted.on = copied.on;
+  return pasted;
+}
+
+Rig addStops(Rig rig, size_t light, float stops) {
+  const bool locked = rig.lights.at(light).ratioLock;
+  for (size_t i = 0; i < rig.lights.size(); ++i)
+    if (i == light || (locked && rig.lights[i].ratioLock)) rig.lights[i].stops += stops;
+  return rig;
+}
+
+PixelShares pixelShares(const SolvedSet& set, int x, int y) {
+  const auto at = [&](const Image& image) {
+    const ImageView view = image.view();
+    return Rgb(view.at(0, x, y), view.at(1, x, y), view.at(2, x, y));
+  };
+  PixelShares shares;
+  for (const Image& contribution : set.contributions) shares.lights.push_back(at(contribution));
+  if (set.ambient) shares.ambient = at(*set.ambient);
+  return shares;
+}
+
+std::optional<Rig> neutralizePixel(Rig rig, const PixelShares& shares, std::span<const size_t> chosen,
+                                   const std::string& colorSpace) {
+  const std::vector<Rgb> factors = rigFactors(rig, colorSpace);
+  Rgb byChosen(0);
+  Rgb byOthers = rig.ambient * shares.ambient;
+  for (size_t i = 0; i < factors.size(); ++i) {
+    const bool isChosen = std::find(chosen.begin(), chosen.end(), i) != chosen.end();
+    (isChosen ? byChosen : byOthers) += factors[i] * shares.lights.at(i);
+  }
+  if (std::min({byChosen.r, byChosen.g, byChosen.b}) < kDarkest) return std::nullopt;
+  const float level = (byChosen.r + byChosen.g + byChosen.b + byOthers.r + byOthers.g + byOthers.b) / 3;
+  const Rgb gain = glm::clamp((Rgb(level) - byOthers) / byChosen, Rgb(1 / kMostGain), Rgb(kMostGain));
+  for (const size_t i : chosen) {
+    LightSetting& light = rig.lights.at(i);
+    const Rgb inSet = gain * converted(colorFactor(light.color), "lin_rec709", colorSpace);
+    light.color = linearColor(converted(inSet, colorSpace, "lin_rec709"));
+  }
+  return rig;
+}
+
+}  // namespace swaplight
