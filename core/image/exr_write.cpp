@@ -95,33 +95,34 @@ void writePart(exr_context_t exr, int index, const FileToWrite& contents, const 
                const std::function<void(int rows)>& done) {
   const std::vector<ChannelToWrite> channels = sorted(contents.parts[static_cast<size_t>(index)].channels);
   const int lines = compressionOf(contents) == EXR_COMPRESSION_ZIPS ? 1 : 16;
-  int next = 0;
-  const auto begin = [&](tbb::flow_control& control) {
-    auto chunk = std::make_shared<Chunk>();
-    if (next >= contents.height) {
+  // As many chunks as may be on their way; the one that is written last is free when the next one begins.
+  std::vector<Chunk> ring(static_cast<size_t>(threadCount()) * 4);
+  size_t count = 0;
+  const auto begin = [&](tbb::flow_control& control) -> Chunk* {
+    const int y = static_cast<int>(count) * lines;
+    if (y >= contents.height) {
       control.stop();
-      return chunk;
+      return nullptr;
     }
-    chunk->y = next;
-    chunk->rows = std::min(lines, contents.height - next);
-    next += chunk->rows;
-    return chunk;
+    Chunk& chunk = ring[count++ % ring.size()];
+    chunk.y = y;
+    chunk.rows = std::min(lines, contents.height - y);
+    return &chunk;
   };
-  const auto pack = [&](std::shared_ptr<Chunk> chunk) {
+  const auto pack = [&](Chunk* chunk) {
     gather(*chunk, channels, contents.width);
     packExrZip(chunk->raw, chunk->packed);
     return chunk;
   };
-  const auto write = [&](const std::shared_ptr<Chunk>& chunk) {
+  const auto write = [&](const Chunk* chunk) {
     const std::vector<std::byte>& bytes = chunk->packed.empty() ? chunk->raw : chunk->packed;
     check(exr_write_scanline_chunk(exr, index, chunk->y, bytes.data(), bytes.size()), file);
     done(chunk->rows);
   };
-  using Shared = std::shared_ptr<Chunk>;
-  tbb::parallel_pipeline(static_cast<size_t>(threadCount()) * 4,
-                         tbb::make_filter<void, Shared>(tbb::filter_mode::serial_in_order, begin) &
-                             tbb::make_filter<Shared, Shared>(tbb::filter_mode::parallel, pack) &
-                             tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order, write));
+  tbb::parallel_pipeline(ring.size(),
+                         tbb::make_filter<void, Chunk*>(tbb::filter_mode::serial_in_order, begin) &
+                             tbb::make_filter<Chunk*, Chunk*>(tbb::filter_mode::parallel, pack) &
+                             tbb::make_filter<Chunk*, void>(tbb::filter_mode::serial_in_order, write));
 }
 
 }  // namespace
