@@ -132,7 +132,7 @@ std::string threeText(const char* name, const Rgb& v) {
 /// #rrggbb, or the exact linear colour where that would be rounded.
 std::string hexText(const Rgb& encoded) {
   std::string hex = fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * encoded.x),
-                                      std::lround(255 * encoded.y), std::lround(255 * encoded.z));
+                                std::lround(255 * encoded.y), std::lround(255 * encoded.z));
   if (hex.size() == 7 && hexColor(hex) == encoded) return hex;
   return threeText("rgb", linearFromSrgb(encoded));
 }

@@ -70,8 +70,8 @@ TEST(Solve, TheFullDemultiplexIsExactForGloss) {
   }
 }
 
-/// Mean over pixels of the squared error of beta over its Cramer-Rao bound: 1 is efficient. Pixels where the bound is
-/// beyond 0.1 are left out: there beta's own range says more than the data.
+/// Mean over pixels of the squared error of beta over its Cramer-Rao bound: 1 is efficient. Pixels where the
+/// bound is beyond 0.1 are left out: there beta's own range says more than the data.
 double inefficiency(int lights, SensorNoise noise) {
   const SyntheticSet truth(lights, 0);
   Capture capture = rotatedCapture(lights);
