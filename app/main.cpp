@@ -4,6 +4,7 @@
 int main(int argc, char** argv) {
   swaplight::Program program;
   addInfoVerb(program);
+  addPlanVerb(program);
   addSolveVerb(program);
   addRelightVerb(program);
   addEvaluateVerb(program);

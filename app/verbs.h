@@ -12,5 +12,6 @@ void addRelightVerb(Program& program);
 void addEvaluateVerb(Program& program);
 void addStudioVerb(Program& program);
 void addBenchVerb(Program& program);
+void addPlanVerb(Program& program);
 
 }  // namespace swaplight

@@ -1,8 +1,10 @@
 #include "core/solve/light_plan.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +14,9 @@ namespace swaplight {
 namespace {
 
 constexpr double kSingular = 1e-3;  // of the largest singular value: beyond this a float solve is noise
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSame = 1e-4;     // of the lights' brightness
+constexpr double kDistinct = 0.3;  // colours this far apart, of their brightness, have different hues
 
 double distanceOfLights(const LightPlan& plan, int i, int j) {
   double largest = 0;
@@ -21,6 +26,9 @@ double distanceOfLights(const LightPlan& plan, int i, int j) {
   return largest;
 }
 
+constexpr double kNoisy = 6;  // amplification that is worth a word
+constexpr std::array<const char*, 3> kChannelNames{"red", "green", "blue"};
+
 /// Noise of the difference of two lights over the noise of a shot, all channels pooled.
 double pairAmplification(const LightPlan& plan, int i, int j) {
   double sum = 0;
@@ -29,7 +37,70 @@ double pairAmplification(const LightPlan& plan, int i, int j) {
       const double d = double(plan.color(k, i)[c]) - plan.color(k, j)[c];
       sum += d * d;
     }
-  return sum > 0 ? std::sqrt(3.0 * 2.0 / sum) : std::numeric_limits<double>::infinity();
+  return sum > 0 ? std::sqrt(3.0 * 2.0 / sum) : kInfinity;
+}
+
+/// The length of a light's colours in all shots.
+double brightnessOf(const LightPlan& plan, int light) {
+  double sum = 0;
+  for (int k = 0; k < plan.shots; ++k)
+    for (int c = 0; c < 3; ++c) sum += double(plan.color(k, light)[c]) * plan.color(k, light)[c];
+  return std::sqrt(sum);
+}
+
+/// What is wrong with two lights, or "".
+std::string pairAdvice(const LightPlan& plan, int i, int j) {
+  const std::string& a = plan.names[size_t(i)];
+  const std::string& b = plan.names[size_t(j)];
+  const double pair = pairAmplification(plan, i, j);
+  if (pair <= kNoisy) return "";
+  const double brightness = brightnessOf(plan, i) + brightnessOf(plan, j);
+  const double apart = std::sqrt(6.0) / pair;
+  if (distanceOfLights(plan, i, j) < kSame * brightness)
+    return fmt::format(
+        "{} and {} have the same colour in every shot: nothing tells them apart; move {}'s hue away from "
+        "{}'s in "
+        "at least one shot",
+        a, b, b, a);
+  if (apart > kDistinct * brightness)
+    return fmt::format(
+        "{} and {} are both dim: the noise of their difference is amplified {:.0f} times; use brighter "
+        "colours, or "
+        "expose longer",
+        a, b, pair);
+  return fmt::format(
+      "{} and {} are nearly the same colour: the noise of their difference is amplified {:.0f} times; move "
+      "{}'s "
+      "hue away from {}'s",
+      a, b, pair, b, a);
+}
+
+std::string channelAdvice(const LightPlan& plan, int c, const std::vector<double>& singularValues) {
+  const char* channel = kChannelNames[size_t(c)];
+  if (!(singularValues.front() > 0))
+    return fmt::format("no light has {}: the {} of the set is not seen", channel, channel);
+  const auto missing = std::count_if(singularValues.begin(), singularValues.end(),
+                                     [&](double v) { return !(v >= kSingular * singularValues.front()); });
+  return fmt::format(
+      "the {} channel alone cannot tell the lights apart ({} of its {} singular values {} 0): it leans on "
+      "the "
+      "other channels",
+      channel, missing, plan.lights, missing == 1 ? "is" : "are");
+}
+
+/// The lights of a mixture that the shots hardly see, where it is no pair: "key + back against fill".
+std::string mixtureText(const LightPlan& plan, const Eigen::VectorXd& mixture) {
+  std::array<std::vector<std::string>, 2> sides;
+  const double largest = mixture.cwiseAbs().maxCoeff();
+  double first = 0;
+  for (int i = 0; i < plan.lights; ++i) {
+    if (std::abs(mixture[i]) <= 0.3 * largest) continue;
+    if (first == 0) first = mixture[i];
+    sides[first * mixture[i] < 0 ? 1 : 0].push_back(plan.names[size_t(i)]);
+  }
+  return sides[1].empty()
+             ? fmt::format("{}", fmt::join(sides[0], " + "))
+             : fmt::format("{} against {}", fmt::join(sides[0], " + "), fmt::join(sides[1], " + "));
 }
 
 }  // namespace
@@ -67,41 +138,43 @@ LightPlan planFromCapture(const Capture& capture, std::vector<int>* unknown) {
 
 Conditioning conditioningOf(const LightPlan& plan) {
   Conditioning result;
-  double pooled = 0;
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(plan.lights, plan.lights);
   for (int c = 0; c < 3; ++c) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(plan.matrix(c));
-    const Eigen::VectorXd s = svd.singularValues();
+    const Eigen::MatrixXd matrix = plan.matrix(c);
+    gram += matrix.transpose() * matrix;
+    const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues();
     auto& values = result.singularValues[size_t(c)];
     values.assign(s.data(), s.data() + s.size());
     values.resize(size_t(plan.lights), 0.0);  // fewer shots than lights: the rest is not seen at all
     const double smallest = values.back();
     const bool singular = smallest < kSingular * values.front() || values.front() == 0;
     double inverse = 0;
-    for (double v : values) inverse += v > 0 ? 1 / (v * v) : std::numeric_limits<double>::infinity();
-    result.condition[size_t(c)] =
-        singular ? std::numeric_limits<double>::infinity() : values.front() / smallest;
-    result.amplification[size_t(c)] =
-        singular ? std::numeric_limits<double>::infinity() : std::sqrt(inverse / plan.lights);
-    if (singular)
-      result.advice.push_back(fmt::format(
-          "the {} channel alone cannot tell the lights apart: it leans on the other channels", c == 0 ? "red"
-                                                                                               : c == 1
-                                                                                                   ? "green"
-                                                                                                   : "blue"));
+    for (double v : values) inverse += v > 0 ? 1 / (v * v) : kInfinity;
+    result.condition[size_t(c)] = singular ? kInfinity : values.front() / smallest;
+    result.amplification[size_t(c)] = singular ? kInfinity : std::sqrt(inverse / plan.lights);
+    if (singular) result.advice.push_back(channelAdvice(plan, c, values));
   }
+  const size_t channelAdvices = result.advice.size();
   for (int i = 0; i < plan.lights; ++i) {
-    for (int j = i + 1; j < plan.lights; ++j) {
-      const double pair = pairAmplification(plan, i, j);
-      pooled = std::max(pooled, pair);
-      if (pair > 6)
-        result.advice.push_back(fmt::format(
-            "{} and {} are nearly the same colour: the noise of their difference is amplified {:.0f} "
-            "times; move {}'s hue away from {}'s",
-            plan.names[size_t(i)], plan.names[size_t(j)], pair, plan.names[size_t(j)],
-            plan.names[size_t(i)]));
-    }
+    if (brightnessOf(plan, i) == 0)
+      result.advice.push_back(
+          fmt::format("{} is off in every shot: give it a colour in one", plan.names[size_t(i)]));
+    for (int j = i + 1; j < plan.lights; ++j)
+      if (const std::string advice = pairAdvice(plan, i, j); !advice.empty()) result.advice.push_back(advice);
   }
-  result.matteAmplification = pooled;
+
+  // A neutral surface has the same contribution in all channels: their Gram matrices add up.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
+  const Eigen::VectorXd squares = eigen.eigenvalues();
+  const bool singular = !(squares[0] > kSingular * kSingular * squares[plan.lights - 1]);
+  result.matteAmplification = singular ? kInfinity : std::sqrt(squares.cwiseInverse().mean());
+  if (result.advice.size() == channelAdvices && (singular || squares[0] < 1 / (kNoisy * kNoisy)))
+    result.advice.push_back(fmt::format(
+        "the shots hardly see {}: {}; change these lights' colours in at least one shot",
+        mixtureText(plan, eigen.eigenvectors().col(0)),
+        singular
+            ? "nothing tells them apart"
+            : fmt::format("the noise of this mixture is amplified {:.0f} times", 1 / std::sqrt(squares[0]))));
   return result;
 }
 

@@ -43,7 +43,8 @@ struct Conditioning {
   /// Standard error of a contribution over that of a shot, solved channel by channel: RMS over the lights of
   /// the rows of the pseudo-inverse. Infinite in a singular channel.
   std::array<double, 3> amplification{};
-  /// The same for the matte model, which pools the channels.
+  /// The same for the matte model, which pools the channels, on a neutral surface. Infinite where some
+  /// mixture of lights is seen by no channel of any shot.
   double matteAmplification = 0;
   std::vector<std::string> advice;  ///< what is degenerate and what to do, in words
 };

@@ -61,13 +61,19 @@ void SolveReport::summarize(const SolvedSet& set) {
   for (const std::string& advice : conditioning.advice) message += " Note: " + advice + ".";
 }
 
-Json jsonFromSolveReport(const SolveReport& report) {
+Json jsonFromConditioning(const Conditioning& conditioning) {
   Json channels = Json::array();
   for (size_t c = 0; c < 3; ++c)
     channels.push_back({{"channel", std::string(1, "RGB"[c])},
-                        {"singular_values", report.conditioning.singularValues[c]},
-                        {"condition", finiteOrNull(report.conditioning.condition[c])},
-                        {"amplification", finiteOrNull(report.conditioning.amplification[c])}});
+                        {"singular_values", conditioning.singularValues[c]},
+                        {"condition", finiteOrNull(conditioning.condition[c])},
+                        {"amplification", finiteOrNull(conditioning.amplification[c])}});
+  return {{"channels", channels},
+          {"matte_amplification", finiteOrNull(conditioning.matteAmplification)},
+          {"advice", conditioning.advice}};
+}
+
+Json jsonFromSolveReport(const SolveReport& report) {
   Json refined = Json::array();
   Json shifts = Json::array();
   for (const ShotShift& shift : report.shifts)
@@ -85,7 +91,7 @@ Json jsonFromSolveReport(const SolveReport& report) {
           {"color_change", report.colorChange},
           {"refined_colors", refined},
           {"shifts", shifts},
-          {"conditioning", {{"channels", channels}, {"advice", report.conditioning.advice}}},
+          {"conditioning", jsonFromConditioning(report.conditioning)},
           {"residual_median", report.residualMedian},
           {"sigma_median", report.sigmaMedian},
           {"pixels", report.pixels},

@@ -34,6 +34,8 @@ struct SolveReport {
   void summarize(const SolvedSet& set);
 };
 
+/// What is infinite is null.
+[[nodiscard]] Json jsonFromConditioning(const Conditioning& conditioning);
 [[nodiscard]] Json jsonFromSolveReport(const SolveReport& report);
 
 }  // namespace swaplight
