@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "core/color/color_config.h"
+#include "core/color/srgb.h"
 
 namespace swaplight {
 namespace {
@@ -74,10 +75,13 @@ LightSetting pastedLight(const LightSetting& onto, const LightSetting& copied) {
   return pasted;
 }
 
-Rig addStops(Rig rig, size_t light, float stops) {
-  const bool locked = rig.lights.at(light).ratioLock;
-  for (size_t i = 0; i < rig.lights.size(); ++i)
-    if (i == light || (locked && rig.lights[i].ratioLock)) rig.lights[i].stops += stops;
+Rig addStops(Rig rig, std::span<const size_t> lights, float stops) {
+  const bool locked =
+      std::any_of(lights.begin(), lights.end(), [&](size_t i) { return rig.lights.at(i).ratioLock; });
+  for (size_t i = 0; i < rig.lights.size(); ++i) {
+    const bool named = std::find(lights.begin(), lights.end(), i) != lights.end();
+    if (named || (locked && rig.lights[i].ratioLock)) rig.lights[i].stops += stops;
+  }
   return rig;
 }
 
@@ -90,6 +94,23 @@ PixelShares pixelShares(const SolvedSet& set, int x, int y) {
   for (const Image& contribution : set.contributions) shares.lights.push_back(at(contribution));
   if (set.ambient) shares.ambient = at(*set.ambient);
   return shares;
+}
+
+std::vector<Rgb> relitShares(const Rig& rig, const PixelShares& shares, const std::string& colorSpace) {
+  std::vector<Rgb> given = rigFactors(rig, colorSpace);
+  for (size_t i = 0; i < given.size(); ++i) given[i] *= shares.lights.at(i);
+  given.push_back(rig.ambient * shares.ambient);
+  return given;
+}
+
+LightColor lightColorOfPixel(const Rgb& pixel, const std::string& colorSpace) {
+  const Rgb linear = glm::max(converted(pixel, colorSpace, "lin_rec709"), Rgb(0));
+  const float brightest = std::max({linear.r, linear.g, linear.b});
+  LightColor color;
+  if (!(brightest > 0)) return color;
+  color.kind = LightColor::Kind::Hex;
+  color.value = srgbFromLinear(linear / brightest);
+  return color;
 }
 
 std::optional<Rig> neutralizePixel(Rig rig, const PixelShares& shares, std::span<const size_t> chosen,

@@ -23,8 +23,8 @@ namespace swaplight {
 /// The part of a light that is copied from one to another: colour, stops, multiplier, on.
 [[nodiscard]] LightSetting pastedLight(const LightSetting& onto, const LightSetting& copied);
 
-/// Adds stops to a light, and to those that are locked to it (ratioLock).
-[[nodiscard]] Rig addStops(Rig rig, size_t light, float stops);
+/// Adds stops to lights; where one of them is locked (ratioLock), to all locked ones.
+[[nodiscard]] Rig addStops(Rig rig, std::span<const size_t> lights, float stops);
 
 /// What each light gives to one pixel of a set, under unit white, in the set's primaries.
 struct PixelShares {
@@ -32,6 +32,13 @@ struct PixelShares {
   Rgb ambient{0, 0, 0};
 };
 [[nodiscard]] PixelShares pixelShares(const SolvedSet& set, int x, int y);
+/// What each light gives to the pixel under a rig, in the order of the lights; ambient last. Their sum is the
+/// relit pixel.
+[[nodiscard]] std::vector<Rgb> relitShares(const Rig& rig, const PixelShares& shares,
+                                           const std::string& colorSpace);
+
+/// The hue and saturation of a pixel as a light's colour at full brightness; white for black.
+[[nodiscard]] LightColor lightColorOfPixel(const Rgb& pixel, const std::string& colorSpace);
 
 /// The rig in which the chosen lights, recoloured together, make a pixel neutral (R = G = B in the set's
 /// primaries) at the mean of its channels. Every chosen light's colour is multiplied by the same gain a

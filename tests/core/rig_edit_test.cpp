@@ -66,11 +66,13 @@ TEST(RigEdit, LockedLightsKeepTheirRatio) {
   Rig rig = defaultRig(std::vector<std::string>{"key", "fill", "back"});
   rig.lights[0].ratioLock = rig.lights[1].ratioLock = true;
   rig.lights[1].stops = -2;
-  rig = addStops(rig, 0, 1.5F);
+  const size_t key[] = {0};
+  const size_t back[] = {2};
+  rig = addStops(rig, key, 1.5F);
   EXPECT_EQ(rig.lights[0].stops, 1.5F);
   EXPECT_EQ(rig.lights[1].stops, -0.5F);
   EXPECT_EQ(rig.lights[2].stops, 0);
-  rig = addStops(rig, 2, 1);
+  rig = addStops(rig, back, 1);
   EXPECT_EQ(rig.lights[0].stops, 1.5F);
 }
 
@@ -104,6 +106,28 @@ TEST(RigEdit, AResetLightKeepsItsNameAndPlace) {
   EXPECT_EQ(pasted.light, "fill");
   EXPECT_EQ(pasted.color, light.color);
   EXPECT_FALSE(pasted.on);
+}
+
+TEST(RigEdit, SharesOfAPixelAddUpToTheRelitPicture) {
+  SolvedSet set = twoLights();
+  set.ambient.emplace(ImageSpec::rgb(2, 1), 0.05F);
+  Rig rig = defaultRig(set.capture);
+  applySetting(rig.lights[0], "3200K,+1st");
+  rig.ambient = 2;
+  const Image relit = relight(set, rigFactors(rig), rig.ambient);
+  const std::vector<Rgb> shares = relitShares(rig, pixelShares(set, 0, 0), "lin_rec709");
+  ASSERT_EQ(shares.size(), 3U);
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(shares[0][c] + shares[1][c] + shares[2][c], relit.plane(c)[0], 1e-5F);
+}
+
+TEST(RigEdit, ALightTakesTheHueOfAPixelWhateverItsBrightness) {
+  const LightColor color = lightColorOfPixel({0.5F, 0.25F, 0.1F}, "lin_rec709");
+  const Rgb factor = colorFactor(color);
+  EXPECT_NEAR(factor.r, 1, 1e-4F);
+  EXPECT_NEAR(factor.g, 0.5F, 1e-4F);
+  EXPECT_NEAR(factor.b, 0.2F, 1e-4F);
+  EXPECT_EQ(lightColorOfPixel(Rgb(0), "lin_rec709"), LightColor{});
 }
 
 }  // namespace
