@@ -22,6 +22,10 @@ const std::vector<Menu>& menus() {
        {"file.open", "recent", "-", "file.save", "file.save_as", "-", "file.export", "-", "file.close",
         "file.quit"}},
       {"Edit", {"edit.undo", "edit.redo"}},
+      {"Lights",
+       {"light.solo", "light.solo_alone", "light.mute", "-", "light.rename", "light.copy", "light.paste",
+        "light.reset", "-", "light.neutral", "light.match", "-", "mixer.as_captured", "mixer.all_white",
+        "mixer.all_off", "-", "mixer.import_gels"}},
       {"View",
        {"view.fit", "view.one_to_one", "view.zoom_in", "view.zoom_out", "-", "view.mixer", "view.hide_panels",
         "view.full_screen"}},
@@ -51,14 +55,33 @@ void actionMenuItem(const ActionTable& actions, const std::string& id) {
   tooltip(action->tooltip.c_str());
 }
 
+std::string actionTip(const Action& action) {
+  const std::string keys = action.firstKeys();
+  return action.name + (keys.empty() ? "" : "  (" + keys + ")") + "\n" + action.tooltip;
+}
+
+void actionTextButton(const ActionTable& actions, const std::string& id, const char* text, float width) {
+  const Action* action = actions.find(id);
+  if (!action) return;
+  ImGui::BeginDisabled(!action->isEnabled());
+  const bool lit = action->isChecked();
+  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), ImGui::GetStyle().FramePadding.y));
+  const bool clicked = ImGui::Button(text, ImVec2(width, 0));
+  ImGui::PopStyleVar();
+  if (lit) ImGui::PopStyleColor();
+  markItem("button." + id);
+  tooltip(actionTip(*action).c_str());
+  ImGui::EndDisabled();
+  if (clicked) action->run();
+}
+
 bool actionButton(const ActionTable& actions, const std::string& id, const char* icon, float side) {
   const Action* action = actions.find(id);
   if (!action) return false;
   ImGui::BeginDisabled(!action->isEnabled());
   ImGui::PushID(id.c_str());
-  const std::string keys = action->firstKeys();
-  const std::string tip = action->name + (keys.empty() ? "" : "  (" + keys + ")") + "\n" + action->tooltip;
-  const bool clicked = toggleButton(icon, action->isChecked(), kAccent, side, tip.c_str());
+  const bool clicked = toggleButton(icon, action->isChecked(), kAccent, side, actionTip(*action).c_str());
   markItem("button." + id);
   ImGui::PopID();
   ImGui::EndDisabled();

@@ -11,5 +11,9 @@ void drawMenuBar(StudioContext& studio);
 void actionMenuItem(const ActionTable& actions, const std::string& id);
 /// One action as a button with an icon; its name and keys as the tooltip.
 bool actionButton(const ActionTable& actions, const std::string& id, const char* icon, float side);
+/// One action as a button with words.
+void actionTextButton(const ActionTable& actions, const std::string& id, const char* text, float width);
+/// An action's name, keys and what it does.
+[[nodiscard]] std::string actionTip(const Action& action);
 
 }  // namespace swaplight

@@ -71,9 +71,10 @@ bool Script::run(StudioWindow& studio, const Line& line) {
   } else if (command == "light") {
     const size_t space = argument.find(' ');
     const size_t index = lightIndex(context, argument.substr(0, space));
-    LightSetting setting = context.document().rig.lights[index];
-    applySetting(setting, space == std::string::npos ? "" : argument.substr(space + 1));
-    editLight(context, index, argument.substr(space + 1), setting);
+    const std::string text = space == std::string::npos ? "" : argument.substr(space + 1);
+    Rig rig = context.document().rig;
+    applySetting(rig.lights[index], text);
+    editRig(context, argument, rig);
   } else if (command == "save") {
     context.session.saveAs(argument);
   } else if (command == "export") {

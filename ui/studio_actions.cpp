@@ -9,6 +9,7 @@ constexpr double kZoomStep = 1.25;
 
 void StudioWindow::addActions() {
   addFileActions();
+  addLightActions();
   addViewActions();
 }
 

@@ -4,9 +4,11 @@
 #include "render/picture_screen.h"
 #include "ui/action_table.h"
 #include "ui/messages.h"
+#include "ui/mixer_state.h"
 #include "ui/panel_layout.h"
 #include "ui/session_controller.h"
 #include "ui/set_controller.h"
+#include "ui/tool.h"
 #include "ui/view_state.h"
 
 namespace swaplight {
@@ -31,6 +33,8 @@ struct StudioContext {
   Messages& messages;
   const Keyboard& keyboard;
   ShownPicture& shown;
+  MixerState& mixer;
+  Tool& tool;
 
   [[nodiscard]] const Document& document() const { return editor.document(); }
   [[nodiscard]] const OpenSet* set() const { return session.set(); }

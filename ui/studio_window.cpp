@@ -45,7 +45,8 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_pictures(makePictureScreen(options.engine, ColorConfig::current())),
       m_exports([&screen] { screen.wake(); }),
       m_context{m_editor,    m_view,    m_layout,   m_session,           m_sets,
-                *m_pictures, m_actions, m_messages, m_screen.keyboard(), m_shown} {
+                *m_pictures, m_actions, m_messages, m_screen.keyboard(), m_shown,
+                m_mixer,     m_tool} {
   addActions();
 }
 

@@ -35,6 +35,7 @@ class StudioWindow {
  private:
   void addActions();
   void addFileActions();
+  void addLightActions();
   void addViewActions();
   void drawToolbar();
   void drawPanels();
@@ -43,6 +44,7 @@ class StudioWindow {
   void askForFile();
   void askForSaveName(std::function<void()> then);
   void askForExport();
+  void askForGels();
 
   Screen& m_screen;
   std::filesystem::path m_layoutFile;
@@ -60,6 +62,8 @@ class StudioWindow {
   ExportController m_exports;
   ActionTable m_actions;
   ShownPicture m_shown;
+  MixerState m_mixer;
+  Tool m_tool = Tool::Look;
   StudioContext m_context;
 
   FileChooser m_chooser;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+
 #include "core/json.h"
 #include "core/view/view_settings.h"
 #include "core/view/view_subject.h"
@@ -15,7 +17,8 @@ struct ViewState {
   double centerY = 0;  ///< the picture's point in the middle of the viewer
   ViewSettings settings;
   ViewSubject subject;
-  int selectedLight = 0;
+  int selectedLight = 0;         ///< whose colour is shown
+  std::set<int> selectedLights;  ///< with it; what is touched on one of them changes on all
 
   /// Zooms by a factor so that the picture's point under a point of the viewer stays there.
   void zoomAt(const ViewWindow& window, double windowX, double windowY, double factor);

@@ -8,6 +8,7 @@
 
 #include "core/relight/rig.h"
 #include "ui/layout_probe.h"
+#include "ui/pick_tool.h"
 #include "ui/theme.h"
 
 namespace swaplight {
@@ -43,6 +44,17 @@ void handleMouse(StudioContext& studio, const ViewWindow& window, ImVec2 origin)
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
     studio.view.zoomAt(window, io.MousePos.x - origin.x, io.MousePos.y - origin.y,
                        std::pow(kWheelStep, io.MouseWheel));
+  }
+  const Tool tool = io.KeyAlt ? Tool::Match : studio.tool;
+  if (tool != Tool::Look) {
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Left)) {
+      const auto x = static_cast<int>(std::floor(window.pictureX(io.MousePos.x - origin.x)));
+      const auto y = static_cast<int>(std::floor(window.pictureY(io.MousePos.y - origin.y)));
+      const ViewPictures& pictures = *studio.set()->pictures;
+      if (x >= 0 && y >= 0 && x < pictures.width() && y < pictures.height()) pickPixel(studio, tool, x, y);
+    }
+    return;
   }
   const bool panButton =
       ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) || ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0);

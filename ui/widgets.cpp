@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "core/color/hsv.h"
 #include "core/color/kelvin.h"
 #include "core/color/srgb.h"
 #include "ui/theme.h"
@@ -51,6 +52,30 @@ bool beingTyped() {
 Rgb kelvinCodes(float kelvin) {
   const Rgb linear = glm::max(rec709FromXy(whiteXy(kelvin)), Rgb(0));
   return srgbFromLinear(linear / std::max({linear.r, linear.g, linear.b}));
+}
+
+/// A slider over colours; `codes` gives the colour at a value.
+template <typename Codes>
+bool gradientSlider(const char* id, float* value, float low, float high, float width, float height,
+                    const Codes& codes) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 to(from.x + width, from.y + height);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  constexpr int kSegments = 24;
+  for (int i = 0; i < kSegments; ++i) {
+    const auto place = [&](int n) { return static_cast<float>(n) / kSegments; };
+    const auto color = [&](int n) { return colorU32(codes(low + place(n) * (high - low))); };
+    draw->AddRectFilledMultiColor(ImVec2(std::floor(from.x + place(i) * width), from.y),
+                                  ImVec2(std::floor(from.x + place(i + 1) * width), to.y), color(i),
+                                  color(i + 1), color(i + 1), color(i));
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(ImGui::GetStyle().FramePadding.x, (height - ImGui::GetFontSize()) / 2));
+  const bool changed = bareSlider(id, value, low, high, width, "");
+  ImGui::PopStyleVar();
+  drawGrab(ImVec2(from.x + px(5), from.y), ImVec2(to.x - px(5), to.y),
+           std::clamp((*value - low) / (high - low), 0.0F, 1.0F), ImGui::IsItemActive());
+  return changed;
 }
 
 }  // namespace
@@ -128,25 +153,29 @@ bool stopsSlider(const char* id, float* stops, float range, float width) {
 }
 
 bool kelvinSlider(const char* id, float* kelvin, float width) {
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  const ImVec2 high(low.x + width, low.y + ImGui::GetFrameHeight());
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  constexpr int kSegments = 24;
-  for (int i = 0; i < kSegments; ++i) {
-    const auto edge = [&](int n) { return static_cast<float>(n) / kSegments; };
-    const auto codes = [&](int n) {
-      return colorU32(kelvinCodes(1e6F / (kMiredHigh + edge(n) * (kMiredLow - kMiredHigh))));
-    };
-    draw->AddRectFilledMultiColor(ImVec2(low.x + edge(i) * width, low.y),
-                                  ImVec2(low.x + edge(i + 1) * width, high.y), codes(i), codes(i + 1),
-                                  codes(i + 1), codes(i));
-  }
   // Warm is left: the slider runs over negative mired.
   float reversed = -1e6F / *kelvin;
-  const bool changed = bareSlider(id, &reversed, -kMiredHigh, -kMiredLow, width, "");
+  const bool changed = gradientSlider(id, &reversed, -kMiredHigh, -kMiredLow, width, ImGui::GetFrameHeight(),
+                                      [](float at) { return kelvinCodes(-1e6F / at); });
   if (changed) *kelvin = std::round(-1e6F / reversed / 10) * 10;
-  drawGrab(ImVec2(low.x + px(5), low.y), ImVec2(high.x - px(5), high.y),
-           std::clamp((reversed + kMiredHigh) / (kMiredHigh - kMiredLow), 0.0F, 1.0F), ImGui::IsItemActive());
+  return changed;
+}
+
+bool hueBar(const char* id, float* hue, float width, float height) {
+  return gradientSlider(id, hue, 0, 1, width, height, [](float at) { return rgbFromHsv(Rgb(at, 1, 1)); });
+}
+
+bool greenSlider(const char* id, float* green, float width) {
+  const auto codes = [](float at) {
+    return at < 0 ? glm::mix(Rgb(0.62F), Rgb(0.80F, 0.42F, 0.74F), -at)
+                  : glm::mix(Rgb(0.62F), Rgb(0.46F, 0.78F, 0.46F), at);
+  };
+  bool changed = gradientSlider(id, green, -1, 1, width, ImGui::GetFrameHeight(), codes);
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    *green = 0;
+    changed = true;
+  }
+  if (changed && std::abs(*green) < 0.02F) *green = 0;  // the middle holds the mouse a little
   return changed;
 }
 

@@ -22,6 +22,12 @@ bool stopsSlider(const char* id, float* stops, float range, float width);
 /// A slider of colour temperature in equal steps of reciprocal Kelvin, warm on the left.
 bool kelvinSlider(const char* id, float* kelvin, float width);
 
+/// A bar of all hues, 0..1, as sRGB colours.
+bool hueBar(const char* id, float* hue, float width, float height);
+
+/// Minus to plus green, -1..1; double-click on it resets.
+bool greenSlider(const char* id, float* green, float width);
+
 /// A dot that says that a value differs from the capture and resets it. True when clicked; leaves its room
 /// empty where nothing differs.
 bool changedDot(const char* id, bool changed, const char* tooltip);

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace swaplight {
+
+/// What the mouse does in the viewer.
+enum class Tool {
+  Look,     ///< moves the picture
+  Neutral,  ///< the pixel under it becomes neutral
+  Match,    ///< the chosen light takes the colour of the pixel under it
+  Region,   ///< draws the rectangle that scopes look at
+};
+
+}  // namespace swaplight
