@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <map>
 
+#include "app/bench_hard_cases.h"
 #include "app/verbs.h"
 #include "core/bench/solver_error.h"
 #include "core/bench/solver_speed.h"
@@ -16,6 +17,7 @@ struct Arguments {
   std::string output;
   bool noSpeed = false;
   bool quick = false;
+  bool hardCases = false;
   unsigned seed = 1;
 };
 
@@ -39,9 +41,9 @@ std::string errorTable(const std::vector<SolverError>& rows) {
   std::string text = fmt::format("{:<16}{:<20}{:>10}{:>14}{:>12}{:>10}{:>10}\n", "capture", "solver",
                                  "rel RMSE", "beta / bound", "mean dE00", "p95 dE00", "seconds");
   for (const SolverError& row : rows)
-    text +=
-        fmt::format("{:<16}{:<20}{:>10.4f}{:>14.2f}{:>12.2f}{:>10.2f}{:>10.3f}\n", row.capture, row.solver,
-                    row.relativeRmse, row.betaOverBound, row.deltaEMean, row.deltaE95, row.seconds);
+    text += fmt::format("{:<16}{:<20}{:>10.4f}{:>14.2f}{:>12.2f}{:>10.2f}{:>10.3f}\n", row.capture,
+                        row.solver, row.error.relativeRmse, row.error.betaOverBound, row.error.deltaEMean,
+                        row.error.deltaE95, row.seconds);
   return text;
 }
 
@@ -57,10 +59,10 @@ Json jsonOf(const std::vector<SolverSpeed>& speeds, const std::vector<SolverErro
   for (const SolverError& row : errors)
     json["error"].push_back({{"capture", row.capture},
                              {"solver", row.solver},
-                             {"rel_rmse", row.relativeRmse},
-                             {"beta_rmse_over_bound", row.betaOverBound},
-                             {"de_mean", row.deltaEMean},
-                             {"de_p95", row.deltaE95},
+                             {"rel_rmse", row.error.relativeRmse},
+                             {"beta_rmse_over_bound", row.error.betaOverBound},
+                             {"de_mean", row.error.deltaEMean},
+                             {"de_p95", row.error.deltaE95},
                              {"seconds", row.seconds}});
   return json;
 }
@@ -76,7 +78,7 @@ Image paretoPlot(const std::vector<SolverError>& rows) {
     ScatterPlot::Series& points = series[row.capture];
     points.name = row.capture;
     points.x.push_back(row.seconds);
-    points.y.push_back(row.deltaEMean);
+    points.y.push_back(row.error.deltaEMean);
     points.labels.push_back(row.solver);
   }
   for (auto& [name, points] : series) plot.series.push_back(std::move(points));
@@ -85,6 +87,11 @@ Image paretoPlot(const std::vector<SolverError>& rows) {
 
 int run(const Arguments& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
+  if (arguments.hardCases) {
+    const Description suite = benchHardCases(arguments.captures, arguments.seed, progress);
+    terminal.result(suite.text, suite.json);
+    return 0;
+  }
   std::vector<SolverError> errors;
   for (const std::string& capture : arguments.captures) {
     const auto rows = measureSolverError(capture, arguments.seed, progress);
@@ -116,6 +123,8 @@ void addBenchVerb(Program& program) {
   verb.add_option("-o,--output", a->output, "Draw error against cost")->type_name("FILE.png");
   verb.add_option("--seed", a->seed, "Of the noise")->type_name("N");
   verb.add_flag("--no-speed", a->noSpeed, "Only the errors");
+  verb.add_flag("--hard-cases", a->hardCases,
+                "Instead: every model on captures that are hard, each made for one difficulty");
   verb.add_flag("--quick", a->quick, "Small pictures and one repetition, to see that it works");
 }
 

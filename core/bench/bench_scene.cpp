@@ -54,16 +54,23 @@ CapturePixels photograph(const Capture& capture, const std::vector<Image>& truth
   return pixels;
 }
 
-BenchScene makeBenchScene(int width, int height, int lights, float highlights) {
-  BenchScene scene;
-  scene.capture.name = "bench";
-  scene.capture.noise = SensorNoise{.002, 20000};
+Capture makeBenchCapture(int lights, const std::vector<Rgb>& colors) {
+  Capture capture;
+  capture.name = "bench";
+  capture.noise = SensorNoise{.002, 20000};
   for (int i = 0; i < lights; ++i) {
-    scene.capture.lights.push_back({"light" + std::to_string(i + 1), Role::Other, Json::object()});
+    capture.lights.push_back({"light" + std::to_string(i + 1), Role::Other, Json::object()});
     Shot shot;
-    for (int j = 0; j < lights; ++j) shot.lightColors.emplace_back(kColors[(i + j) % lights]);
-    scene.capture.shots.push_back(std::move(shot));
+    for (int j = 0; j < lights; ++j) {
+      const int color = (i + j) % lights;
+      shot.lightColors.emplace_back(colors.empty() ? kColors[color] : colors[size_t(color)]);
+    }
+    capture.shots.push_back(std::move(shot));
   }
+  return capture;
+}
+
+std::vector<Image> randomTruth(int width, int height, int lights, float highlights) {
   std::vector<Image> truth;
   for (int i = 0; i < lights; ++i) truth.emplace_back(ImageSpec::rgb(width, height));
   parallelRows(height, 16, [&](int begin, int end) {
@@ -82,7 +89,12 @@ BenchScene makeBenchScene(int width, int height, int lights, float highlights) {
       }
     }
   });
-  scene.pixels = photograph(scene.capture, truth, 7);
+  return truth;
+}
+
+BenchScene makeBenchScene(int width, int height, int lights, float highlights) {
+  BenchScene scene{makeBenchCapture(lights), {}};
+  scene.pixels = photograph(scene.capture, randomTruth(width, height, lights, highlights), 7);
   return scene;
 }
 

@@ -14,6 +14,12 @@ struct BenchScene {
 /// `highlights`: the share of pixels that have a white highlight (mean .2) of a light. The same every time.
 [[nodiscard]] BenchScene makeBenchScene(int width, int height, int lights, float highlights);
 
+/// Random pixels alone: the contributions of each light at unit white.
+[[nodiscard]] std::vector<Image> randomTruth(int width, int height, int lights, float highlights);
+
+/// Lights whose colours go round, by one light a shot. Without colours: those of FORMATS' sample plan.
+[[nodiscard]] Capture makeBenchCapture(int lights, const std::vector<Rgb>& colors = {});
+
 /// Photographs known contributions under a capture's colours with the noise that the capture states.
 [[nodiscard]] CapturePixels photograph(const Capture& capture, const std::vector<Image>& truth,
                                        unsigned seed);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/bench/solution_error.h"
 #include "core/progress.h"
 
 namespace swaplight {
@@ -12,12 +13,8 @@ namespace swaplight {
 struct SolverError {
   std::string capture;
   std::string solver;
-  double relativeRmse = 0;  ///< of the contributions, over their RMS
-  double betaOverBound =
-      0;                  ///< RMSE of beta over the root of its mean Cramer-Rao bound, where that is below .1
-  double deltaEMean = 0;  ///< CIEDE2000 of the frame over five new lightings
-  double deltaE95 = 0;    ///< its 95th percentile
-  double seconds = 0;     ///< of the whole solve
+  SolutionError error;
+  double seconds = 0;  ///< of the whole solve
 };
 
 /// Photographs the truth of a capture again with seeded noise (the capture's, or full well 20000 and read

@@ -101,6 +101,8 @@ float usualColorUncertainty(const SensorNoise& estimated) {
 NoiseModel noiseModel(const SensorNoise& sensor, const CapturePixels& pixels, float colorUncertainty) {
   float quantum = 0;
   for (float q : pixels.quantum) quantum = std::max(quantum, q);
+  // The step of an sRGB code is that of linear light at white over the curve's slope there.
+  if (pixels.encoded) quantum *= 1.055F / 2.4F;
   const float quantisation = quantum * quantum / 12;
   NoiseModel model;
   model.constant = float(sensor.read * sensor.read);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/description.h"
+#include "core/progress.h"
+
+namespace swaplight {
+
+/// Measures the hard-case suite, and the captures (with truth) that are named; says so in tables.
+[[nodiscard]] Description benchHardCases(const std::vector<std::string>& captures, unsigned seed,
+                                         const Progress& progress);
+
+}  // namespace swaplight

@@ -1,0 +1,31 @@
+#include "core/bench/bench_truth.h"
+
+#include "core/error.h"
+#include "core/image/image_io.h"
+#include "core/image/rgb_image.h"
+
+namespace swaplight {
+
+SolvedSet benchTruth(const Capture& capture) {
+  SolvedSet truth;
+  truth.capture = capture;
+  for (const Light& light : capture.lights) {
+    const auto path = capture.truth.find(light.name);
+    if (path == capture.truth.end())
+      throw InputError("{}: has no truth for light {}; the benchmark needs a capture with \"truth\"",
+                       capture.file.string(), light.name);
+    truth.contributions.push_back(rgbImage(readImage(capture.folder / path->second).image, path->second));
+  }
+  updateBeta(truth);
+  return truth;
+}
+
+SolvedSet benchTruth(const Capture& capture, const std::vector<Image>& contributions) {
+  SolvedSet truth;
+  truth.capture = capture;
+  for (const Image& t : contributions) truth.contributions.push_back(t.clone());
+  updateBeta(truth);
+  return truth;
+}
+
+}  // namespace swaplight

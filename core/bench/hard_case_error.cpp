@@ -1,0 +1,41 @@
+#include "core/bench/hard_case_error.h"
+
+#include "core/bench/bench_truth.h"
+#include "core/solve/estimator.h"
+#include "core/solve/solve.h"
+
+namespace swaplight {
+
+const SolutionError* HardCaseError::find(const std::string& model) const {
+  for (const Answer& answer : answers)
+    if (answer.model == model) return &answer.error;
+  return nullptr;
+}
+
+std::vector<std::string> hardCaseModels() {
+  std::vector<std::string> models{"published", "lambert"};
+  // Where gloss has no estimator of its own, auto stands for it.
+  if (estimatorFor(Model::Gloss).model == Model::Gloss) models.push_back("gloss");
+  models.push_back("transport");
+  models.push_back("auto");
+  return models;
+}
+
+HardCaseError measureHardCase(const HardCase& test) {
+  const LightPlan plan = planFromCapture(test.capture);
+  const BoundedTruth truth(benchTruth(test.capture, test.truth), plan, test.noise);
+  HardCaseError row{test.name, test.group, test.matte, test.mixed, truth.relativeBound, {}};
+  for (const std::string& model : hardCaseModels()) {
+    SolveOptions options = test.options;
+    if (model != "published") {
+      options.model = modelFromName(model);
+    } else {
+      if (plan.lights != 2 || plan.shots != 2) continue;
+      options.solver = model;
+    }
+    row.answers.push_back({model, compareSolution(solve(test.capture, test.pixels, options), truth)});
+  }
+  return row;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,47 @@
+#include "core/bench/matte_bound.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+
+namespace swaplight {
+
+MatteBound matteBound(const LightPlan& plan, const NoiseModel& noise, std::span<const float> beta,
+                      const Rgb& rho) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const int free = plan.lights - 1;
+  const int parameters = 3 + free;
+  Eigen::MatrixXd fisher = Eigen::MatrixXd::Zero(parameters, parameters);
+  for (int k = 0; k < plan.shots; ++k)
+    for (int c = 0; c < 3; ++c) {
+      const double last = plan.color(k, free)[c];
+      double g = 0;
+      for (int i = 0; i < plan.lights; ++i) g += double(plan.color(k, i)[c]) * beta[size_t(i)];
+      Eigen::VectorXd j = Eigen::VectorXd::Zero(parameters);
+      j[c] = g;
+      for (int i = 0; i < free; ++i) j[3 + i] = rho[c] * (plan.color(k, i)[c] - last);
+      fisher += j * j.transpose() / double(noise.variance(float(g * rho[c])));
+    }
+  for (int c = 0; c < 3; ++c)
+    if (fisher(c, c) == 0 && rho[c] == 0) fisher(c, c) = 1e30;  // no light has it: there is nothing to know
+  const Eigen::MatrixXd covariance = fisher.inverse();
+  if (!covariance.allFinite() || !(covariance.diagonal().minCoeff() > 0)) return {kInfinity, kInfinity};
+
+  const Eigen::MatrixXd shares = covariance.bottomRightCorner(free, free);
+  MatteBound bound;
+  // The last light's share is one less the others': its variance is that of their sum.
+  bound.beta = (shares.trace() + shares.sum()) / plan.lights;
+  for (int i = 0; i < plan.lights; ++i)
+    for (int c = 0; c < 3; ++c) {
+      Eigen::VectorXd j = Eigen::VectorXd::Zero(parameters);  // of T = beta rho
+      j[c] = beta[size_t(i)];
+      if (i < free)
+        j[3 + i] = rho[c];
+      else
+        j.tail(free).setConstant(-rho[c]);
+      bound.contribution += j.dot(covariance * j);
+    }
+  return bound;
+}
+
+}  // namespace swaplight
