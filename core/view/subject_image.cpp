@@ -1,0 +1,110 @@
+#include "core/view/subject_image.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/measure/color_map.h"
+#include "core/parallel.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kSteps = 256;  // of a colour map
+
+/// A colour for every value of a plane.
+template <typename Color>
+Image coloured(ImageView values, int channel, const Color& color) {
+  Image image(ImageSpec::rgb(values.width, values.height));
+  image.setColorSpace("");
+  const ImageSpan out = image.span();
+  parallelRows(values.height, 16, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const float* in = values.row(channel, y);
+      for (int x = 0; x < values.width; ++x) {
+        const Rgb code = color(in[x]);
+        for (int c = 0; c < 3; ++c) out.row(c, y)[x] = code[c];
+      }
+    }
+  });
+  return image;
+}
+
+Image mapped(ImageView values, int channel, float brightest) {
+  std::array<Rgb, kSteps> colors;
+  for (size_t i = 0; i < colors.size(); ++i) colors[i] = viridis(static_cast<float>(i) / (kSteps - 1));
+  return coloured(values, channel, [&](float value) {
+    const float at = value > 0 ? std::min(value / brightest, 1.0F) : 0;  // not a number counts as 0
+    return colors[static_cast<size_t>(at * (kSteps - 1) + 0.5F)];
+  });
+}
+
+Image flagImage(ImageView quality) {
+  return coloured(quality, kFlags, [](float value) {
+    Rgb color(0.08F);
+    for (const FlagColor& flag : kFlagColors)
+      if ((static_cast<int>(value) & flag.flag) != 0) color = flag.color;
+    return color;
+  });
+}
+
+Image betaImage(const SolvedSet& set, int light) {
+  Image image(ImageSpec{set.width(), set.height(), {"Y"}, ""});
+  std::copy_n(set.beta.plane(light), image.pixelCount(), image.plane(0));
+  return image;
+}
+
+Image reflectanceImage(const SolvedSet& set) {
+  Image sum = set.contributions.front().clone();
+  parallelRows(sum.height(), 16, [&](int begin, int end) {
+    const ImageSpan out = sum.span();
+    for (size_t i = 1; i < set.contributions.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        for (int y = begin; y < end; ++y) {
+          const float* in = set.contributions[i].view().row(c, y);
+          std::transform(in, in + out.width, out.row(c, y), out.row(c, y), std::plus<>());
+        }
+  });
+  return sum;
+}
+
+}  // namespace
+
+Image subjectImage(const SolvedSet& set, const ViewSubject& subject) {
+  switch (subject.kind) {
+    case ViewSubject::Kind::Beta:
+      return betaImage(set, subject.index);
+    case ViewSubject::Kind::Reflectance:
+      return reflectanceImage(set);
+    case ViewSubject::Kind::Residual:
+      return mapped(set.quality.view(), kResidual, kResidualShown);
+    case ViewSubject::Kind::Sigma:
+      return mapped(set.quality.view(), kSigma, kSigmaShown);
+    case ViewSubject::Kind::Flags:
+      return flagImage(set.quality.view());
+    case ViewSubject::Kind::Relit:
+    case ViewSubject::Kind::Contribution:
+    case ViewSubject::Kind::Photograph:
+      break;
+  }
+  throw InputError("this subject is made from other pictures");
+}
+
+ViewSubject subjectWithin(const SolvedSet& set, ViewSubject subject) {
+  const bool shots = subject.kind == ViewSubject::Kind::Photograph;
+  const int count = shots ? set.capture.shotCount() : set.lightCount();
+  if (shots && count == 0) return {};
+  subject.index = std::clamp(subject.index, 0, std::max(0, count - 1));
+  return subject;
+}
+
+std::string flagWords(int flags) {
+  std::string words;
+  for (const FlagColor& flag : kFlagColors) {
+    if ((flags & flag.flag) == 0) continue;
+    if (!words.empty()) words += ", ";
+    words += flag.label;
+  }
+  return words;
+}
+
+}  // namespace swaplight
