@@ -6,6 +6,7 @@
 
 #include "ui/layout_probe.h"
 #include "ui/theme.h"
+#include "ui/viewer_bar.h"
 #include "ui/widgets.h"
 
 namespace swaplight {
@@ -13,7 +14,7 @@ namespace {
 
 struct Menu {
   const char* name;
-  std::vector<const char*> items;  ///< action ids; "-" is a line; "recent" the list of recent files
+  std::vector<const char*> items;  ///< action ids; "-" is a line; the others are menus of their own
 };
 
 const std::vector<Menu>& menus() {
@@ -27,10 +28,40 @@ const std::vector<Menu>& menus() {
         "light.reset", "-", "light.neutral", "light.match", "-", "mixer.as_captured", "mixer.all_white",
         "mixer.all_off", "-", "mixer.import_gels"}},
       {"View",
-       {"view.fit", "view.one_to_one", "view.zoom_in", "view.zoom_out", "-", "view.mixer", "view.hide_panels",
-        "view.full_screen"}},
+       {"view.fit",
+        "view.one_to_one",
+        "view.zoom_in",
+        "view.zoom_out",
+        "-",
+        "subject",
+        "view.photograph",
+        "view.next_photograph",
+        "-",
+        "channel.all",
+        "channel.red",
+        "channel.green",
+        "channel.blue",
+        "channel.luminance",
+        "-",
+        "view.false_color",
+        "view.zebra",
+        "view.probe",
+        "view.probe_size",
+        "view.neutral",
+        "display"}},
+      {"Compare",
+       {"compare.off", "compare.wipe", "compare.split", "compare.difference", "compare.toggle", "-",
+        "compare.keep", "side_b", "compare.center_line"}},
+      {"Window", {"view.mixer", "view.hide_panels", "view.full_screen"}},
   };
   return all;
+}
+
+template <typename Lines>
+void submenu(const char* name, bool enabled, const Lines& lines) {
+  if (!ImGui::BeginMenu(name, enabled)) return;
+  lines();
+  ImGui::EndMenu();
 }
 
 void recentMenu(StudioContext& studio) {
@@ -100,6 +131,12 @@ void drawMenuBar(StudioContext& studio) {
         ImGui::Separator();
       else if (item == "recent")
         recentMenu(studio);
+      else if (item == "subject")
+        submenu("Show", studio.set(), [&] { drawSubjectMenu(studio, false); });
+      else if (item == "side_b")
+        submenu("B", studio.set(), [&] { drawSubjectMenu(studio, true); });
+      else if (item == "display")
+        submenu("Display and view", studio.set(), [&] { drawDisplayMenu(studio); });
       else
         actionMenuItem(studio.actions, item);
     }

@@ -8,17 +8,21 @@
 #include "ui/panel_layout.h"
 #include "ui/session_controller.h"
 #include "ui/set_controller.h"
+#include "ui/subject_pictures.h"
 #include "ui/tool.h"
 #include "ui/view_state.h"
+#include "ui/view_table.h"
+#include "ui/viewer_state.h"
 
 namespace swaplight {
 
 /// What the viewer has drawn last: for those who draw over it or ask what is under the mouse.
 struct ShownPicture {
   bool valid = false;
-  ViewWindow window;  ///< of the whole viewer, in pixels of the screen
-  float originX = 0;  ///< the viewer's corner on the screen
+  ViewWindow window;  ///< of the pane under the mouse, in pixels of the screen
+  float originX = 0;  ///< the pane's corner on the screen
   float originY = 0;
+  bool hovered = false;
 };
 
 /// What a panel reads, and where its edits go. References to parts that the studio owns.
@@ -35,6 +39,9 @@ struct StudioContext {
   ShownPicture& shown;
   MixerState& mixer;
   Tool& tool;
+  ViewerState& viewer;
+  SubjectPictures& subjects;
+  ViewTable& table;
 
   [[nodiscard]] const Document& document() const { return editor.document(); }
   [[nodiscard]] const OpenSet* set() const { return session.set(); }

@@ -44,9 +44,10 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_session(m_editor, m_view, m_sets, m_messages, stateFolder()),
       m_pictures(makePictureScreen(options.engine, ColorConfig::current())),
       m_exports([&screen] { screen.wake(); }),
+      m_subjects([&screen] { screen.wake(); }),
       m_context{m_editor,    m_view,    m_layout,   m_session,           m_sets,
                 *m_pictures, m_actions, m_messages, m_screen.keyboard(), m_shown,
-                m_mixer,     m_tool} {
+                m_mixer,     m_tool,    m_viewer,   m_subjects,          m_table} {
   addActions();
 }
 
@@ -117,6 +118,7 @@ void StudioWindow::exportFrame(const fs::path& file) {
 void StudioWindow::update() {
   m_session.update();
   m_exports.update(m_messages);
+  m_subjects.update(m_messages);
   if (m_messages.expire()) m_screen.requestFrames();
   for (const fs::path& dropped : m_screen.takeDropped())
     whenSaved([this, dropped] { m_session.open(dropped); });
@@ -198,8 +200,13 @@ void StudioWindow::drawPanels() {
 void StudioWindow::frame() {
   if (!ImGui::GetIO().WantTextInput && !m_chooser.isOpen() && !m_unsaved.isOpen())
     m_actions.runKeys(m_screen.keyboard());
-  if (m_setShown != m_session.setRevision()) m_pictures->forget();
+  if (m_setShown != m_session.setRevision()) {
+    m_subjects.forget();
+    m_viewer = {};
+  }
+  if (m_setShown != m_session.setRevision() || m_subjectsShown != m_subjects.revision()) m_pictures->forget();
   m_setShown = m_session.setRevision();
+  m_subjectsShown = m_subjects.revision();
   m_screen.beginFrame();
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);

@@ -37,6 +37,7 @@ class StudioWindow {
   void addFileActions();
   void addLightActions();
   void addViewActions();
+  void addCompareActions();
   void drawToolbar();
   void drawPanels();
   /// Does it at once, or after the person has decided about unsaved work.
@@ -64,6 +65,10 @@ class StudioWindow {
   ShownPicture m_shown;
   MixerState m_mixer;
   Tool m_tool = Tool::Look;
+  ViewerState m_viewer;
+  SubjectPictures m_subjects;
+  uint64_t m_subjectsShown = 0;
+  ViewTable m_table;
   StudioContext m_context;
 
   FileChooser m_chooser;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <exception>
 
+#include "ui/enum_names.h"
+
 namespace swaplight {
 namespace {
 
@@ -12,15 +14,6 @@ constexpr double kMinZoom = 0.01;
 constexpr double kMaxZoom = 64;
 
 const std::array<const char*, 5> kChannelNames = {"color", "red", "green", "blue", "luminance"};
-const std::array<const char*, 8> kSubjectNames = {"relit",    "contribution", "beta",  "reflectance",
-                                                  "residual", "sigma",        "flags", "photograph"};
-
-template <typename Enum, size_t N>
-Enum enumFromName(const std::array<const char*, N>& names, const std::string& name, Enum otherwise) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? otherwise : static_cast<Enum>(found - names.begin());
-}
-
 // A picture smaller than the viewer sits in its middle; a larger one fills it.
 double clampedCenter(double center, double pictureSize, double seen) {
   if (pictureSize <= seen) return pictureSize / 2;
@@ -72,11 +65,13 @@ Json jsonFromViewState(const ViewState& state) {
       {"center", {state.centerX, state.centerY}},
       {"exposure_stops", settings.exposureStops},
       {"gamma", settings.gamma},
-      {"channel", kChannelNames[static_cast<size_t>(settings.channel)]},
+      {"channel", nameOfEnum(kChannelNames, settings.channel)},
       {"false_color", settings.falseColor},
       {"zebra", {{"on", settings.zebra.on}, {"low", settings.zebra.low}, {"high", settings.zebra.high}}},
-      {"subject", kSubjectNames[static_cast<size_t>(state.subject.kind)]},
+      {"subject", nameOfEnum(kSubjectNames, state.subject.kind)},
       {"subject_index", state.subject.index},
+      {"compare", jsonFromCompareState(state.compare)},
+      {"probe", {{"on", state.probe}, {"side", state.probeSide}}},
       {"selected_light", state.selectedLight},
   };
 }
@@ -93,15 +88,20 @@ ViewState viewStateFromJson(const Json& json) {
     ViewSettings& settings = state.settings;
     settings.exposureStops = std::clamp(json.value("exposure_stops", 0.0F), -20.0F, 20.0F);
     settings.gamma = std::clamp(json.value("gamma", 1.0F), 0.1F, 10.0F);
-    settings.channel = enumFromName(kChannelNames, json.value("channel", ""), ViewChannel::Color);
+    settings.channel = enumOfName(kChannelNames, json.value("channel", ""), ViewChannel::Color);
     settings.falseColor = json.value("false_color", false);
     if (json.contains("zebra")) {
       settings.zebra.on = json["zebra"].value("on", false);
       settings.zebra.low = json["zebra"].value("low", settings.zebra.low);
       settings.zebra.high = json["zebra"].value("high", settings.zebra.high);
     }
-    state.subject.kind = enumFromName(kSubjectNames, json.value("subject", ""), ViewSubject::Kind::Relit);
+    state.subject.kind = enumOfName(kSubjectNames, json.value("subject", ""), ViewSubject::Kind::Relit);
     state.subject.index = std::max(0, json.value("subject_index", 0));
+    if (json.contains("compare")) state.compare = compareStateFromJson(json["compare"]);
+    if (json.contains("probe")) {
+      state.probe = json["probe"].value("on", false);
+      state.probeSide = std::clamp(json["probe"].value("side", 1), 1, 101);
+    }
     state.selectedLight = std::max(0, json.value("selected_light", 0));
   } catch (const std::exception&) {
     return {};

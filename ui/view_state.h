@@ -6,6 +6,7 @@
 #include "core/view/view_settings.h"
 #include "core/view/view_subject.h"
 #include "core/view/view_window.h"
+#include "ui/compare_state.h"
 
 namespace swaplight {
 
@@ -17,6 +18,9 @@ struct ViewState {
   double centerY = 0;  ///< the picture's point in the middle of the viewer
   ViewSettings settings;
   ViewSubject subject;
+  CompareState compare;
+  bool probe = false;            ///< tell about the place under the mouse
+  int probeSide = 1;             ///< pixels of the square that it looks at
   int selectedLight = 0;         ///< whose colour is shown
   std::set<int> selectedLights;  ///< with it; what is touched on one of them changes on all
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <optional>
+#include <string>
+
+#include "core/session/document.h"
+#include "core/view/display_table.h"
+
+namespace swaplight {
+
+/// The way from a set's pixels to display codes as a frame is exported: without the viewer's exposure, gamma
+/// and channels. For what tells about the picture: probe and scopes.
+class ViewTable {
+ public:
+  /// Made again where the colour space or the view changed. Throws InputError for an unknown view.
+  const DisplayTable& table(const std::string& colorSpace, const DisplayChoice& display);
+  /// Of the colour space of the last table().
+  [[nodiscard]] const Rgb& luminanceWeights() const { return m_weights; }
+  [[nodiscard]] const glm::mat3& xyzFromRgb() const { return m_xyzFromRgb; }
+
+ private:
+  std::string m_colorSpace;
+  DisplayChoice m_display;
+  std::optional<DisplayTable> m_table;
+  Rgb m_weights{0, 1, 0};
+  glm::mat3 m_xyzFromRgb{1};
+};
+
+}  // namespace swaplight

@@ -1,0 +1,180 @@
+#include "ui/viewer_bar.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <array>
+
+#include "core/color/color_config.h"
+#include "ui/layout_probe.h"
+#include "ui/menu_bar.h"
+#include "ui/theme.h"
+#include "ui/viewer_request.h"
+#include "ui/widgets.h"
+
+namespace swaplight {
+namespace {
+
+using Kind = ViewSubject::Kind;
+
+constexpr float kGap = 5;
+
+/// A button that opens a list; draws the list by `lines`.
+template <typename Lines>
+void listButton(const char* id, const std::string& shown, float width, const char* tip, const Lines& lines) {
+  ImGui::SetNextItemWidth(px(width));
+  const bool open = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLargest);
+  if (open) {
+    lines();
+    ImGui::EndCombo();
+  }
+  markItem(std::string("bar.") + (id + 2));
+  if (!open) tooltip(tip);
+  ImGui::SameLine(0, px(kGap));
+}
+
+bool subjectLine(StudioContext& studio, const ViewSubject& subject, bool current) {
+  const std::string words = subjectWords(studio, subject);
+  const bool clicked = ImGui::MenuItem(words.c_str(), nullptr, current);
+  markItem("subject." + words);
+  return clicked;
+}
+
+std::string compareWords(CompareState::Mode mode) {
+  constexpr std::array<const char*, 5> words = {"A", "Wipe", "Split", "A \u2212 B", "B"};
+  return words[static_cast<size_t>(mode)];
+}
+
+void compareList(StudioContext& studio) {
+  for (const char* id :
+       {"compare.off", "compare.wipe", "compare.split", "compare.difference", "compare.toggle"})
+    actionMenuItem(studio.actions, id);
+}
+
+void channelList(StudioContext& studio) {
+  for (const char* id : {"channel.all", "channel.red", "channel.green", "channel.blue", "channel.luminance"})
+    actionMenuItem(studio.actions, id);
+}
+
+void number(const char* id, float* value, float width, float speed, float low, float high, const char* format,
+            float neutral, const char* tip) {
+  const bool changed = *value != neutral;
+  if (changed) ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
+  ImGui::SetNextItemWidth(px(width));
+  ImGui::DragFloat(id, value, speed, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+  if (changed) ImGui::PopStyleColor();
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) *value = neutral;
+  markItem(std::string("bar.") + (id + 2));
+  tooltip(tip);
+  ImGui::SameLine(0, px(kGap));
+}
+
+void zebraButton(StudioContext& studio) {
+  actionTextButton(studio.actions, "view.zebra", "Zebra", px(58));
+  if (ImGui::BeginPopupContextItem("##zebra levels")) {
+    Zebra& zebra = studio.view.settings.zebra;
+    ImGui::SetNextItemWidth(px(200));
+    ImGui::SliderFloat("bright", &zebra.high, 0, 1, "%.2f");
+    ImGui::SetNextItemWidth(px(200));
+    ImGui::SliderFloat("dark", &zebra.low, 0, 1, "%.2f");
+    ImGui::EndPopup();
+  }
+  ImGui::SameLine(0, px(kGap));
+}
+
+std::string viewWords(const StudioContext& studio) {
+  const ColorConfig& config = ColorConfig::current();
+  const DisplayChoice& choice = studio.document().display;
+  const std::string display = choice.display.empty() ? config.defaultDisplay() : choice.display;
+  const std::string view = choice.view.empty() ? config.defaultView(display) : choice.view;
+  return display + " \u00b7 " + view;
+}
+
+}  // namespace
+
+void drawSubjectMenu(StudioContext& studio, bool sideB) {
+  CompareState& compare = studio.view.compare;
+  const ViewSubject current = sideB ? compare.subject : studio.view.subject;
+  const OpenSet* set = studio.set();
+  if (!set) return;
+  const auto choose = [&](const ViewSubject& subject) {
+    (sideB ? compare.subject : studio.view.subject) = subject;
+  };
+  if (!sideB) {
+    if (subjectLine(studio, {}, current == ViewSubject{})) choose({});
+  } else {
+    const bool relit = current.kind == Kind::Relit;
+    if (ImGui::MenuItem("All white", nullptr, relit && !compare.rig)) {
+      choose({});
+      compare.rig.reset();
+    }
+    markItem("subject_b.white");
+    if (ImGui::MenuItem("The lighting of now", nullptr, relit && compare.rig.has_value()))
+      studio.actions.run("compare.keep");
+    markItem("subject_b.now");
+    tooltip("Keeps the present lighting as B, to be compared with what you change.");
+  }
+  ImGui::Separator();
+  for (int shot = 0; shot < set->solved->capture.shotCount(); ++shot)
+    if (subjectLine(studio, {Kind::Photograph, shot}, current == ViewSubject{Kind::Photograph, shot}))
+      choose({Kind::Photograph, shot});
+  ImGui::Separator();
+  for (const Kind kind : {Kind::Contribution, Kind::Beta}) {
+    for (int light = 0; light < set->solved->lightCount(); ++light)
+      if (subjectLine(studio, {kind, light}, current == ViewSubject{kind, light})) choose({kind, light});
+    ImGui::Separator();
+  }
+  for (const Kind kind : {Kind::Reflectance, Kind::Residual, Kind::Sigma, Kind::Flags})
+    if (subjectLine(studio, {kind, 0}, current == ViewSubject{kind, 0})) choose({kind, 0});
+}
+
+void drawDisplayMenu(StudioContext& studio) {
+  const ColorConfig& config = ColorConfig::current();
+  for (const std::string& display : config.displays()) {
+    ImGui::TextDisabled("%s", display.c_str());
+    for (const std::string& view : config.views(display)) {
+      const std::string name = display + " \u00b7 " + view;
+      ImGui::PushID(name.c_str());
+      if (ImGui::MenuItem(("   " + view).c_str(), nullptr, name == viewWords(studio))) {
+        Document next = studio.document();
+        next.display = {display, view};
+        studio.editor.edit("View: " + name, std::move(next));
+      }
+      ImGui::PopID();
+      markItem("view." + display + "." + view);
+    }
+  }
+}
+
+void drawViewerBar(StudioContext& studio) {
+  const float height = ImGui::GetFrameHeight() + px(8);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ViewSettings& settings = studio.view.settings;
+  ImGui::SetCursorScreenPos(ImVec2(at.x + px(6), at.y + px(4)));
+  listButton("##subject", subjectWords(studio, studio.view.subject), 124, "What is shown",
+             [&] { drawSubjectMenu(studio, false); });
+  listButton("##compare", compareWords(studio.view.compare.mode), 76, "Compare with another picture, B",
+             [&] { compareList(studio); });
+  if (studio.view.compare.isOn())
+    listButton("##side_b", sideBWords(studio), 124, "What it is compared with",
+               [&] { drawSubjectMenu(studio, true); });
+  constexpr std::array<const char*, 5> channels = {"RGB", "R", "G", "B", "L"};
+  listButton("##channel", channels[static_cast<size_t>(settings.channel)], 70, "Channel",
+             [&] { channelList(studio); });
+  number(
+      "##exposure", &settings.exposureStops, 82, 0.02F, -20, 20, "%+.2f st", 0,
+      "The viewer's exposure: never exported. Drag, or hold E and drag in the picture. Right-click resets.");
+  number("##gamma", &settings.gamma, 62, 0.005F, 0.1F, 10, "\u03b3 %.2f", 1,
+         "The viewer's gamma: never exported. Right-click resets.");
+  actionTextButton(studio.actions, "view.false_color", "False", px(54));
+  ImGui::SameLine(0, px(kGap));
+  zebraButton(studio);
+  const float room = ImGui::GetContentRegionAvail().x - px(6);
+  if (room > px(60))
+    listButton("##view", viewWords(studio), std::min(room / px(1), 190.0F),
+               "Display and view: how the picture is exported to PNG, TIFF and JPEG",
+               [&] { drawDisplayMenu(studio); });
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
+}
+
+}  // namespace swaplight

@@ -1,0 +1,147 @@
+#include "ui/viewer_mouse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ui/pick_tool.h"
+#include "ui/theme.h"
+#include "ui/viewer_request.h"
+
+namespace swaplight {
+namespace {
+
+using Grab = ViewerState::Grab;
+
+constexpr double kWheelStep = 1.15;  // zoom a notch of the wheel
+constexpr float kStopsPerPixel = 0.01F;
+constexpr float kHandleReach = 9;  // pixels at scale 1
+constexpr float kTurnDistance = 90;
+
+float distance(ImVec2 a, ImVec2 b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+std::optional<PicturePixel> pixelAt(const StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const PicturePixel pixel{static_cast<int>(std::floor(window.pictureX(mouse.x - origin.x))),
+                           static_cast<int>(std::floor(window.pictureY(mouse.y - origin.y)))};
+  const ViewPictures& pictures = *studio.set()->pictures;
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= pictures.width() || pixel.y >= pictures.height())
+    return std::nullopt;
+  return pixel;
+}
+
+/// What the left button takes hold of here.
+Grab grabbed(const StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  if (studio.keyboard.isHeld("E")) return Grab::Exposure;
+  if (studio.tool == Tool::Region) return Grab::Region;
+  if (studio.view.compare.mode != CompareState::Mode::Wipe) return Grab::Pan;
+  const ViewPictures& pictures = *studio.set()->pictures;
+  const WipeHandles handles =
+      wipeHandles(wipeIn(studio.view.compare, pictures.width(), pictures.height()), window, origin);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (distance(mouse, handles.turn) < px(kHandleReach + 3)) return Grab::WipeTurn;
+  const ImVec2 from(mouse.x - handles.center.x, mouse.y - handles.center.y);
+  const float across = std::abs(from.x * handles.along.y - from.y * handles.along.x);
+  return across < px(kHandleReach) ? Grab::WipeMove : Grab::Pan;
+}
+
+void turnWipe(CompareState& compare, const ViewPictures& pictures, const ViewWindow& window, ImVec2 origin) {
+  const WipeHandles handles =
+      wipeHandles(wipeIn(compare, pictures.width(), pictures.height()), window, origin);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const double dx = mouse.x - handles.center.x, dy = mouse.y - handles.center.y;
+  if (std::hypot(dx, dy) < px(4)) return;
+  double degrees = std::atan2(-dx, dy) * 180 / std::numbers::pi;
+  if (ImGui::GetIO().KeyShift) degrees = std::round(degrees / 15) * 15;
+  compare.angleDegrees = degrees;
+}
+
+void drawRegion(StudioContext& studio, const ViewWindow& window, ImVec2 origin, bool begin) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const ViewPictures& pictures = *studio.set()->pictures;
+  const auto x = std::clamp(static_cast<int>(window.pictureX(mouse.x - origin.x)), 0, pictures.width() - 1);
+  const auto y = std::clamp(static_cast<int>(window.pictureY(mouse.y - origin.y)), 0, pictures.height() - 1);
+  ViewerState& viewer = studio.viewer;
+  if (begin) {
+    viewer.regionX = x;
+    viewer.regionY = y;
+  }
+  viewer.region = PictureRegion{std::min(x, viewer.regionX), std::min(y, viewer.regionY),
+                                std::abs(x - viewer.regionX) + 1, std::abs(y - viewer.regionY) + 1};
+}
+
+void drag(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  const ViewPictures& pictures = *studio.set()->pictures;
+  CompareState& compare = studio.view.compare;
+  switch (studio.viewer.grab) {
+    case Grab::None:
+      return;
+    case Grab::Pan:
+      if (delta.x != 0 || delta.y != 0) studio.view.pan(window, delta.x, delta.y);
+      return;
+    case Grab::Exposure:
+      studio.view.settings.exposureStops =
+          std::clamp(studio.view.settings.exposureStops + delta.x * kStopsPerPixel, -20.0F, 20.0F);
+      return;
+    case Grab::WipeMove:
+      compare.x += delta.x / window.zoom / pictures.width();
+      compare.y += delta.y / window.zoom / pictures.height();
+      return;
+    case Grab::WipeTurn:
+      return turnWipe(compare, pictures, window, origin);
+    case Grab::Region:
+      return drawRegion(studio, window, origin, false);
+  }
+}
+
+}  // namespace
+
+WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2 origin) {
+  const double angle = wipe.angleDegrees * std::numbers::pi / 180;
+  WipeHandles handles;
+  handles.center = ImVec2(origin.x + static_cast<float>(window.windowX(wipe.x)),
+                          origin.y + static_cast<float>(window.windowY(wipe.y)));
+  handles.along = ImVec2(static_cast<float>(-std::sin(angle)), static_cast<float>(std::cos(angle)));
+  handles.turn = ImVec2(handles.center.x + px(kTurnDistance) * handles.along.x,
+                        handles.center.y + px(kTurnDistance) * handles.along.y);
+  return handles;
+}
+
+void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered && io.MouseWheel != 0)
+    studio.view.zoomAt(window, io.MousePos.x - origin.x, io.MousePos.y - origin.y,
+                       std::pow(kWheelStep, io.MouseWheel));
+  const Tool tool = io.KeyAlt ? Tool::Match : studio.tool;
+  const bool picks = tool == Tool::Neutral || tool == Tool::Match;
+  Grab& grab = studio.viewer.grab;
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) grab = Grab::Pan;
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    if (picks) {
+      if (const auto pixel = pixelAt(studio, window, origin)) pickPixel(studio, tool, pixel->x, pixel->y);
+    } else {
+      grab = grabbed(studio, window, origin);
+      if (grab == Grab::Region) drawRegion(studio, window, origin, true);
+    }
+  }
+  if (!io.MouseDown[ImGuiMouseButton_Left] && !io.MouseDown[ImGuiMouseButton_Middle]) grab = Grab::None;
+  drag(studio, window, origin);
+  if (!hovered) return;
+  const Grab over = grab == Grab::None ? grabbed(studio, window, origin) : grab;
+  if (picks || over == Grab::WipeMove || over == Grab::WipeTurn)
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  else if (over == Grab::Exposure)
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+}
+
+std::optional<PicturePixel> pixelAtMouse(const StudioContext& studio) {
+  const ShownPicture& shown = studio.shown;
+  if (!shown.valid || !shown.hovered) return std::nullopt;
+  return pixelAt(studio, shown.window, ImVec2(shown.originX, shown.originY));
+}
+
+}  // namespace swaplight
