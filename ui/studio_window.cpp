@@ -55,7 +55,7 @@ StudioWindow::~StudioWindow() {
   if (m_layout != m_layoutOnDisk) writePanelLayout(m_layout, m_layoutFile);
 }
 
-void StudioWindow::whenSaved(std::function<void()> then) {
+void StudioWindow::whenSaved(const std::function<void()>& then) {
   m_editor.commit();
   if (m_editor.saved() || !m_session.hasDocument()) {
     then();
@@ -87,7 +87,7 @@ void StudioWindow::askForFile() {
                  [this](const fs::path& file) { m_session.open(file); }});
 }
 
-void StudioWindow::askForSaveName(std::function<void()> then) {
+void StudioWindow::askForSaveName(const std::function<void()>& then) {
   const fs::path& source = m_editor.document().source;
   const fs::path stem = source.filename() == "capture.json" ? source.parent_path().filename() : source.stem();
   m_chooser.ask({"Save the session",

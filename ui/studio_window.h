@@ -41,9 +41,9 @@ class StudioWindow {
   void drawToolbar();
   void drawPanels();
   /// Does it at once, or after the person has decided about unsaved work.
-  void whenSaved(std::function<void()> then);
+  void whenSaved(const std::function<void()>& then);
   void askForFile();
-  void askForSaveName(std::function<void()> then);
+  void askForSaveName(const std::function<void()>& then);
   void askForExport();
   void askForGels();
 

@@ -61,6 +61,7 @@ Capture makeBenchCapture(int lights, const std::vector<Rgb>& colors) {
   for (int i = 0; i < lights; ++i) {
     capture.lights.push_back({"light" + std::to_string(i + 1), Role::Other, Json::object()});
     Shot shot;
+    shot.lightColors.reserve(size_t(lights));
     for (int j = 0; j < lights; ++j) {
       const int color = (i + j) % lights;
       shot.lightColors.emplace_back(colors.empty() ? kColors[color] : colors[size_t(color)]);
@@ -72,6 +73,7 @@ Capture makeBenchCapture(int lights, const std::vector<Rgb>& colors) {
 
 std::vector<Image> randomTruth(int width, int height, int lights, float highlights) {
   std::vector<Image> truth;
+  truth.reserve(size_t(lights));
   for (int i = 0; i < lights; ++i) truth.emplace_back(ImageSpec::rgb(width, height));
   parallelRows(height, 16, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {

@@ -190,16 +190,18 @@ std::vector<std::string> ColorConfig::colorSpaces() const {
 }
 
 std::vector<std::string> ColorConfig::displays() const {
+  const int count = m_impl->config->getNumDisplays();
   std::vector<std::string> names;
-  for (int i = 0; i < m_impl->config->getNumDisplays(); ++i)
-    names.emplace_back(m_impl->config->getDisplay(i));
+  names.reserve(static_cast<size_t>(count));
+  for (int i = 0; i < count; ++i) names.emplace_back(m_impl->config->getDisplay(i));
   return names;
 }
 
 std::vector<std::string> ColorConfig::views(const std::string& display) const {
+  const int count = m_impl->config->getNumViews(display.c_str());
   std::vector<std::string> names;
-  names.reserve(static_cast<size_t>(m_impl->config->getNumViews(display.c_str())));
-  for (int i = 0; i < m_impl->config->getNumViews(display.c_str()); ++i)
+  names.reserve(static_cast<size_t>(count));
+  for (int i = 0; i < count; ++i)
     names.emplace_back(m_impl->config->getView(display.c_str(), i));
   return names;
 }

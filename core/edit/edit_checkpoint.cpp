@@ -23,7 +23,7 @@ EditCheckpoint::EditCheckpoint(int width, int height) : m_width(width), m_height
 void EditCheckpoint::forget() {
   m_below = 0;
   m_bands.clear();
-  m_bands.resize(static_cast<size_t>(tilesAcross(m_width) * tilesAcross(m_height) * kBandsATile));
+  m_bands.resize(size_t(tilesAcross(m_width)) * size_t(tilesAcross(m_height)) * kBandsATile);
 }
 
 void EditCheckpoint::follow(const Edits& before, const Edits& after) {
@@ -42,7 +42,7 @@ EditTile EditCheckpoint::stateAt(const PixelRect& area,
                                  const std::function<EditTile(const PixelRect& band)>& evaluate) {
   const int column = area.x / kTileSize;
   const int row = area.y / kBandRows;
-  auto& band = m_bands[static_cast<size_t>(row * tilesAcross(m_width) + column)];
+  auto& band = m_bands[size_t(row) * size_t(tilesAcross(m_width)) + size_t(column)];
   if (!band) {
     const PixelRect whole =
         intersection({column * kTileSize, row * kBandRows, kTileSize, kBandRows}, {0, 0, m_width, m_height});

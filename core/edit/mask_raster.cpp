@@ -31,14 +31,13 @@ MaskRaster::MaskRaster(int width, int height)
       m_tiles(static_cast<size_t>(columns()) * static_cast<size_t>(rows())) {}
 
 float MaskRaster::at(int x, int y) const {
-  const auto& tile = m_tiles[static_cast<size_t>(y / kTileSize * columns() + x / kTileSize)];
-  return tile ? static_cast<float>((*tile)[static_cast<size_t>(y % kTileSize * kTileSize + x % kTileSize)]) /
-                    kFull
-              : 0;
+  const auto& tile = m_tiles[tileIndex(x / kTileSize, y / kTileSize)];
+  if (!tile) return 0;
+  return static_cast<float>(tile->data()[y % kTileSize * kTileSize + x % kTileSize]) / kFull;
 }
 
 void MaskRaster::multiplyRow(int x, int y, int count, float* factors) const {
-  const auto* tiles = &m_tiles[static_cast<size_t>(y / kTileSize * columns())];
+  const auto* tiles = &m_tiles[tileIndex(0, y / kTileSize)];
   for (int done = 0; done < count;) {
     const int column = (x + done) / kTileSize;
     const int within = (x + done) % kTileSize;
@@ -54,7 +53,7 @@ void MaskRaster::multiplyRow(int x, int y, int count, float* factors) const {
 }
 
 uint16_t* MaskRaster::writableTile(int column, int row) {
-  auto& tile = m_tiles[static_cast<size_t>(row * columns() + column)];
+  auto& tile = m_tiles[tileIndex(column, row)];
   if (!tile)
     tile = std::make_shared<Tile>(Tile{});
   else if (tile.use_count() > 1)
@@ -64,7 +63,7 @@ uint16_t* MaskRaster::writableTile(int column, int row) {
 
 void MaskRaster::set(int x, int y, float value) {
   const auto code = static_cast<uint16_t>(std::lround(std::clamp(value, 0.f, 1.f) * kFull));
-  if (code == 0 && !m_tiles[static_cast<size_t>(y / kTileSize * columns() + x / kTileSize)]) return;
+  if (code == 0 && !m_tiles[tileIndex(x / kTileSize, y / kTileSize)]) return;
   writableTile(x / kTileSize, y / kTileSize)[y % kTileSize * kTileSize + x % kTileSize] = code;
 }
 
@@ -79,7 +78,7 @@ PixelRect MaskRaster::difference(const MaskRaster& other) const {
   PixelRect area;
   for (int row = 0; row < rows(); ++row)
     for (int column = 0; column < columns(); ++column) {
-      const auto index = static_cast<size_t>(row * columns() + column);
+      const size_t index = tileIndex(column, row);
       if (m_tiles[index] == other.m_tiles[index]) continue;
       const Tile& a = m_tiles[index] ? *m_tiles[index] : nothing;
       const Tile& b = other.m_tiles[index] ? *other.m_tiles[index] : nothing;

@@ -50,6 +50,10 @@ class MaskRaster {
 
  private:
   using Tile = std::array<uint16_t, size_t{kTileSize} * kTileSize>;
+  [[nodiscard]] size_t tileIndex(int column, int row) const {
+    return size_t(row) * size_t(columns()) + size_t(column);
+  }
+
   int m_width = 0;
   int m_height = 0;
   std::vector<std::shared_ptr<Tile>> m_tiles;

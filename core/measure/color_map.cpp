@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 namespace swaplight {
@@ -24,7 +25,7 @@ std::array<Rgb, 256> makeTable() {
 
 Rgb viridis(float t) {
   static const std::array<Rgb, 256> table = makeTable();
-  return table[static_cast<size_t>(std::clamp(t, 0.f, 1.f) * 255.f + .5f)];
+  return table[static_cast<size_t>(std::lround(std::clamp(t, 0.f, 1.f) * 255.f))];
 }
 
 }  // namespace swaplight

@@ -31,7 +31,7 @@ enum Between { kMisfit = 0, kVariance = 1, kOdds = 2, kShares = 3 };
 
 Image betweenPlanes(const SolvedSet& set) {
   ImageSpec spec = set.quality.spec();
-  spec.channels.assign(size_t(kShares + set.lightCount()), "");
+  spec.channels.assign(size_t(kShares) + size_t(set.lightCount()), "");
   return Image(spec);
 }
 

@@ -109,7 +109,7 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal,
   EstimatorContext current = context;
   std::vector<double> precision(size_t(unknowns), 1 / (options.priorSigma * options.priorSigma));
   for (int entry : options.unknown)
-    for (int c = 0; c < 3; ++c) precision[size_t(entry * 3 + c)] = 1;
+    for (int c = 0; c < 3; ++c) precision[size_t(entry) * 3 + size_t(c)] = 1;
   Eigen::VectorXd given(unknowns);
   const auto colorAt = [&](LightPlan& plan, int index) -> float& {
     return plan.color(index / 3 / n, index / 3 % n)[index % 3];
@@ -122,6 +122,7 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal,
     MatteScratch fit(n, in.count);
     matte.fit(in, fit.run());
     std::vector<PixelEquation> equations;
+    equations.reserve(size_t(in.count));
     for (int p = 0; p < in.count; ++p) equations.push_back(equationOf(current, in, fit.run(), p));
     std::vector<double> robust(equations.size(), 1.0);
     Eigen::VectorXd step = Eigen::VectorXd::Zero(unknowns);

@@ -67,7 +67,7 @@ Demultiplex::Demultiplex(const EstimatorContext& context, Bound bound)
     if (m_shots == m_lights) weight.setOnes();
     const Eigen::MatrixXd weighted = weight.asDiagonal() * matrix;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(weighted, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd s = svd.singularValues();
+    const Eigen::VectorXd& s = svd.singularValues();
     Eigen::VectorXd inverse = Eigen::VectorXd::Zero(m_lights);
     const bool usable = s[m_lights - 1] > kSingular * s[0];
     for (int i = 0; i < m_lights; ++i)
@@ -122,7 +122,7 @@ void Demultiplex::assess(const PixelRun& in, const SolvedRun& out) const {
     for (int k = 0; k < m_shots; ++k) {
       float sum = 0;
       for (int i = 0; i < m_lights; ++i)
-        sum += m_inverse[c][size_t(i * m_shots + k)] * m_inverse[c][size_t(i * m_shots + k)];
+        sum += m_inverse[c].data()[i * m_shots + k] * m_inverse[c].data()[i * m_shots + k];
       squared[c].push_back(sum / float(m_lights));
     }
   for (int p = 0; p < in.count; ++p) {
@@ -151,7 +151,7 @@ void Demultiplex::solveBounded(const float* y, int channel, float* x) const {
   double right[kMaxLights];
   for (int i = 0; i < n; ++i) {
     right[i] = 0;
-    for (int k = 0; k < m_shots; ++k) right[i] += m_adjoint[channel][size_t(i * m_shots + k)] * y[k];
+    for (int k = 0; k < m_shots; ++k) right[i] += m_adjoint[channel].data()[i * m_shots + k] * y[k];
   }
   // Lights are either free or held at zero; those on the wrong side change sides, all at once while that
   // helps, then one by one (which cannot cycle).

@@ -55,6 +55,7 @@ const EstimatorInfo& estimatorInfo(const std::string& name) {
   for (const EstimatorInfo& info : kEstimators)
     if (info.name == name) return info;
   std::vector<std::string_view> known;
+  known.reserve(kEstimators.size());
   for (const EstimatorInfo& info : kEstimators) known.push_back(info.name);
   throw InputError("solver '{}' is not known; known: {}", name, fmt::join(known, ", "));
 }

@@ -22,9 +22,9 @@ struct LightPlan {
   std::vector<Rgb> colors;         ///< [shot * lights + light], linear, >= 0
 
   [[nodiscard]] const Rgb& color(int shot, int light) const {
-    return colors[static_cast<size_t>(shot * lights + light)];
+    return colors[size_t(shot) * size_t(lights) + size_t(light)];
   }
-  Rgb& color(int shot, int light) { return colors[static_cast<size_t>(shot * lights + light)]; }
+  Rgb& color(int shot, int light) { return colors[size_t(shot) * size_t(lights) + size_t(light)]; }
   /// The shots x lights matrix of a channel.
   [[nodiscard]] Eigen::MatrixXd matrix(int channel) const;
 };

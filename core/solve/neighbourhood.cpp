@@ -85,6 +85,7 @@ void poolShares(ImageSpan shares, ImageSpan variance) {
       }
       for (int y = top; y < bottom; ++y) {
         std::vector<float*> rows;
+        rows.reserve(size_t(lights));
         for (int i = 0; i < lights; ++i) rows.push_back(pooled.span().row(i, y));
         normalise(rows.data(), lights, width);
       }

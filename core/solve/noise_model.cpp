@@ -50,7 +50,7 @@ void addBlocks(const Image& shot, int channel, float clip, std::array<Bin, kBins
       if (!usable) continue;
       const double mean = sum / (kBlock * kBlock);
       Bin& bin = bins[size_t(binOf(mean))];
-      bin.variances.push_back(float(squares / (kBlock * kBlock / 4)));
+      bin.variances.push_back(float(4 * squares / (kBlock * kBlock)));
       bin.signal += std::max(mean, 0.0);
     }
   }

@@ -64,7 +64,7 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) 
     for (int j = 0; j < d; ++j) m_plan.modes.push_back(float(svd.matrixV()(j, m)));
   }
   for (int c = 0; c < 3; ++c)
-    for (int e = 0; e < 3; ++e) m_plan.whiten[size_t(c * 3 + e)] = float(inverseRoot(c, e));
+    for (int e = 0; e < 3; ++e) m_plan.whiten[size_t(c) * 3 + size_t(e)] = float(inverseRoot(c, e));
   m_plan.greyPower.assign(size_t(d), 0.0F);
   for (int i = 0; i < n; ++i) {
     Eigen::RowVectorXd grey = Eigen::RowVectorXd::Zero(d);

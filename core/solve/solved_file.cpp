@@ -184,7 +184,8 @@ class PlaneFinder {
 
 std::vector<std::string> inLayer(const std::string& layer, const std::vector<std::string>& names) {
   std::vector<std::string> channels;
-  for (const std::string& name : names) channels.push_back(layer + "." + name);
+  channels.reserve(names.size());
+  for (const std::string& name : names) channels.push_back(fmt::format("{}.{}", layer, name));
   return channels;
 }
 
