@@ -12,3 +12,40 @@
 #else
 #define SWAPLIGHT_SIMD
 #endif
+
+/// Kernels written in lanes (core/solve/lanes.h) are files named *_kernel.cpp. They are compiled whole, once
+/// for each class of processor (SWAPLIGHT_LEVEL: level1, level3, level4; see core/CMakeLists.txt): vectors
+/// wider than the processor that a helper is first compiled for would be taken apart before it is inlined.
+/// They include nothing that a linker could mistake for code of the rest of the program.
+///
+/// SWAPLIGHT_DECLARE_KERNEL(name, parameters...) declares void name(parameters...) for every class;
+/// SWAPLIGHT_KERNEL(name) is the one for this machine.
+#if defined(__x86_64__) && !defined(SWAPLIGHT_SANITIZE)
+#define SWAPLIGHT_DECLARE_KERNEL(name, ...) \
+  namespace level1 {                        \
+  void name(__VA_ARGS__);                   \
+  }                                         \
+  namespace level3 {                        \
+  void name(__VA_ARGS__);                   \
+  }                                         \
+  namespace level4 {                        \
+  void name(__VA_ARGS__);                   \
+  }
+#define SWAPLIGHT_KERNEL(name)                       \
+  (swaplight::processorLevel() == 4   ? level4::name \
+   : swaplight::processorLevel() == 3 ? level3::name \
+                                      : level1::name)
+#else
+#define SWAPLIGHT_DECLARE_KERNEL(name, ...) \
+  namespace level1 {                        \
+  void name(__VA_ARGS__);                   \
+  }
+#define SWAPLIGHT_KERNEL(name) level1::name
+#endif
+
+namespace swaplight {
+
+/// The class of this machine's processor, as in x86-64-v4: 4, 3 or 1.
+[[nodiscard]] int processorLevel();
+
+}  // namespace swaplight

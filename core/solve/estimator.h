@@ -8,27 +8,11 @@
 
 #include "core/solve/light_plan.h"
 #include "core/solve/noise_model.h"
+#include "core/solve/pixel_run.h"
 #include "core/solve/solve_options.h"
 #include "core/solve/solved_set.h"
 
 namespace swaplight {
-
-/// Neighbouring pixels of all shots, a pointer a plane.
-struct PixelRun {
-  int count = 0;
-  /// Linear light of the controlled lights: ambient removed, exposure still in. NaN: not to be used (clipped,
-  /// broken); only estimators that say so in EstimatorInfo::masks cope with it.
-  const float* signal[kMaxShots][3];
-};
-
-/// Where an estimator puts its answer; planes of the same run.
-struct SolvedRun {
-  float* contribution[kMaxLights][3];  ///< T >= 0
-  float* beta[kMaxLights];             ///< written by writeBeta
-  float* residual = nullptr;           ///< in units of the expected noise; may be null
-  float* sigma = nullptr;  ///< standard error of a light's contribution (mean of channels, RMS of lights)
-                           ///< over the sum of all; may be null
-};
 
 /// The planes of a set from pixel `first` on.
 [[nodiscard]] SolvedRun runAt(SolvedSet& set, size_t first);
@@ -41,9 +25,6 @@ struct EstimatorContext {
   LightPlan plan;
   NoiseModel noise;
 };
-
-/// Pixels of a run: all planes of one fit into the second-level cache. A multiple of kLanes.
-inline constexpr int kRun = 2048;
 
 /// One way to tell the lights of a pixel apart. Immutable after construction, used from many threads; all
 /// that depends on the capture alone is computed by the constructor.

@@ -39,8 +39,10 @@ SWAPLIGHT_LANES Lanes squareRoot(Lanes x) {
   return y;
 }
 SWAPLIGHT_LANES bool any(LaneMask mask) {
-  int found = 0;
-  for (int l = 0; l < kLanes; ++l) found |= mask[l];
+  long long halves[kLanes / 2];
+  std::memcpy(halves, &mask, sizeof mask);
+  long long found = 0;
+  for (const long long half : halves) found |= half;
   return found != 0;
 }
 

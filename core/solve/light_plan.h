@@ -7,11 +7,9 @@
 
 #include "core/capture/capture.h"
 #include "core/color/rgb.h"
+#include "core/solve/pixel_run.h"
 
 namespace swaplight {
-
-inline constexpr int kMaxLights = 16;
-inline constexpr int kMaxShots = 32;
 
 /// The colours that the lights had in each shot, exposure included: shot[k][c] = sum_i color(k,i)[c] T[i][c].
 /// Everything about a capture's conditioning can be read off it, before a photograph is taken.

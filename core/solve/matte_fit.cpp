@@ -1,304 +1,13 @@
 #include "core/solve/matte_fit.h"
 
 #include <Eigen/Dense>
-#include <cmath>
 
-#include "core/simd.h"
-#include "core/solve/lanes.h"
-#include "core/solve/lanes_cholesky.h"
 #include "core/solve/run_scratch.h"
 
 namespace swaplight {
 namespace {
 
-constexpr int kSteps = 5;          // Gauss-Newton steps; from the ridge guess, three are usually enough
-constexpr float kGain = 1e-3F;     // of chi-square: a step that gains less is the last
-constexpr float kRidge = 0.03F;    // of the first guess, relative to the mean squared colour
-constexpr float kDamping = 1e-5F;  // relative to the mean curvature
-constexpr float kTiny = 1e-20F;
-constexpr float kWorst = 1e4F;  // a variance beyond which nothing is known at all
-
-/// A pixel's data, weighted: what Gauss-Newton needs of the shots.
-template <int kN>
-struct Normal {
-  Lanes p[3][kN];
-  Lanes q[3][kN * (kN + 1) / 2];
-  Lanes energy;  ///< sum of w y^2
-};
-
-template <int kN>
-SWAPLIGHT_LANES constexpr int packed(int i, int j) {
-  return i * (i + 1) / 2 + j;  // j <= i
-}
-
-/// Weighted normal equations of a block of pixels, given signal guesses g rho per channel.
-template <int kN>
-SWAPLIGHT_LANES void accumulate(const MatteFit::Plan& plan, const PixelRun& in, int at, int n, const Lanes* u,
-                                const Lanes* rho, Normal<kN>& out) {
-  out.energy = splat(0);
-  for (int c = 0; c < 3; ++c) {
-    for (int i = 0; i < n; ++i) out.p[c][i] = splat(0);
-    for (int i = 0; i < n * (n + 1) / 2; ++i) out.q[c][i] = splat(0);
-    for (int k = 0; k < plan.shots; ++k) {
-      const float* color = &plan.color[size_t((k * 3 + c) * n)];
-      const float* product = &plan.product[size_t((k * 3 + c) * (n * (n + 1) / 2))];
-      const Lanes y = load(in.signal[k][c] + at);
-      Lanes g = splat(0);
-      for (int i = 0; i < n; ++i) g += color[i] * u[i];
-      const Lanes s = g * rho[c];
-      const LaneMask usable = y == y;
-      const Lanes w = select(usable, 1 / (plan.constant + s * (plan.linear + s * plan.square)), splat(0));
-      const Lanes wy = select(usable, w * y, splat(0));
-      out.energy += select(usable, wy * y, splat(0));
-      for (int i = 0; i < n; ++i) out.p[c][i] += wy * color[i];
-      for (int i = 0; i < n * (n + 1) / 2; ++i) out.q[c][i] += w * product[i];
-    }
-  }
-}
-
-/// rho, the explained energy, and the row Q u of each channel at u.
-template <int kN>
-struct At {
-  Lanes rho[3];
-  Lanes scale[3];  ///< u'Qu
-  Lanes qu[3][kN];
-  Lanes explained;
-};
-
-template <int kN>
-SWAPLIGHT_LANES void evaluate(const Normal<kN>& normal, int n, const Lanes* u, At<kN>& at) {
-  at.explained = splat(0);
-  for (int c = 0; c < 3; ++c) {
-    Lanes s = splat(0);
-    Lanes a = splat(0);
-    for (int i = 0; i < n; ++i) {
-      Lanes sum = splat(0);
-      for (int j = 0; j < n; ++j) sum += normal.q[c][i >= j ? packed<kN>(i, j) : packed<kN>(j, i)] * u[j];
-      at.qu[c][i] = sum;
-      s += sum * u[i];
-      a += normal.p[c][i] * u[i];
-    }
-    a = larger(a, splat(0));
-    at.scale[c] = larger(s, splat(kTiny));
-    at.rho[c] = a / at.scale[c];
-    at.explained += a * at.rho[c];
-  }
-}
-
-/// The reflectance by plain least squares: a guess good enough to predict each value's noise.
-template <int kN>
-SWAPLIGHT_LANES void plainReflectance(const MatteFit::Plan& plan, const PixelRun& in, int at, int n,
-                                      const Lanes* u, Lanes* rho) {
-  for (int c = 0; c < 3; ++c) {
-    Lanes gg = splat(kTiny);
-    Lanes gy = splat(0);
-    for (int k = 0; k < plan.shots; ++k) {
-      const float* color = &plan.color[size_t((k * 3 + c) * n)];
-      const Lanes y = load(in.signal[k][c] + at);
-      Lanes g = splat(0);
-      for (int i = 0; i < n; ++i) g += color[i] * u[i];
-      const LaneMask usable = y == y;
-      gg += select(usable, g * g, splat(0));
-      gy += select(usable, g * y, splat(0));
-    }
-    rho[c] = larger(gy / gg, splat(0));
-  }
-}
-
-/// The first guess: ridge demultiplex, clamped; reflectance by plain least squares.
-template <int kN>
-SWAPLIGHT_LANES void firstGuess(const MatteFit::Plan& plan, const PixelRun& in, int at, int n, Lanes* u,
-                                Lanes* rho) {
-  for (int i = 0; i < n; ++i) u[i] = splat(0);
-  for (int k = 0; k < plan.shots; ++k)
-    for (int c = 0; c < 3; ++c) {
-      Lanes y = load(in.signal[k][c] + at);
-      y = select(y == y, y, splat(0));
-      for (int i = 0; i < n; ++i) u[i] += y * plan.guess[size_t((k * 3 + c) * n + i)];
-    }
-  Lanes sum = splat(0);
-  for (int i = 0; i < n; ++i) {
-    u[i] = larger(u[i], splat(0));
-    sum += u[i];
-  }
-  const LaneMask dark = sum < kTiny;
-  sum = select(dark, splat(1), sum);
-  for (int i = 0; i < n; ++i)
-    u[i] = select(dark, splat(1.0F / float(n)), 0.96F * u[i] / sum + 0.04F / float(n));
-  plainReflectance<kN>(plan, in, at, n, u, rho);
-}
-
-/// Kaufman's Hessian and the gradient at u, the gauge added, lights that stay at zero taken out.
-template <int kN>
-SWAPLIGHT_LANES void curvature(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u, Lanes* h,
-                               Lanes* g) {
-  for (int i = 0; i < n; ++i) {
-    Lanes slope = splat(0);
-    for (int c = 0; c < 3; ++c) slope += at.rho[c] * (normal.p[c][i] - at.rho[c] * at.qu[c][i]);
-    g[i] = slope;
-  }
-  Lanes trace = splat(kTiny);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j <= i; ++j) {
-      Lanes sum = splat(0);
-      for (int c = 0; c < 3; ++c)
-        sum +=
-            at.rho[c] * at.rho[c] * (normal.q[c][packed<kN>(i, j)] - at.qu[c][i] * at.qu[c][j] / at.scale[c]);
-      h[packed<kN>(i, j)] = sum;
-      if (i == j) trace += sum;
-    }
-  trace = trace / float(n);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j <= i; ++j) h[packed<kN>(i, j)] += i == j ? trace * (1 + kDamping) : trace;
-  for (int i = 0; i < n; ++i) {
-    const LaneMask held = (u[i] <= 0) & (g[i] <= 0);
-    g[i] = select(held, splat(0), g[i]);
-    for (int j = 0; j < n; ++j) {
-      Lanes& entry = h[i >= j ? packed<kN>(i, j) : packed<kN>(j, i)];
-      entry = select(held, i == j ? trace : splat(0), entry);
-    }
-  }
-}
-
-/// The variances of MatteRun, from the factored curvature at the maximum.
-template <int kN>
-SWAPLIGHT_LANES void variances(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u,
-                               const Lanes* factor, Lanes& contribution, Lanes& share) {
-  Lanes total = splat(0);
-  Lanes slope[kN];  // of R, the sum of rho, along u_j
-  Lanes rhoVariance = splat(0);
-  for (int c = 0; c < 3; ++c) {
-    total += at.rho[c];
-    rhoVariance += 1 / at.scale[c];
-  }
-  for (int j = 0; j < n; ++j) {
-    slope[j] = splat(0);
-    for (int c = 0; c < 3; ++c) slope[j] += (normal.p[c][j] - 2 * at.rho[c] * at.qu[c][j]) / at.scale[c];
-  }
-  // The covariance of the shares: the inverse curvature, without the gauge direction, which is u u' / trace
-  // there.
-  Lanes covariance[kN][kN];
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) covariance[i][j] = splat(i == j ? 1 : 0);
-    solveCholesky<kN>(n, factor, covariance[i]);
-    Lanes gauge = splat(0);
-    for (int j = 0; j < n; ++j) gauge += covariance[i][j];
-    for (int j = 0; j < n; ++j) covariance[i][j] -= gauge * u[j];
-  }
-  contribution = splat(0);
-  share = splat(0);
-  for (int i = 0; i < n; ++i) {
-    share += larger(covariance[i][i], splat(0));
-    // t_i = u_i R has the derivative u_i slope + R e_i.
-    Lanes variance = u[i] * u[i] * rhoVariance;
-    for (int a = 0; a < n; ++a) {
-      Lanes row = splat(0);
-      for (int b = 0; b < n; ++b) row += covariance[a][b] * (u[i] * slope[b] + (b == i ? total : splat(0)));
-      variance += row * (u[i] * slope[a] + (a == i ? total : splat(0)));
-    }
-    contribution += larger(variance, splat(0));
-  }
-  contribution = smaller(contribution / (float(n) * larger(total * total, splat(kTiny))), splat(kWorst));
-  share = smaller(share / float(n), splat(kWorst));
-}
-
-/// Writes what is known at the maximum.
-template <int kN>
-SWAPLIGHT_LANES void writeFit(const Normal<kN>& normal, int n, const Lanes* u, const MatteRun& out, int at) {
-  At<kN> here;
-  evaluate<kN>(normal, n, u, here);
-  for (int c = 0; c < 3; ++c) store(out.reflectance[c] + at, here.rho[c]);
-  store(out.misfit + at, larger(normal.energy - here.explained, splat(0)));
-  if (!out.variance) return;
-  Lanes h[kN * (kN + 1) / 2];
-  Lanes slope[kN];
-  curvature<kN>(normal, here, n, u, h, slope);
-  factorCholesky<kN>(n, h);
-  Lanes variance;
-  Lanes shareVariance;
-  variances<kN>(normal, here, n, u, h, variance, shareVariance);
-  store(out.variance + at, variance);
-  store(out.shareVariance + at, shareVariance);
-}
-
-template <int kN>
-SWAPLIGHT_LANES void fitRun(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out, int lights) {
-  const int n = lights;
-  for (int at = 0; at < in.count; at += kLanes) {
-    Lanes best[kN];
-    Lanes step[kN];
-    Lanes rho[3];
-    firstGuess<kN>(plan, in, at, n, best, rho);
-    Normal<kN> normal;
-    accumulate<kN>(plan, in, at, n, best, rho, normal);
-    for (int i = 0; i < n; ++i) step[i] = splat(0);
-    Lanes explained = splat(-1);
-    for (int iteration = 0; iteration <= kSteps; ++iteration) {
-      // Take the step, lights >= 0, back to sum 1.
-      Lanes next[kN];
-      Lanes sum = splat(kTiny);
-      for (int i = 0; i < n; ++i) {
-        next[i] = larger(best[i] + step[i], splat(0));
-        sum += next[i];
-      }
-      for (int i = 0; i < n; ++i) next[i] = next[i] / sum;
-      At<kN> there;
-      evaluate<kN>(normal, n, next, there);
-      const LaneMask better = there.explained >= explained;
-      const bool moving = any(there.explained > explained + kGain);
-      explained = select(better, there.explained, explained);
-      for (int i = 0; i < n; ++i) best[i] = select(better, next[i], best[i]);
-      if (!moving || iteration == kSteps) break;
-      // The next step; a shorter one where this did not help.
-      Lanes h[kN * (kN + 1) / 2];
-      Lanes newton[kN];
-      curvature<kN>(normal, there, n, next, h, newton);
-      factorCholesky<kN>(n, h);
-      solveCholesky<kN>(n, h, newton);
-      for (int i = 0; i < n; ++i) step[i] = select(better, newton[i], 0.25F * step[i]);
-    }
-    for (int i = 0; i < n; ++i) store(out.share[i] + at, best[i]);
-    writeFit<kN>(normal, n, best, out, at);
-  }
-}
-
-/// Everything but the shares, at shares that are given.
-template <int kN>
-SWAPLIGHT_LANES void assessRun(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out,
-                               int lights) {
-  const int n = lights;
-  for (int at = 0; at < in.count; at += kLanes) {
-    Lanes u[kN];
-    Lanes rho[3];
-    for (int i = 0; i < n; ++i) u[i] = load(out.share[i] + at);
-    plainReflectance<kN>(plan, in, at, n, u, rho);
-    Normal<kN> normal;
-    accumulate<kN>(plan, in, at, n, u, rho, normal);
-    writeFit<kN>(normal, n, u, out, at);
-  }
-}
-
-SWAPLIGHT_SIMD void fitKernel(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out) {
-  if (plan.lights == 2)
-    fitRun<2>(plan, in, out, 2);
-  else if (plan.lights == 3)
-    fitRun<3>(plan, in, out, 3);
-  else if (plan.lights == 4)
-    fitRun<4>(plan, in, out, 4);
-  else
-    fitRun<kMaxLights>(plan, in, out, plan.lights);
-}
-
-SWAPLIGHT_SIMD void assessKernel(const MatteFit::Plan& plan, const PixelRun& in, const MatteRun& out) {
-  if (plan.lights == 2)
-    assessRun<2>(plan, in, out, 2);
-  else if (plan.lights == 3)
-    assessRun<3>(plan, in, out, 3);
-  else if (plan.lights == 4)
-    assessRun<4>(plan, in, out, 4);
-  else
-    assessRun<kMaxLights>(plan, in, out, plan.lights);
-}
+constexpr double kRidge = 0.03;  // of the first guess, relative to the mean squared colour
 
 }  // namespace
 
@@ -317,9 +26,11 @@ MatteFit::MatteFit(const EstimatorContext& context)
     const double ridge = kRidge * gram.trace() / m_lights + 1e-12;
     guess[c] = (gram + ridge * Eigen::MatrixXd::Identity(m_lights, m_lights)).ldlt().solve(l.transpose());
   }
+  m_plan.mean.assign(size_t(m_lights) * 3, 0.0F);
   for (int k = 0; k < m_shots; ++k)
     for (int c = 0; c < 3; ++c)
       for (int i = 0; i < m_lights; ++i) {
+        m_plan.mean.data()[c * m_lights + i] += from.color(k, i)[c] / float(3 * m_shots);
         m_plan.color.push_back(from.color(k, i)[c]);
         m_plan.guess.push_back(float(guess[c](i, k)));
         for (int j = 0; j <= i; ++j) m_plan.product.push_back(from.color(k, i)[c] * from.color(k, j)[c]);
@@ -327,11 +38,11 @@ MatteFit::MatteFit(const EstimatorContext& context)
 }
 
 void MatteFit::fit(const PixelRun& in, const MatteRun& out) const {
-  fitKernel(m_plan, in, out);
+  SWAPLIGHT_KERNEL(fitMatte)(m_plan, in, out);
 }
 
 void MatteFit::assess(const PixelRun& in, const MatteRun& inOut) const {
-  assessKernel(m_plan, in, inOut);
+  SWAPLIGHT_KERNEL(assessMatte)(m_plan, in, inOut);
 }
 
 void Lambert::estimate(const PixelRun& in, const SolvedRun& out) const {
@@ -339,8 +50,8 @@ void Lambert::estimate(const PixelRun& in, const SolvedRun& out) const {
   MatteRun run = scratch.run();
   if (!out.sigma) run.variance = run.shareVariance = nullptr;
   m_fit.fit(in, run);
-  scratch.writeContributions(m_fit.lights(), in.count, out);
-  scratch.writeQuality(m_fit.freedom(), in.count, out);
+  writeContributions(run, m_fit.lights(), in.count, out);
+  writeQuality(run, m_fit.freedom(), in.count, out);
 }
 
 }  // namespace swaplight

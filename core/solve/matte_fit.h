@@ -1,21 +1,9 @@
 #pragma once
 
-#include <vector>
-
 #include "core/solve/estimator.h"
+#include "core/solve/matte_kernel.h"
 
 namespace swaplight {
-
-/// What a matte fit says of a run of pixels; planes as long as the run, rounded up to kLanes.
-struct MatteRun {
-  float* share[kMaxLights];  ///< beta: >= 0, sum 1
-  float* reflectance[3];     ///< rho >= 0, scaled so that T = beta rho
-  float* misfit;             ///< chi-square: residuals over their expected noise, squared and summed
-  /// Of a light's contribution (mean of channels, averaged over the lights) over the sum of all. May be null,
-  /// and shareVariance with it.
-  float* variance;
-  float* shareVariance;  ///< of beta, mean over the lights
-};
 
 /// The matte model T[i][c] = beta[i] rho[c] by maximum likelihood over all shots.
 ///
@@ -40,19 +28,9 @@ class MatteFit {
   [[nodiscard]] int shots() const { return m_shots; }
   [[nodiscard]] int freedom() const { return 3 * m_shots - m_lights - 2; }
 
-  /// Constants of the capture, laid out for the kernel.
-  struct Plan {
-    int lights = 0;
-    int shots = 0;
-    float constant = 0, linear = 0, square = 0;  ///< the noise model
-    std::vector<float> color;                    ///< [k][c][i]
-    std::vector<float> product;                  ///< [k][c][i <= j]: color i x color j
-    std::vector<float> guess;                    ///< [k][c][i]: the ridge demultiplex, summed over channels
-  };
-
  private:
   int m_lights, m_shots;
-  Plan m_plan;
+  MattePlan m_plan;
 };
 
 /// Estimator `maximum-likelihood`: MatteFit, model lambert.

@@ -58,7 +58,7 @@ void eachMarked(const cv::Mat& marked, const ShotSignal& signal, const Estimator
       PixelRun in;
       signal.run(first, count, masks, scratch, in);
       PackedRun packed(context.plan.shots, index.size());
-      for (const int p : index) packed.add(in, p);
+      packed.add(in, index);
       const size_t padded = (index.size() + kLanes - 1) / kLanes * kLanes;
       const SolvedScratch solved(context.plan.lights, padded);
       estimator.estimate(packed.run(), solved.run());

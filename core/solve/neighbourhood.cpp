@@ -1,12 +1,13 @@
 #include "core/solve/neighbourhood.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <opencv2/imgproc.hpp>
-#include <vector>
 
 #include "core/parallel.h"
 #include "core/simd.h"
+#include "core/solve/pixel_run.h"
 
 namespace swaplight {
 namespace {
@@ -50,16 +51,29 @@ SWAPLIGHT_SIMD void normalise(float* const* planes, int lights, int count) {
   }
 }
 
+/// Of two lights' shares, one says all.
+SWAPLIGHT_SIMD void complement(const float* __restrict share, float* __restrict other, int count) {
+  for (int x = 0; x < count; ++x) other[x] = 1 - share[x];
+}
+
+/// The variance that is left: the kept part of the noise, and the mean's own. `kept`: the sum of `lights`
+/// gains, replaced.
+SWAPLIGHT_SIMD void leaveVariance(const float* __restrict variance, float* __restrict kept, int lights,
+                                  int count) {
+  constexpr float kMean = 1.0F / ((2 * kRadius + 1) * (2 * kRadius + 1));
+  for (int x = 0; x < count; ++x) {
+    const float gain = kept[x] / float(lights);
+    kept[x] = variance[x] * (gain + (1 - gain) * kMean);
+  }
+}
+
 }  // namespace
 
-void poolShares(ImageSpan shares, ImageSpan variance) {
+void poolShares(ImageView shares, ImageView variance, std::span<const ImageSpan> pooled, ImageSpan left) {
   const int width = shares.width;
   const int height = shares.height;
   const int lights = shares.channels;
-  // Bands read their neighbours' rows, so the answer goes to planes of its own first.
-  ImageSpec spec{width, height, {}, "data"};
-  spec.channels.resize(size_t(lights) + 1);
-  Image pooled(spec);
+  const int filtered = lights == 2 ? 1 : lights;
   const int bands = (height + kBand - 1) / kBand;
   parallelRows(bands, 1, [&](int begin, int end) {
     for (int band = begin; band < end; ++band) {
@@ -70,8 +84,8 @@ void poolShares(ImageSpan shares, ImageSpan variance) {
       cv::Mat w(last - first, width, CV_32F), wb(w.size(), CV_32F), wbb(w.size(), CV_32F);
       cv::Mat sumW, sumWb, sumWbb;
       const cv::Size window(2 * kRadius + 1, 2 * kRadius + 1);
-      for (int y = top; y < bottom; ++y) std::fill_n(pooled.span().row(lights, y), width, 0.0F);
-      for (int i = 0; i < lights; ++i) {
+      for (int y = top; y < bottom; ++y) std::fill_n(left.row(0, y), width, 0.0F);
+      for (int i = 0; i < filtered; ++i) {
         for (int y = first; y < last; ++y)
           weigh(shares.row(i, y), variance.row(0, y), w.ptr<float>(y - first), wb.ptr<float>(y - first),
                 wbb.ptr<float>(y - first), width);
@@ -80,27 +94,16 @@ void poolShares(ImageSpan shares, ImageSpan variance) {
         cv::boxFilter(wbb, sumWbb, CV_32F, window, {-1, -1}, true, cv::BORDER_REPLICATE);
         for (int y = top; y < bottom; ++y)
           shrink(sumW.ptr<float>(y - first), sumWb.ptr<float>(y - first), sumWbb.ptr<float>(y - first),
-                 variance.row(0, y), shares.row(i, y), pooled.span().row(i, y), pooled.span().row(lights, y),
-                 width);
+                 variance.row(0, y), shares.row(i, y), pooled[size_t(i)].row(0, y), left.row(0, y), width);
       }
       for (int y = top; y < bottom; ++y) {
-        std::vector<float*> rows;
-        rows.reserve(size_t(lights));
-        for (int i = 0; i < lights; ++i) rows.push_back(pooled.span().row(i, y));
-        normalise(rows.data(), lights, width);
-      }
-    }
-  });
-  parallelRows(height, 64, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int i = 0; i < lights; ++i) std::copy_n(pooled.view().row(i, y), width, shares.row(i, y));
-      const float* gain = pooled.view().row(lights, y);
-      float* v = variance.row(0, y);
-      // What is left: the kept part of the noise, and the mean's own.
-      constexpr float kMean = 1.0F / ((2 * kRadius + 1) * (2 * kRadius + 1));
-      for (int x = 0; x < width; ++x) {
-        const float g = gain[x] / float(lights);
-        v[x] *= g + (1 - g) * kMean;
+        leaveVariance(variance.row(0, y), left.row(0, y), filtered, width);
+        std::array<float*, kMaxLights> rows;
+        for (int i = 0; i < lights; ++i) rows[size_t(i)] = pooled[size_t(i)].row(0, y);
+        if (lights == 2)
+          complement(rows[0], rows[1], width);
+        else
+          normalise(rows.data(), lights, width);
       }
     }
   });

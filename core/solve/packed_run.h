@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/solve/estimator.h"
@@ -20,6 +21,14 @@ class PackedRun {
     for (int k = 0; k < m_shots; ++k)
       for (int c = 0; c < 3; ++c) plane(k, c)[m_run.count] = from.signal[k][c][index];
     ++m_run.count;
+  }
+  void add(const PixelRun& from, std::span<const int> indices) {
+    for (int k = 0; k < m_shots; ++k)
+      for (int c = 0; c < 3; ++c) {
+        float* to = plane(k, c) + m_run.count;
+        for (const int index : indices) *to++ = from.signal[k][c][index];
+      }
+    m_run.count += int(indices.size());
   }
   [[nodiscard]] const PixelRun& run() const { return m_run; }
 

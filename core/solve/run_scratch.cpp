@@ -49,14 +49,14 @@ void MatteScratch::readShares(int lights, int count, const SolvedRun& from) cons
   }
 }
 
-void MatteScratch::writeContributions(int lights, int count, const SolvedRun& out) const {
+void writeContributions(const MatteRun& fit, int lights, int count, const SolvedRun& out) {
   for (int i = 0; i < lights; ++i)
-    for (int c = 0; c < 3; ++c) multiply(m_run.share[i], m_run.reflectance[c], out.contribution[i][c], count);
+    for (int c = 0; c < 3; ++c) multiply(fit.share[i], fit.reflectance[c], out.contribution[i][c], count);
 }
 
-void MatteScratch::writeQuality(int freedom, int count, const SolvedRun& out) const {
-  if (out.residual) scaledRoot(m_run.misfit, 1.0F / float(std::max(freedom, 1)), out.residual, count);
-  if (out.sigma) scaledRoot(m_run.variance, 1, out.sigma, count);
+void writeQuality(const MatteRun& fit, int freedom, int count, const SolvedRun& out) {
+  if (out.residual) scaledRoot(fit.misfit, 1.0F / float(std::max(freedom, 1)), out.residual, count);
+  if (out.sigma) scaledRoot(fit.variance, 1, out.sigma, count);
 }
 
 }  // namespace swaplight

@@ -14,14 +14,15 @@ class MatteScratch {
 
   /// beta from contributions; equal shares where there is no light.
   void readShares(int lights, int count, const SolvedRun& from) const;
-  /// T = beta rho.
-  void writeContributions(int lights, int count, const SolvedRun& out) const;
-  /// residual = sqrt(chi-square / freedom), sigma = sqrt(variance).
-  void writeQuality(int freedom, int count, const SolvedRun& out) const;
 
  private:
   std::unique_ptr<float[]> m_data;
   MatteRun m_run;
 };
+
+/// T = beta rho.
+void writeContributions(const MatteRun& fit, int lights, int count, const SolvedRun& out);
+/// residual = sqrt(chi-square / freedom), sigma = sqrt(variance).
+void writeQuality(const MatteRun& fit, int freedom, int count, const SolvedRun& out);
 
 }  // namespace swaplight

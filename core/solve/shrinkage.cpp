@@ -8,7 +8,6 @@
 #include "core/solve/pixel_sample.h"
 #include "core/solve/run_scratch.h"
 #include "core/solve/shot_signal.h"
-#include "core/solve/shrinkage_kernel.h"
 
 namespace swaplight {
 namespace {
@@ -100,7 +99,7 @@ void Shrinkage::learn(const ShotSignal& signal) {
   std::vector<float> evidence(padded * kScales);
   ShrinkageRun out;
   for (size_t j = 0; j < kScales; ++j) out.logEvidence[j] = &evidence[j * padded];
-  shrinkRun(m_plan, sample.run(), matte.run(), nullptr, out);
+  SWAPLIGHT_KERNEL(shrinkRun)(m_plan, sample.run(), matte.run(), nullptr, out);
   for (int round = 0; round < kRounds; ++round) {
     std::array<double, kScales> responsibility{};
     for (int p = 0; p < count; ++p) {
@@ -123,25 +122,25 @@ void Shrinkage::learn(const ShotSignal& signal) {
 void Shrinkage::finish(const PixelRun& in, const MatteRun& matte, const float* misfit, const float* odds,
                        const SolvedRun& out, float* notMatte) const {
   const int n = m_plan.lights;
-  const float freedom = float(std::max(m_matte.freedom(), 1));
   std::vector<int> index;
-  for (int p = 0; p < in.count; ++p) {
-    if (out.residual) out.residual[p] = std::sqrt(matte.misfit[p] / freedom);
-    if (out.sigma) out.sigma[p] = std::sqrt(matte.variance[p]);
-    if (notMatte) notMatte[p] = 0;
+  index.reserve(size_t(in.count));
+  for (int p = 0; p < in.count; ++p)
     if (misfit[p] > m_gate) index.push_back(p);
-  }
-  for (int i = 0; i < n; ++i)
-    for (int c = 0; c < 3; ++c)
-      for (int p = 0; p < in.count; ++p)
-        out.contribution[i][c][p] = matte.share[i][p] * matte.reflectance[c][p];
+  const auto gather = [&](const float* from, float* to) {
+    for (size_t j = 0; j < index.size(); ++j) to[j] = from[index[j]];
+  };
+  std::vector<float> packedOdds((index.size() + kLanes - 1) / kLanes * kLanes, 1.0F);
+  if (odds) gather(odds, packedOdds.data());
+  writeContributions(matte, n, in.count, out);
+  writeQuality(matte, m_matte.freedom(), in.count, out);
+  if (notMatte) std::fill_n(notMatte, in.count, 0.0F);
   if (index.empty()) return;
 
   // Pixels that need more, packed together.
   PackedRun packed(m_plan.shots, index.size());
   MatteScratch fit(n, int(index.size()));
   const size_t padded = (index.size() + kLanes - 1) / kLanes * kLanes;
-  std::vector<float> room(padded * size_t(3 * n + 3));
+  std::vector<float> room(padded * size_t(3 * n + 2));
   float* next = room.data();
   const auto take = [&] { return std::exchange(next, next + padded); };
   SolvedRun solved;
@@ -149,26 +148,21 @@ void Shrinkage::finish(const PixelRun& in, const MatteRun& matte, const float* m
     for (int c = 0; c < 3; ++c) solved.contribution[i][c] = take();
   solved.sigma = take();
   float* probability = take();
-  float* packedOdds = take();
-  for (size_t j = 0; j < index.size(); ++j) {
-    const int p = index[j];
-    packed.add(in, p);
-    for (int i = 0; i < n; ++i) fit.run().share[i][j] = matte.share[i][p];
-    for (int c = 0; c < 3; ++c) fit.run().reflectance[c][j] = matte.reflectance[c][p];
-    fit.run().variance[j] = matte.variance[p];
-    packedOdds[j] = odds ? odds[p] : 1;
-  }
+  packed.add(in, index);
+  for (int i = 0; i < n; ++i) gather(matte.share[i], fit.run().share[i]);
+  for (int c = 0; c < 3; ++c) gather(matte.reflectance[c], fit.run().reflectance[c]);
+  gather(matte.variance, fit.run().variance);
   ShrinkageRun to;
   to.solved = &solved;
   to.notMatte = probability;
-  shrinkRun(m_plan, packed.run(), fit.run(), packedOdds, to);
-  for (size_t j = 0; j < index.size(); ++j) {
-    const int p = index[j];
-    for (int i = 0; i < n; ++i)
-      for (int c = 0; c < 3; ++c) out.contribution[i][c][p] = solved.contribution[i][c][j];
-    if (out.sigma) out.sigma[p] = solved.sigma[j];
-    if (notMatte) notMatte[p] = probability[j];
-  }
+  SWAPLIGHT_KERNEL(shrinkRun)(m_plan, packed.run(), fit.run(), packedOdds.data(), to);
+  const auto scatter = [&](const float* from, float* all) {
+    for (size_t j = 0; j < index.size(); ++j) all[index[j]] = from[j];
+  };
+  for (int i = 0; i < n; ++i)
+    for (int c = 0; c < 3; ++c) scatter(solved.contribution[i][c], out.contribution[i][c]);
+  if (out.sigma) scatter(solved.sigma, out.sigma);
+  if (notMatte) scatter(probability, notMatte);
 }
 
 }  // namespace swaplight

@@ -1,22 +1,11 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "core/solve/matte_fit.h"
+#include "core/solve/shrinkage_kernel.h"
 
 namespace swaplight {
 
 class ShotSignal;
-
-/// What the set says of its surfaces: learnt from a sample of its pixels before they are solved.
-struct ShrinkagePrior {
-  static constexpr int kScales = 4;
-  /// tau: standard deviation of what is not matte, linear light; the first is 0.
-  std::array<float, kScales> scale{};
-  /// How often each of them is needed; sums to 1.
-  std::array<float, kScales> weight{};
-};
 
 /// Model `auto`: only what the pixel needs.
 ///   T = beta x rho + delta,   delta ~ N(0, tau^2 P),   P = per light w 11' + (1 - w) I over the channels
@@ -42,27 +31,11 @@ class Shrinkage {
   void finish(const PixelRun& in, const MatteRun& matte, const float* misfit, const float* odds,
               const SolvedRun& out, float* notMatte) const;
 
-  /// Constants of the capture, laid out for the kernel.
-  struct Plan {
-    int lights = 0, shots = 0;
-    float constant = 0, linear = 0, square = 0;  ///< noise model
-    float gauge = 1;
-    std::vector<float> color;       ///< [k][c][i]
-    std::vector<float> shape;       ///< [k][c]: 1 / D
-    std::vector<float> toModes;     ///< [m][k][c]: U' D^-1/2
-    std::vector<float> singular;    ///< [m]
-    std::vector<float> modes;       ///< [m][i][c]: W'
-    std::array<float, 9> whiten{};  ///< P^-1/2 of a light's channels
-    std::vector<float> fromModes;   ///< [i][c][m]: P^1/2 W
-    std::vector<float> greyPower;   ///< [m]: mean over lights of the squared grey part of a mode
-    ShrinkagePrior prior;
-  };
-
  private:
   void learn(const ShotSignal& signal);
 
   MatteFit m_matte;
-  Plan m_plan;
+  ShrinkagePlan m_plan;
   ShrinkagePrior m_prior;
   float m_gate = 0;
 };

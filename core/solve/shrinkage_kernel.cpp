@@ -1,10 +1,9 @@
 #include "core/solve/shrinkage_kernel.h"
 
-#include "core/simd.h"
 #include "core/solve/lanes.h"
 #include "core/solve/lanes_cholesky.h"
 
-namespace swaplight {
+namespace swaplight::SWAPLIGHT_LEVEL {
 namespace {
 
 constexpr int kScales = ShrinkagePrior::kScales;
@@ -23,7 +22,7 @@ struct Modes {
 };
 
 template <int kN>
-SWAPLIGHT_LANES void toModes(const Shrinkage::Plan& plan, const PixelRun& in, const MatteRun& matte, int at,
+SWAPLIGHT_LANES void toModes(const ShrinkagePlan& plan, const PixelRun& in, const MatteRun& matte, int at,
                              int n, Modes<kN>& out) {
   const int d = 3 * n;
   Lanes u[kN];
@@ -41,22 +40,22 @@ SWAPLIGHT_LANES void toModes(const Shrinkage::Plan& plan, const PixelRun& in, co
     for (int c = 0; c < 3; ++c) {
       const int kc = k * 3 + c;
       Lanes g = splat(0);
-      for (int i = 0; i < n; ++i) g += plan.color[size_t(kc * n + i)] * u[i];
+      for (int i = 0; i < n; ++i) g += plan.color.data()[kc * n + i] * u[i];
       const Lanes s = g * rho[c];
-      out.noise += plan.shape[size_t(kc)] * (plan.constant + s * (plan.linear + s * plan.square));
+      out.noise += plan.shape.data()[kc] * (plan.constant + s * (plan.linear + s * plan.square));
       // A value that is left out is as the matte model predicts it.
       Lanes y = load(in.signal[k][c] + at);
       y = select(y == y, y, s);
-      for (int m = 0; m < d; ++m) out.residual[m] += plan.toModes[size_t(m * 3 * plan.shots + kc)] * y;
+      for (int m = 0; m < d; ++m) out.residual[m] += plan.toModes.data()[m * 3 * plan.shots + kc] * y;
     }
   out.noise = out.noise / float(3 * plan.shots);
 
   Lanes white[3];
   for (int c = 0; c < 3; ++c)
-    white[c] = plan.whiten[size_t(c * 3)] * rho[0] + plan.whiten[size_t(c * 3 + 1)] * rho[1] +
-               plan.whiten[size_t(c * 3 + 2)] * rho[2];
+    white[c] = plan.whiten.data()[c * 3] * rho[0] + plan.whiten.data()[c * 3 + 1] * rho[1] +
+               plan.whiten.data()[c * 3 + 2] * rho[2];
   for (int m = 0; m < d; ++m) {
-    const float* mode = &plan.modes[size_t(m * d)];
+    const float* mode = plan.modes.data() + m * d;
     out.x[m] = splat(0);
     for (int c = 0; c < 3; ++c) {
       Lanes sum = splat(0);
@@ -66,13 +65,13 @@ SWAPLIGHT_LANES void toModes(const Shrinkage::Plan& plan, const PixelRun& in, co
     }
     for (int i = 0; i < n; ++i)
       out.slope[m][3 + i] = mode[i * 3] * white[0] + mode[i * 3 + 1] * white[1] + mode[i * 3 + 2] * white[2];
-    out.residual[m] -= plan.singular[size_t(m)] * out.x[m];
+    out.residual[m] -= plan.singular.data()[m] * out.x[m];
   }
 }
 
 /// Refits the matte parameters under S(tau) by one step; gives log evidence and the answer along the modes.
 template <int kN>
-SWAPLIGHT_LANES Lanes refit(const Shrinkage::Plan& plan, const Modes<kN>& pixel, int n, float tau,
+SWAPLIGHT_LANES Lanes refit(const ShrinkagePlan& plan, const Modes<kN>& pixel, int n, float tau,
                             Lanes* answer) {
   constexpr int kP = Modes<kN>::kP;
   const int d = 3 * n;
@@ -84,7 +83,7 @@ SWAPLIGHT_LANES Lanes refit(const Shrinkage::Plan& plan, const Modes<kN>& pixel,
   for (int a = 0; a < params; ++a) step[a] = splat(0);
   Lanes logWeight = splat(0);
   for (int m = 0; m < d; ++m) {
-    const float s = plan.singular[size_t(m)];
+    const float s = plan.singular.data()[m];
     const Lanes weight = 1 / (s * s * tau2 + pixel.noise);
     logWeight += logarithm(weight);
     const Lanes sw = s * weight;
@@ -121,11 +120,11 @@ SWAPLIGHT_LANES Lanes refit(const Shrinkage::Plan& plan, const Modes<kN>& pixel,
   }
   factorCholesky<kP>(params, h);
   Lanes logDeterminant = -logarithm(trace);  // the gauge's own scale
-  for (int a = 0; a < params; ++a) logDeterminant -= 2 * logarithm(h[a * (a + 1) / 2 + a]);
+  for (int a = 0; a < params; ++a) logDeterminant -= logarithm(h[a * (a + 1) / 2 + a]);
   solveCholesky<kP>(params, h, step);
   Lanes square = splat(0);
   for (int m = 0; m < d; ++m) {
-    const float s = plan.singular[size_t(m)];
+    const float s = plan.singular.data()[m];
     const Lanes weight = 1 / (s * s * tau2 + pixel.noise);
     Lanes moved = splat(0);
     for (int a = 0; a < params; ++a) moved += pixel.slope[m][a] * step[a];
@@ -137,7 +136,7 @@ SWAPLIGHT_LANES Lanes refit(const Shrinkage::Plan& plan, const Modes<kN>& pixel,
 }
 
 template <int kN>
-[[gnu::always_inline]] inline void shrink(const Shrinkage::Plan& plan, const PixelRun& in,
+[[gnu::always_inline]] inline void shrink(const ShrinkagePlan& plan, const PixelRun& in,
                                           const MatteRun& matte, const float* odds, const ShrinkageRun& out,
                                           int lights) {
   constexpr int kD = Modes<kN>::kD;
@@ -163,9 +162,9 @@ template <int kN>
                            exponential(smaller(larger(evidence[j] - evidence[0], splat(-60)), splat(60)));
       Lanes posterior = splat(0);
       for (int m = 0; m < d; ++m) {
-        const float s = plan.singular[size_t(m)];
+        const float s = plan.singular.data()[m];
         mixed[m] += weight * answer[m];
-        posterior += plan.greyPower[size_t(m)] * tau * tau * pixel.noise / (s * s * tau * tau + pixel.noise);
+        posterior += plan.greyPower.data()[m] * tau * tau * pixel.noise / (s * s * tau * tau + pixel.noise);
       }
       variance += weight * posterior;
       sum += weight;
@@ -181,7 +180,7 @@ template <int kN>
     for (int i = 0; i < n; ++i)
       for (int c = 0; c < 3; ++c) {
         Lanes t = matteWeight * load(matte.share[i] + at) * load(matte.reflectance[c] + at);
-        const float* back = &plan.fromModes[size_t((i * 3 + c) * d)];
+        const float* back = plan.fromModes.data() + (i * 3 + c) * d;
         for (int m = 0; m < d; ++m) t += back[m] * mixed[m];
         t = larger(t, splat(0));
         total += t;
@@ -196,8 +195,8 @@ template <int kN>
 
 }  // namespace
 
-SWAPLIGHT_SIMD void shrinkRun(const Shrinkage::Plan& plan, const PixelRun& in, const MatteRun& matte,
-                              const float* odds, const ShrinkageRun& out) {
+void shrinkRun(const ShrinkagePlan& plan, const PixelRun& in, const MatteRun& matte, const float* odds,
+               const ShrinkageRun& out) {
   switch (plan.lights) {
     case 2:
       shrink<2>(plan, in, matte, odds, out, 2);
@@ -213,4 +212,4 @@ SWAPLIGHT_SIMD void shrinkRun(const Shrinkage::Plan& plan, const PixelRun& in, c
   }
 }
 
-}  // namespace swaplight
+}  // namespace swaplight::SWAPLIGHT_LEVEL

@@ -124,7 +124,7 @@ void TwoLights::assess(const PixelRun& in, const SolvedRun& out) const {
   MatteScratch scratch(2, in.count);
   scratch.readShares(2, in.count, out);
   m_fit.assess(in, scratch.run());
-  scratch.writeQuality(m_fit.freedom(), in.count, out);
+  writeQuality(scratch.run(), m_fit.freedom(), in.count, out);
 }
 
 }  // namespace swaplight
