@@ -63,6 +63,7 @@ Json jsonOf(const std::vector<SolverSpeed>& speeds, const std::vector<SolverErro
                              {"beta_rmse_over_bound", row.error.betaOverBound},
                              {"de_mean", row.error.deltaEMean},
                              {"de_p95", row.error.deltaE95},
+                             {"within_two_sigma", row.error.withinTwoSigma},
                              {"seconds", row.seconds}});
   return json;
 }
@@ -88,7 +89,7 @@ Image paretoPlot(const std::vector<SolverError>& rows) {
 int run(const Arguments& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
   if (arguments.hardCases) {
-    const Description suite = benchHardCases(arguments.captures, arguments.seed, progress);
+    const Description suite = benchHardCases(arguments.captures, arguments.seed, arguments.quick, progress);
     terminal.result(suite.text, suite.json);
     return 0;
   }

@@ -23,7 +23,8 @@ std::vector<std::string> hardCaseModels() {
 
 HardCaseError measureHardCase(const HardCase& test) {
   const LightPlan plan = planFromCapture(test.capture);
-  const BoundedTruth truth(benchTruth(test.capture, test.truth), plan, test.noise);
+  const BoundedTruth truth(benchTruth(test.capture, test.truth), plan, test.noise,
+                           test.pixels.clipLevel.front());
   HardCaseError row{test.name, test.group, test.matte, test.mixed, truth.relativeBound, {}};
   for (const std::string& model : hardCaseModels()) {
     SolveOptions options = test.options;

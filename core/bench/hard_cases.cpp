@@ -144,13 +144,6 @@ void multiply(std::vector<Image>& images, float gain) {
       for (size_t p = 0; p < image.pixelCount(); ++p) image.plane(c)[p] *= gain;
 }
 
-float meanOf(const Image& image) {
-  double sum = 0;
-  for (int c = 0; c < 3; ++c)
-    for (size_t p = 0; p < image.pixelCount(); ++p) sum += image.plane(c)[p];
-  return float(sum / (3 * double(image.pixelCount())));
-}
-
 Capture captureOf(const Recipe& recipe) {
   Capture capture = makeBenchCapture(recipe.picture.lights, recipe.colors);
   capture.name = recipe.name;
@@ -204,12 +197,16 @@ void damage(CapturePixels& pixels) {
 
 }  // namespace
 
-int hardCaseCount() {
-  return int(recipes().size());
+std::vector<std::string> hardCaseNames() {
+  std::vector<std::string> names;
+  for (const Recipe& recipe : recipes()) names.emplace_back(recipe.name);
+  return names;
 }
 
-HardCase makeHardCase(int index, unsigned seed) {
-  const Recipe& recipe = recipes()[size_t(index)];
+HardCase makeHardCase(int index, unsigned seed, int width) {
+  Recipe recipe = recipes()[size_t(index)];
+  recipe.picture.width = width;
+  recipe.picture.height = width * 2 / 3;
   HardCase made;
   made.name = recipe.name;
   made.group = recipe.group;
@@ -255,8 +252,6 @@ HardCase makeHardCase(int index, unsigned seed) {
   if (recipe.bits > 0) quantise(made.pixels, recipe.bits, recipe.encoded);
   if (recipe.broken) damage(made.pixels);
   made.noise = noiseModel(recipe.noise, made.pixels, 0);
-  if (recipe.ambientPicture)
-    made.noise.constant += 2 * meanOf(photographed.back()) * made.noise.linear + made.noise.constant;
   return made;
 }
 

@@ -23,11 +23,12 @@ struct HardCase {
   SolveOptions options;
 };
 
-/// How many cases there are, and one of them. A small still life under two lights with swapped colours
-/// .9/.2/.15 and .15/.8/.25, full well 20000 and read noise .002, exposed so that 0.5 % of the pixels
-/// are beyond .9 of full scale, but for what the case is about.
-[[nodiscard]] int hardCaseCount();
-[[nodiscard]] HardCase makeHardCase(int index, unsigned seed);
+/// The names of all cases, and one of them by its place among them, `width` pixels wide and two thirds as
+/// high. A small still life under two lights with swapped colours .9/.2/.15 and .15/.8/.25, full well 20000
+/// and read noise .002, exposed so that 0.5 % of the pixels are beyond .9 of full scale, but for what the
+/// case is about.
+[[nodiscard]] std::vector<std::string> hardCaseNames();
+[[nodiscard]] HardCase makeHardCase(int index, unsigned seed, int width = 192);
 
 /// A capture with truth, photographed again: its own colours, its noise or the usual. Throws InputError where
 /// it has no truth.

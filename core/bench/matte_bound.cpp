@@ -6,7 +6,7 @@
 
 namespace swaplight {
 
-MatteBound matteBound(const LightPlan& plan, const NoiseModel& noise, std::span<const float> beta,
+MatteBound matteBound(const LightPlan& plan, const NoiseModel& noise, float clip, std::span<const float> beta,
                       const Rgb& rho) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const int free = plan.lights - 1;
@@ -17,6 +17,7 @@ MatteBound matteBound(const LightPlan& plan, const NoiseModel& noise, std::span<
       const double last = plan.color(k, free)[c];
       double g = 0;
       for (int i = 0; i < plan.lights; ++i) g += double(plan.color(k, i)[c]) * beta[size_t(i)];
+      if (g * rho[c] >= double(clip)) continue;
       Eigen::VectorXd j = Eigen::VectorXd::Zero(parameters);
       j[c] = g;
       for (int i = 0; i < free; ++i) j[3 + i] = rho[c] * (plan.color(k, i)[c] - last);

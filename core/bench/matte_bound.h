@@ -15,8 +15,9 @@ struct MatteBound {
   double contribution = 0;  ///< squared error of T, summed over lights and channels
 };
 
-/// `beta` sums to 1; `rho` is the sum of all lights. Infinite where nothing is known.
-[[nodiscard]] MatteBound matteBound(const LightPlan& plan, const NoiseModel& noise,
+/// `beta` sums to 1; `rho` is the sum of all lights. Values at and above `clip` tell nothing. Infinite where
+/// nothing is known.
+[[nodiscard]] MatteBound matteBound(const LightPlan& plan, const NoiseModel& noise, float clip,
                                     std::span<const float> beta, const Rgb& rho);
 
 }  // namespace swaplight

@@ -15,7 +15,8 @@ struct BoundedTruth {
   /// RMS of the bound of T over the RMS of T; a pixel's error counts as no more than its own light.
   double relativeBound = 0;
 
-  BoundedTruth(SolvedSet truth, const LightPlan& plan, const NoiseModel& noise);
+  /// `clip`: full scale of the shots, or infinity.
+  BoundedTruth(SolvedSet truth, const LightPlan& plan, const NoiseModel& noise, float clip);
 };
 
 /// How wrong a solved set is.

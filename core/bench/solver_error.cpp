@@ -13,7 +13,8 @@ std::vector<SolverError> measureSolverError(const std::filesystem::path& file, u
                                             const Progress& progress) {
   const HardCase test = hardCaseOfCapture(file, seed);
   const LightPlan plan = planFromCapture(test.capture);
-  const BoundedTruth truth(benchTruth(test.capture, test.truth), plan, test.noise);
+  const BoundedTruth truth(benchTruth(test.capture, test.truth), plan, test.noise,
+                           test.pixels.clipLevel.front());
   std::vector<SolverError> rows;
   for (const EstimatorInfo& info : estimators()) {
     const bool twoOnly = info.name == "brute-force" || info.name == "published" || info.name == "closed-form";

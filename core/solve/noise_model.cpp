@@ -56,6 +56,16 @@ void addBlocks(const Image& shot, int channel, float clip, std::array<Bin, kBins
   }
 }
 
+/// The mean of an image's positive values.
+float meanOf(const Image& image) {
+  double sum = 0;
+  size_t count = 0;
+  for (int c = 0; c < image.channelCount(); ++c)
+    for (size_t p = 0; p < image.pixelCount(); ++p)
+      if (const float value = image.plane(c)[p]; value > 0 && std::isfinite(value)) sum += value, ++count;
+  return count ? float(sum / double(count)) : 0;
+}
+
 }  // namespace
 
 SensorNoise estimateSensorNoise(const CapturePixels& pixels) {
@@ -114,6 +124,11 @@ NoiseModel noiseModel(const SensorNoise& sensor, const CapturePixels& pixels, fl
     model.linear += 4.8F * quantisation;
   } else {
     model.constant += quantisation;
+  }
+  if (pixels.ambient) {
+    // It is subtracted: its photons are noise of every shot, and its picture has noise of its own.
+    const float photons = model.linear * meanOf(*pixels.ambient);
+    model.constant = 2 * (model.constant + photons);
   }
   // A perfect sensor would make weights infinite.
   model.constant = std::max(model.constant, 1e-12F);

@@ -30,7 +30,8 @@ struct NoiseModel {
 /// noise) was lit with real gels, known to 5 % (THEORY 7); a rendering (it has none) with exact colours.
 [[nodiscard]] float usualColorUncertainty(const SensorNoise& estimated);
 
-/// The noise of a capture's shots: `sensor`, with the quantisation of its files. `colorUncertainty` is the
+/// The noise of a capture's shots once a constant ambient picture has been subtracted (the mean level stands
+/// for all of it): `sensor`, with the quantisation of its files. `colorUncertainty` is the
 /// relative standard error of a light's colour.
 [[nodiscard]] NoiseModel noiseModel(const SensorNoise& sensor, const CapturePixels& pixels,
                                     float colorUncertainty);
