@@ -1,5 +1,6 @@
 #include "core/bench/bench_picture.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -138,12 +139,13 @@ class StillLife {
     }
   }
 
-  [[nodiscard]] int lights() const { return m_picture.lights; }
+  /// Of the picture as it is computed.
+  [[nodiscard]] int width() const { return kSubpixels * m_picture.width; }
+  [[nodiscard]] int height() const { return kSubpixels * m_picture.height; }
 
   [[nodiscard]] Ray eyeRay(float x, float y) const {
-    const float size = float(m_picture.width);
-    const float u = (x + m_picture.shiftX - .5F * size) / size;
-    const float v = (y + m_picture.shiftY - .5F * float(m_picture.height)) / size;
+    const float u = (x + kSubpixels * m_picture.shiftX - .5F * float(width())) / float(width());
+    const float v = (y + kSubpixels * m_picture.shiftY - .5F * float(height())) / float(width());
     return {{0, 1.7F, -6}, glm::normalize(Vec(.95F * u, -.13F - .95F * v, 1))};
   }
 
@@ -250,49 +252,65 @@ class StillLife {
   std::vector<Vec> m_lamps;
 };
 
-/// Calls shade(hit, direction to the eye, random number) for each subpixel that shows something; writes the
-/// mean of its answers, one a picture, into `out`.
+/// What a camera makes of a picture twice as large: lens and sensor spread a point over two pixels.
+Image halved(const Image& fine) {
+  constexpr std::array<float, 4> kTent{.125F, .375F, .375F, .125F};
+  Image image(ImageSpec::rgb(fine.width() / 2, fine.height() / 2));
+  for (int c = 0; c < 3; ++c)
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        float sum = 0;
+        for (int j = 0; j < 4; ++j)
+          for (int i = 0; i < 4; ++i)
+            sum += kTent[size_t(i)] * kTent[size_t(j)] *
+                   fine.view().at(c, std::clamp(2 * x + i - 1, 0, fine.width() - 1),
+                                  std::clamp(2 * y + j - 1, 0, fine.height() - 1));
+        image.span().at(c, x, y) = sum;
+      }
+  return image;
+}
+
+/// Calls shade(hit, direction to the eye, random number, answers) for each point of twice the size that shows
+/// something; gives as many pictures as there are answers.
 template <int kMost, typename Shade>
-void render(const BenchPicture& picture, const StillLife& set, std::vector<Image>& out, const Shade& shade) {
-  parallelRows(picture.height, 4, [&](int begin, int end) {
+std::vector<Image> render(const StillLife& set, int count, const Shade& shade) {
+  const int width = set.width();
+  const int height = set.height();
+  std::vector<Image> fine;
+  for (int i = 0; i < count; ++i) fine.emplace_back(ImageSpec::rgb(width, height), 0);
+  parallelRows(height, 4, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
-      for (int x = 0; x < picture.width; ++x) {
-        std::array<Rgb, kMost> sum{};
-        for (int s = 0; s < kSubpixels * kSubpixels; ++s) {
-          const float dx = (float(s % kSubpixels) + .5F) / kSubpixels;
-          const float dy = (float(s / kSubpixels) + .5F) / kSubpixels;
-          const Ray ray = set.eyeRay(float(x) + dx, float(y) + dy);
-          if (const auto at = set.hit(ray))
-            shade(*at, -ray.to, hash(uint32_t(y * picture.width + x) * 4 + uint32_t(s)), sum);
-        }
-        for (size_t i = 0; i < out.size(); ++i)
-          for (int c = 0; c < 3; ++c) out[i].span().at(c, x, y) = sum[i][c] / float(kSubpixels * kSubpixels);
+      for (int x = 0; x < width; ++x) {
+        const Ray ray = set.eyeRay(float(x) + .5F, float(y) + .5F);
+        const auto at = set.hit(ray);
+        if (!at) continue;
+        std::array<Rgb, kMost> answer{};
+        shade(*at, -ray.to, hash(uint32_t(y * width + x)), answer);
+        for (size_t i = 0; i < fine.size(); ++i)
+          for (int c = 0; c < 3; ++c) fine[i].span().at(c, x, y) = answer[i][c];
       }
   });
+  std::vector<Image> pictures;
+  for (const Image& image : fine) pictures.push_back(halved(image));
+  return pictures;
 }
 
 }  // namespace
 
 std::vector<Image> renderBenchPicture(const BenchPicture& picture) {
   const StillLife set(picture);
-  std::vector<Image> contributions;
-  for (int i = 0; i < picture.lights; ++i)
-    contributions.emplace_back(ImageSpec::rgb(picture.width, picture.height));
   constexpr int kMostLights = 16;
-  render<kMostLights>(picture, set, contributions,
-                      [&](const Hit& at, const Vec& toEye, uint32_t seed, std::array<Rgb, kMostLights>& sum) {
-                        for (int i = 0; i < set.lights(); ++i)
-                          sum[size_t(i)] += set.radiance(at, toEye, i, seed);
-                      });
-  return contributions;
+  return render<kMostLights>(
+      set, picture.lights,
+      [&](const Hit& at, const Vec& toEye, uint32_t seed, std::array<Rgb, kMostLights>& answer) {
+        for (int i = 0; i < picture.lights; ++i) answer[size_t(i)] = set.radiance(at, toEye, i, seed);
+      });
 }
 
 Image renderBenchAmbient(const BenchPicture& picture, float level) {
   const StillLife set(picture);
-  std::vector<Image> ambient;
-  ambient.emplace_back(ImageSpec::rgb(picture.width, picture.height));
-  render<1>(picture, set, ambient, [&](const Hit& at, const Vec&, uint32_t, std::array<Rgb, 1>& sum) {
-    sum[0] += level * set.openness(at) * at.albedo;
+  auto ambient = render<1>(set, 1, [&](const Hit& at, const Vec&, uint32_t, std::array<Rgb, 1>& answer) {
+    answer[0] = level * set.openness(at) * at.albedo;
   });
   return std::move(ambient.front());
 }
