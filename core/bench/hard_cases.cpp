@@ -27,6 +27,7 @@ struct Recipe {
   BenchPicture picture{};
   std::vector<Rgb> colors{};  ///< handed on by one light a shot; none: the usual
   SensorNoise noise{.002, 20000};
+  bool noiseTold = true;
   bool random = false;  ///< every pixel a surface of its own
   int bits = 0;         ///< of integers in the files; 0: floating point
   bool encoded = false;
@@ -89,6 +90,7 @@ const std::vector<Recipe>& recipes() {
       {.name = "full well 1000", .group = "noise", .matte = true, .noise = {.002, 1000}},
       {.name = "full well 5000", .group = "noise", .matte = true, .noise = {.002, 5000}},
       {.name = "full well 20000", .group = "noise", .matte = true, .noise = {.002, 20000}},
+      {.name = "noise not told", .group = "noise", .noiseTold = false},
       {.name = "clipped 1 %", .group = "noise", .matte = true, .clipped = .01F},
       {.name = "clipped 10 %", .group = "noise", .matte = true, .clipped = .1F},
       {.name = "gloss .1", .group = "gloss", .mixed = true, .picture = {.gloss = .1F}},
@@ -100,6 +102,16 @@ const std::vector<Recipe>& recipes() {
       {.name = "colours wrong by 2 %", .group = "wrong", .colorError = .02F},
       {.name = "colours wrong by 5 %", .group = "wrong", .colorError = .05F},
       {.name = "random pixels, colours wrong by 2 %", .group = "wrong", .random = true, .colorError = .02F},
+      {.name = "the same, the noise not told either",
+       .group = "wrong",
+       .noiseTold = false,
+       .random = true,
+       .colorError = .02F},
+      {.name = "random pixels of four lights, colours wrong by 2 %",
+       .group = "wrong",
+       .picture = {.lights = 4},
+       .random = true,
+       .colorError = .02F},
       {.name = "ambient light, not modelled", .group = "wrong", .ambient = true},
       {.name = "ambient light, its picture given",
        .group = "wrong",
@@ -252,6 +264,7 @@ HardCase makeHardCase(int index, unsigned seed, int width) {
   if (recipe.bits > 0) quantise(made.pixels, recipe.bits, recipe.encoded);
   if (recipe.broken) damage(made.pixels);
   made.noise = noiseModel(recipe.noise, made.pixels, 0);
+  if (!recipe.noiseTold) made.capture.noise.reset();
   return made;
 }
 
