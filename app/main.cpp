@@ -10,5 +10,7 @@ int main(int argc, char** argv) {
   addEvaluateVerb(program);
   addStudioVerb(program);
   addBenchVerb(program);
+  addShadowsVerb(program);
+  addBetaVerb(program);
   return program.run(argc, argv);
 }

@@ -1,3 +1,4 @@
+#include "app/edit_arguments.h"
 #include "app/solve_arguments.h"
 #include "app/verbs.h"
 #include "core/error.h"
@@ -21,6 +22,7 @@ struct Arguments {
   std::optional<float> ambient;
   std::string frame;
   FrameOptions output;
+  EditArguments edits;
   SolveArguments solve;
 };
 
@@ -84,13 +86,13 @@ int run(const Arguments& arguments, Terminal& terminal) {
   // Say what is wrong before the work, not after it.
   checkFrame(arguments.frame, output);
   checkWritable(arguments.frame);
-  if (sourceKind(source) == SourceKind::Capture)
+  if (sourceKind(source) == SourceKind::Capture && arguments.edits.file.empty())
     static_cast<void>(rigOf(arguments, session, readCapture(sourceFile(source))));
 
   const Progress progress = terminal.progress();
   const SolveOptions options =
       session && !arguments.solve.given() ? session->document.solve : arguments.solve.resolve();
-  const SolvedSet set = openSource(source, options, progress.part(0, 0.9f));
+  const SolvedSet set = arguments.edits.applyTo(openSource(source, options, progress.part(0, 0.8f)));
   const Rig rig = rigOf(arguments, session, set.capture);
   progress.update(0.9f, "relighting");
   Image frame = relight(set, rigFactors(rig, set.colorSpace()), rig.ambient);
@@ -126,6 +128,7 @@ void addRelightVerb(Program& program) {
   verb.add_option("--rig", a->rig, "A rig of lights (JSON)")->type_name("FILE");
   verb.add_option("--session", a->session, "Take the rig, the view and, without SOURCE, the set of a session")
       ->type_name("FILE");
+  a->edits.addTo(verb);
   verb.add_option("--ambient", a->ambient, "Factor on what no light explains (default: 1)")
       ->check(CLI::Range(0.0, 1e9).description(""))
       ->type_name("X");

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/edit/light_shadows.h"
 #include "core/edit/mask.h"
+#include "core/shadow/light_shadows.h"
 
 namespace swaplight {
 

@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/edit/light_shadows.h"
 #include "core/edit/mask.h"
+#include "core/shadow/light_shadows.h"
 
 namespace swaplight {
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/edit/edit.h"
-#include "core/edit/light_shadows.h"
+#include "core/shadow/light_shadows.h"
 
 namespace swaplight {
 

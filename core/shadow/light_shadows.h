@@ -22,6 +22,7 @@ struct LightShadows {
   /// R G B, >= 0: what the light would add where nothing of it were hidden. contribution + (1 - visibility) *
   /// direct is the contribution without shadows.
   Image direct;
+  float threshold = 0;  ///< the shading over that of well-lit pixels at which shadow was taken to begin
 };
 
 }  // namespace swaplight

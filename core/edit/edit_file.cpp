@@ -1,0 +1,47 @@
+#include "core/edit/edit_file.h"
+
+#include "core/error.h"
+#include "core/file/json_file.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kFormat = "swaplight-edits";
+constexpr int kVersion = 1;
+
+void resolvePath(std::string& path, const fs::path& folder) {
+  if (!path.empty() && fs::path(path).is_relative()) path = (folder / path).lexically_normal().string();
+}
+
+}  // namespace
+
+EditStack readEdits(const fs::path& file, int width, int height) {
+  const Json json = readJson(file);
+  const std::string name = file.string();
+  if (!json.is_object() || json.value("format", Json()) != Json(kFormat))
+    throw InputError("{}: is no file of edits: its \"format\" is not \"{}\".", name, kFormat);
+  const Json version = json.value("version", Json());
+  if (!version.is_number_integer() || version.get<int>() < 1 || version.get<int>() > kVersion)
+    throw InputError("{}: has version {}, and this program reads versions up to {}.", name, version.dump(),
+                     kVersion);
+
+  EditStack stack = editStackFromJson(json, width, height, name);
+  const fs::path folder = fs::absolute(file).parent_path();
+  for (size_t i = 0; i < stack.edits.size(); ++i) {
+    Edit edit = *stack.edits[i];
+    if (auto* picture = std::get_if<PictureOperation>(&edit.operation)) resolvePath(picture->file, folder);
+    for (MaskShape& shape : edit.mask)
+      if (auto* picture = std::get_if<PictureShape>(&shape.shape)) resolvePath(picture->file, folder);
+    stack.replace(i, std::move(edit));
+  }
+  return stack;
+}
+
+void writeEdits(const EditStack& stack, const fs::path& file) {
+  Json json = {{"format", kFormat}, {"version", kVersion}};
+  json.update(jsonFromEditStack(stack));
+  writeJson(json, file);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,104 @@
+#include "core/shadow/detect_shadows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/shadow/shadow_evidence.h"
+#include "core/shadow/shadow_fill.h"
+#include "core/shadow/shadow_regions.h"
+#include "core/shadow/shadow_threshold.h"
+
+namespace swaplight {
+namespace {
+
+Image imageOf(const cv::Mat& picture, std::vector<std::string> channels, float scale) {
+  const int count = picture.channels();
+  Image image(ImageSpec{picture.cols, picture.rows, std::move(channels), "lin_rec709"});
+  for (int y = 0; y < picture.rows; ++y) {
+    const auto* in = picture.ptr<float>(y);
+    for (int x = 0; x < picture.cols; ++x)
+      for (int c = 0; c < count; ++c) image.span().at(c, x, y) = in[x * count + c] * scale;
+  }
+  return image;
+}
+
+double shareOf(const LightShadows& shadows, ShadowLabel label) {
+  const auto count = std::count(shadows.labels.begin(), shadows.labels.end(), label);
+  return static_cast<double>(count) / static_cast<double>(std::max<size_t>(shadows.labels.size(), 1));
+}
+
+// The mean width of the penumbra: its area over half the length of its outline.
+double penumbraPixels(const LightShadows& shadows) {
+  const int width = shadows.visibility.width();
+  const int height = shadows.visibility.height();
+  double area = 0;
+  double outline = 0;
+  const auto isPenumbra = [&](int x, int y) {
+    return shadows.labels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] ==
+           ShadowLabel::Penumbra;
+  };
+  for (int y = 0; y + 1 < height; ++y)
+    for (int x = 0; x + 1 < width; ++x) {
+      area += isPenumbra(x, y);
+      outline += (isPenumbra(x, y) != isPenumbra(x + 1, y)) + (isPenumbra(x, y) != isPenumbra(x, y + 1));
+    }
+  // Steps along the pixel grid are longer than the line they follow, by 4 / pi on the mean of all directions.
+  return outline > 0 ? 2 * area / (outline * .785) : 0;
+}
+
+}  // namespace
+
+std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOptions& options,
+                                        const Progress& progress) {
+  progress.update(0, "telling surfaces from shadows");
+  const SetEvidence evidence = gatherShadowEvidence(set);
+  const int smallest = std::max(
+      4, static_cast<int>(std::lround(options.smallestShare * static_cast<float>(evidence.known.total()))));
+
+  std::vector<LightShadows> all(evidence.lights.size());
+  std::vector<cv::Mat> visibilities;
+  for (size_t i = 0; i < all.size(); ++i) {
+    progress.update(.3f + .3f * static_cast<float>(i) / static_cast<float>(all.size()), "finding shadows");
+    const ShadowEvidence& light = evidence.lights[i];
+    const float lit = litLevel(light, evidence.known);
+    const float threshold = options.threshold ? lit + std::log(std::max(*options.threshold, 1e-6f))
+                                              : shadowThreshold(light, evidence.known);
+    visibilities.push_back(visibilityOf(light, evidence.known, threshold));
+    static_cast<void>(labelShadows(visibilities[i], evidence.known, smallest));
+    all[i].threshold = std::exp(threshold - lit);
+  }
+  for (size_t i = 0; i < all.size(); ++i) {
+    progress.update(.6f + .4f * static_cast<float>(i) / static_cast<float>(all.size()), "filling shadows");
+    FilledShadow filled = fillShadow(evidence, visibilities, i);
+    all[i].labels = labelShadows(filled.visibility, evidence.known, smallest);
+    all[i].visibility = imageOf(filled.visibility, {"Y"}, 1);
+    all[i].direct = imageOf(filled.direct, {"R", "G", "B"}, evidence.white);
+    all[i].direct.setColorSpace(set.colorSpace());
+  }
+  return all;
+}
+
+Json jsonFromShadows(const LightShadows& shadows) {
+  return {{"threshold", shadows.threshold},
+          {"umbra", shareOf(shadows, ShadowLabel::Umbra)},
+          {"penumbra", shareOf(shadows, ShadowLabel::Penumbra)},
+          {"lit", shareOf(shadows, ShadowLabel::Lit)},
+          {"unknown", shareOf(shadows, ShadowLabel::Unknown)},
+          {"penumbra_pixels", penumbraPixels(shadows)}};
+}
+
+std::function<std::shared_ptr<const LightShadows>(const std::string& light)> shadowSource(
+    std::shared_ptr<const SolvedSet> set, const ShadowOptions& options) {
+  auto found = std::make_shared<std::vector<std::shared_ptr<const LightShadows>>>();
+  return [set = std::move(set), options, found](const std::string& light) {
+    const int index = set->capture.lightIndex(light);
+    if (index < 0) throw InputError("\"{}\" is no light of the set: it has no shadows.", light);
+    if (found->empty())
+      for (LightShadows& shadows : detectShadows(*set, options))
+        found->push_back(std::make_shared<const LightShadows>(std::move(shadows)));
+    return (*found)[static_cast<size_t>(index)];
+  };
+}
+
+}  // namespace swaplight

@@ -1,0 +1,91 @@
+#include "core/shadow/shadow_regions.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/ximgproc/edge_filter.hpp>
+
+namespace swaplight {
+namespace {
+
+constexpr float kMarkerMargin = .7f;  // in log units: a factor of two either side of the threshold
+constexpr float kGuideScale = .2f;    // brings the level's steps to the filter's scale
+constexpr double kGuideEpsilon = 1e-4;
+constexpr float kUmbra = .1f;  // below: umbra
+constexpr float kLit = .7f;    // above: lit
+
+enum Marker { kShadowMarker = 1, kLitMarker = 2 };
+
+// The shading as 8 bits: what OpenCV's watershed takes.
+cv::Mat eightBits(const cv::Mat& shading, const cv::Mat& known) {
+  double low = 0;
+  double high = 0;
+  cv::minMaxLoc(shading, &low, &high, nullptr, nullptr, known);
+  cv::Mat grey;
+  shading.convertTo(grey, CV_8U, 255 / std::max(high - low, 1e-6), -low * 255 / std::max(high - low, 1e-6));
+  cv::Mat color;
+  cv::merge(std::vector<cv::Mat>(3, grey), color);
+  return color;
+}
+
+// Sets the pixels of small connected parts of `mask` (8-bit) to 0.
+void removeSmallParts(cv::Mat& mask, int smallest) {
+  cv::Mat parts, statistics, centers;
+  const int count = cv::connectedComponentsWithStats(mask, parts, statistics, centers, 8, CV_32S);
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x) {
+      const int part = parts.at<int>(y, x);
+      if (part > 0 && part < count && statistics.at<int>(part, cv::CC_STAT_AREA) < smallest)
+        mask.at<uchar>(y, x) = 0;
+    }
+}
+
+}  // namespace
+
+cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& known, float threshold) {
+  // Divide.
+  cv::Mat markers(light.level.size(), CV_32S, cv::Scalar(0));
+  markers.setTo(kShadowMarker, light.level < threshold - kMarkerMargin);
+  markers.setTo(kLitMarker, light.level > threshold + kMarkerMargin);
+  cv::watershed(eightBits(light.shading, known), markers);
+  cv::Mat lit(light.level.size(), CV_32F);
+  for (int y = 0; y < lit.rows; ++y)
+    for (int x = 0; x < lit.cols; ++x) {
+      const int marker = markers.at<int>(y, x);  // -1 on the watershed and on the picture's rim
+      const bool above = light.level.at<float>(y, x) > threshold;
+      lit.at<float>(y, x) = marker == kLitMarker || (marker != kShadowMarker && above) ? 1.f : 0.f;
+    }
+
+  // Soften.
+  cv::Mat visibility;
+  const int radius = std::max(4, lit.cols / 96);
+  cv::ximgproc::guidedFilter(light.level * kGuideScale, lit, visibility, radius, kGuideEpsilon);
+  cv::min(visibility, 1, visibility);
+  cv::max(visibility, 0, visibility);
+  return visibility;
+}
+
+std::vector<ShadowLabel> labelShadows(cv::Mat& visibility, const cv::Mat& known, int smallest) {
+  // Small shadows are noise, and so are small holes in large ones.
+  cv::Mat shadow = visibility < kLit;
+  cv::Mat large = shadow.clone();
+  removeSmallParts(large, smallest);
+  visibility.setTo(1, shadow & ~large);
+  cv::Mat gaps = ~(visibility < kUmbra);
+  cv::Mat largeGaps = gaps.clone();
+  removeSmallParts(largeGaps, smallest);
+  visibility.setTo(0, gaps & ~largeGaps);
+
+  std::vector<ShadowLabel> labels;
+  labels.reserve(visibility.total());
+  for (int y = 0; y < visibility.rows; ++y)
+    for (int x = 0; x < visibility.cols; ++x) {
+      const float v = visibility.at<float>(y, x);
+      labels.push_back(!known.at<uchar>(y, x) ? ShadowLabel::Unknown
+                       : v < kUmbra           ? ShadowLabel::Umbra
+                       : v < kLit             ? ShadowLabel::Penumbra
+                                              : ShadowLabel::Lit);
+    }
+  return labels;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/shadow/light_shadows.h"
+#include "core/shadow/shadow_evidence.h"
+
+namespace swaplight {
+
+/// How much of the light each pixel sees, 0..1 (32-bit float): pixels well below and above the threshold are
+/// markers, a watershed (Meyer's, as in OpenCV) on the shading divides the rest along its edges, and a guided
+/// filter (He, Sun and Tang 2013) on the level makes the border as soft as the penumbra is.
+[[nodiscard]] cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& known, float threshold);
+
+/// Umbra, penumbra, lit and unknown from the visibility; then morphology: shadows of fewer than `smallest`
+/// pixels become lit (in the visibility too), holes of fewer become umbra.
+[[nodiscard]] std::vector<ShadowLabel> labelShadows(cv::Mat& visibility, const cv::Mat& known, int smallest);
+
+}  // namespace swaplight

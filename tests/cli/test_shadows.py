@@ -1,0 +1,89 @@
+"""swaplight shadows, swaplight beta, and edits on the command line"""
+import json
+
+import numpy as np
+import swaplight_cli as cli
+
+
+def floor(height=120, width=180):
+    """A checked floor under two lights, the first hidden from a disc of it; visibility beside it."""
+    y, x = np.mgrid[:height, :width]
+    albedo = np.where((x // 20 + y // 20) % 2, .8, .2)
+    visible = np.clip((np.hypot(x - 90, y - 60) - 25) / 6, 0, 1)
+    key, fill = albedo * ((.6 + .2 * x / width) * visible + .02), albedo * .4
+    return [np.repeat(t[..., None], 3, 2).astype(np.float32) for t in (key, fill)], visible
+
+
+class ShadowsTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.capture = cli.Capture(self.path('set'))
+        self.capture.truth, self.visible = floor()
+        self.capture.shots = [cli.photograph(self.capture.truth, c) for c in cli.SWAPPED]
+        self.capture.save()
+        self.solved = self.path('solved.exr')
+        self.succeed('solve', self.capture.path, '-o', self.solved, '--float', '-q')
+
+    def write(self, name, *edits):
+        with open(self.path(name), 'w') as file:
+            json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': edits}, file)
+        return self.path(name)
+
+    def frame(self, *arguments):
+        self.succeed('relight', self.solved, *arguments, '-o', self.path('frame.exr'), '-q')
+        return cli.read_rgb(self.path('frame.exr'))
+
+    def test_each_light_has_a_visibility_labels_and_an_outline(self):
+        said = self.succeed_json('shadows', self.solved, '-o', self.path('shadows.exr'))
+        found = cli.read_image(self.path('shadows.exr'))
+        self.assertEqual(set(found), {f'shadow_{n}.{c}' for n in ('key', 'fill') for c in ('Y', 'label')})
+        self.assertLess(np.abs(found['shadow_key.Y'] - self.visible).mean(), .04)
+        label = found['shadow_key.label']
+        self.assertEqual(label[60, 90], 1)
+        self.assertEqual(label[5, 5], 3)
+        self.assertAlmostEqual(said['lights']['key']['umbra'], (label == 1).mean(), places=4)
+        self.assertEqual(cli.read_rgb(self.path('shadows.png')).shape, (120, 180, 3))
+
+    def test_a_light_and_a_threshold_can_be_chosen(self):
+        said = self.succeed_json('shadows', self.solved, '--light', 'key', '--threshold', '0.2', '-o',
+                                 self.path('shadows.exr'))
+        self.assertEqual(list(said['lights']), ['key'])
+        self.assertAlmostEqual(said['lights']['key']['threshold'], .2, places=4)
+        self.fail('shadows', self.solved, '--light', 'rim', '-o', self.path('x.exr'), naming=['rim', 'key'])
+        self.fail('shadows', self.solved, '--threshold', '7', '-o', self.path('x.exr'), naming=['--threshold'])
+
+    def test_a_shadow_is_removed(self):
+        edits = self.write('e.json', {'lights': ['key'], 'operation': 'shadow', 'kind': 'lighten'})
+        before, after = self.frame('--light', 'fill=off'), self.frame('--light', 'fill=off', '--edits', edits)
+        around = before[60, 130:140].max()
+        self.assertLess(before[60, 85:95].max(), .1 * around)
+        self.assertGreater(after[60, 85:95].max(), .7 * around)
+        np.testing.assert_allclose(after[:10], before[:10], rtol=2e-3)
+
+    def test_beta_maps_go_out_and_come_back(self):
+        self.succeed('beta', self.solved, '-o', self.path('beta.exr'))
+        maps = cli.read_image(self.path('beta.exr'))
+        np.testing.assert_allclose(maps['beta.key'] + maps['beta.fill'], 1, atol=1e-4)
+        back = self.write('back.json', {'lights': ['key'], 'operation': 'picture', 'file': 'beta.exr'})
+        np.testing.assert_allclose(self.frame('--light', 'fill=off', '--edits', back),
+                                   self.frame('--light', 'fill=off'), atol=2e-3)
+        files = self.succeed_json('beta', self.solved, '-o', self.path('beta.png'))['files']
+        self.assertEqual(len(files), 2)
+
+    def test_light_that_is_shared_leaves_the_picture_as_it_was(self):
+        edits = self.write('e.json', {'lights': ['key', 'fill'], 'operation': 'invert',
+                                      'mask': [{'shape': 'ellipse', 'x': 60, 'y': 60, 'radius_x': 30, 'radius_y': 30}]})
+        np.testing.assert_allclose(self.frame('--edits', edits), self.frame(), atol=1e-3)
+        self.assertGreater(np.abs(self.frame('--edits', edits, '--light', 'key=off')
+                                  - self.frame('--light', 'key=off')).max(), .1)
+
+    def test_what_is_wrong_with_edits_is_said_in_one_line(self):
+        output = ['-o', self.path('x.exr')]
+        unknown = self.write('u.json', {'lights': ['rim'], 'operation': 'fill'})
+        self.fail('relight', self.solved, '--edits', unknown, *output, naming=['u.json', 'rim', 'key'])
+        self.fail('relight', self.solved, '--edits', self.capture.path, *output, naming=['capture.json', 'format'])
+        self.fail('relight', self.solved, '--edits', self.path('none.json'), *output, naming=['none.json'])
+
+
+if __name__ == '__main__':
+    cli.main()
