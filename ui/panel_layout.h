@@ -4,13 +4,26 @@
 
 namespace swaplight {
 
+/// Which scopes are shown, and of what.
+struct ScopeOptions {
+  enum class Of { Frame, Region, Light };
+  enum class Axis { Codes, Stops, Linear };
+  bool waveform = true, parade = false, vectorscope = true, histogram = true, chromaticity = false;
+  Of of = Of::Frame;
+  Axis histogramAxis = Axis::Codes;
+  bool logCounts = false;
+  bool operator==(const ScopeOptions&) const = default;
+};
+
 /// Which panels are open and how large: the person's own, the same for every session. Lengths at scale 1.
 struct PanelLayout {
   bool mixer = true;
   bool scopes = false;
+  bool tools = true;
   bool hidden = false;  ///< everything but the viewer
   float mixerWidth = 372;
   float scopesHeight = 220;
+  ScopeOptions scopeOptions;
   bool operator==(const PanelLayout&) const = default;
 };
 

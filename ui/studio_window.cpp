@@ -6,22 +6,15 @@
 
 #include "core/session/open_source.h"
 #include "core/session/user_folders.h"
-#include "ui/icons.h"
+#include "ui/about_box.h"
+#include "ui/history_panel.h"
+#include "ui/key_file.h"
 #include "ui/layout_probe.h"
 #include "ui/menu_bar.h"
-#include "ui/mixer_panel.h"
-#include "ui/status_bar.h"
-#include "ui/theme.h"
-#include "ui/viewer_panel.h"
-#include "ui/welcome_panel.h"
-#include "ui/widgets.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr float kToolbarWidth = 46;
-constexpr float kSplitter = 4;
 
 std::vector<fs::path> findSamples(const fs::path& folder) {
   std::vector<fs::path> samples;
@@ -45,10 +38,17 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_pictures(makePictureScreen(options.engine, ColorConfig::current())),
       m_exports([&screen] { screen.wake(); }),
       m_subjects([&screen] { screen.wake(); }),
+      m_scopes([&screen] { screen.wake(); }),
       m_context{m_editor,    m_view,    m_layout,   m_session,           m_sets,
                 *m_pictures, m_actions, m_messages, m_screen.keyboard(), m_shown,
-                m_mixer,     m_tool,    m_viewer,   m_subjects,          m_table} {
+                m_mixer,     m_tool,    m_viewer,   m_subjects,          m_table},
+      m_keys(configFolder() / "keys.txt") {
   addActions();
+  try {
+    readKeyFile(m_actions, configFolder() / "keys.txt");
+  } catch (const std::exception& error) {
+    m_messages.warn(error.what());
+  }
 }
 
 StudioWindow::~StudioWindow() {
@@ -128,78 +128,9 @@ void StudioWindow::update() {
   m_title = title;
 }
 
-void StudioWindow::drawToolbar() {
-  const float side = px(34);
-  const auto gap = [] { ImGui::Dummy(ImVec2(0, px(6))); };
-  actionButton(m_actions, "file.open", kIconOpen, side);
-  actionButton(m_actions, "file.save", kIconSave, side);
-  actionButton(m_actions, "file.export", kIconExport, side);
-  gap();
-  actionButton(m_actions, "edit.undo", kIconUndo, side);
-  actionButton(m_actions, "edit.redo", kIconRedo, side);
-  gap();
-  actionButton(m_actions, "view.fit", kIconFit, side);
-  actionButton(m_actions, "view.one_to_one", "1:1", side);
-}
-
-void StudioWindow::drawPanels() {
-  const ImVec2 room = ImGui::GetContentRegionAvail();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float status = m_layout.hidden ? 0 : ImGui::GetFrameHeight() + px(2);
-  const float height = room.y - status;
-  const bool hasLights = !m_editor.document().rig.lights.empty();
-  const bool mixer = m_layout.mixer && !m_layout.hidden && hasLights;
-  const float tools = m_layout.hidden ? 0 : px(kToolbarWidth);
-  const float mixerWidth = mixer ? std::min(px(m_layout.mixerWidth), room.x * 0.6F) : 0;
-  const float viewerWidth = room.x - tools - mixerWidth - (mixer ? px(kSplitter) : 0);
-
-  // The panels lie side by side without gaps; inside they have the usual ones.
-  const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  if (tools > 0) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(6), px(8)));
-    ImGui::BeginChild("##tools", ImVec2(tools, height), false,
-                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
-    drawToolbar();
-    ImGui::PopStyleVar();
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-    ImGui::SameLine();
-  }
-  ImGui::BeginChild("##viewer", ImVec2(viewerWidth, height), false,
-                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
-  if (m_session.hasDocument() || m_sets.busy())
-    drawViewerPanel(m_context);
-  else
-    drawWelcomePanel(m_context, m_samples);
-  ImGui::PopStyleVar();
-  ImGui::EndChild();
-  if (mixer) {
-    ImGui::SameLine();
-    splitter("##mixer width", true, px(kSplitter), height, &m_layout.mixerWidth, 320, 900, -1);
-    ImGui::SameLine();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(10)));
-    ImGui::BeginChild("##mixer", ImVec2(mixerWidth, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
-    drawMixerPanel(m_context);
-    ImGui::PopStyleVar();
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-  }
-  if (status > 0) {
-    ImGui::SetCursorScreenPos(ImVec2(at.x + px(10), at.y + height));
-    drawStatusBar(m_context);
-  }
-  ImGui::PopStyleVar();
-  drawProgress(m_context, at.x + tools + viewerWidth / 2, at.y + height / 2);
-  drawMessages(m_messages, at.x + tools + px(12), at.y + height - px(12), viewerWidth - px(60));
-}
-
 void StudioWindow::frame() {
-  if (!ImGui::GetIO().WantTextInput && !m_chooser.isOpen() && !m_unsaved.isOpen())
-    m_actions.runKeys(m_screen.keyboard());
+  const bool dialog = m_chooser.isOpen() || m_unsaved.isOpen() || m_palette.isOpen() || m_keys.isOpen();
+  if (!ImGui::GetIO().WantTextInput && !dialog) m_actions.runKeys(m_screen.keyboard());
   if (m_setShown != m_session.setRevision()) {
     m_subjects.forget();
     m_viewer = {};
@@ -226,6 +157,10 @@ void StudioWindow::frame() {
   m_chooser.draw();
   m_unsaved.draw();
   m_recovery.draw(m_session);
+  m_palette.draw(m_actions);
+  m_keys.draw(m_actions, m_screen.keyboard(), m_messages);
+  drawAboutBox(m_context, &m_aboutOpen);
+  drawHistoryPanel(m_context, &m_historyOpen);
   // However it was made, a gesture ends when nothing is held any more: one gesture, one step.
   if (m_editor.inGesture() && !ImGui::IsAnyItemActive()) m_editor.commit();
   markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");

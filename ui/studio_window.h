@@ -2,9 +2,12 @@
 
 #include <memory>
 
+#include "ui/command_palette.h"
 #include "ui/dialogs.h"
 #include "ui/export_controller.h"
 #include "ui/file_chooser.h"
+#include "ui/keys_window.h"
+#include "ui/scopes_panel.h"
 #include "ui/screen.h"
 #include "ui/studio.h"
 #include "ui/studio_context.h"
@@ -30,6 +33,7 @@ class StudioWindow {
   void quit() { m_done = true; }
   [[nodiscard]] bool done() const { return m_done; }
   void exportFrame(const std::filesystem::path& file);
+  [[nodiscard]] Screen& screen() { return m_screen; }
   [[nodiscard]] StudioContext& context() { return m_context; }
 
  private:
@@ -38,6 +42,7 @@ class StudioWindow {
   void addLightActions();
   void addViewActions();
   void addCompareActions();
+  void addWindowActions();
   void drawToolbar();
   void drawPanels();
   /// Does it at once, or after the person has decided about unsaved work.
@@ -69,11 +74,16 @@ class StudioWindow {
   SubjectPictures m_subjects;
   uint64_t m_subjectsShown = 0;
   ViewTable m_table;
+  ScopesPanel m_scopes;
   StudioContext m_context;
 
   FileChooser m_chooser;
   UnsavedDialog m_unsaved;
   RecoveryDialog m_recovery;
+  CommandPalette m_palette;
+  KeysWindow m_keys;
+  bool m_aboutOpen = false;
+  bool m_historyOpen = false;
   std::string m_title;
   bool m_done = false;
 };

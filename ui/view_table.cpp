@@ -2,19 +2,19 @@
 
 namespace swaplight {
 
-const DisplayTable& ViewTable::table(const std::string& colorSpace, const DisplayChoice& display) {
-  if (m_table && colorSpace == m_colorSpace && display == m_display) return *m_table;
+std::shared_ptr<const DisplayTable> ViewTable::table(const std::string& colorSpace,
+                                                     const DisplayChoice& display) {
+  if (m_table && colorSpace == m_colorSpace && display == m_display) return m_table;
   const ColorConfig& config = ColorConfig::current();
   ViewSettings settings;
   settings.display = display.display;
   settings.view = display.view;
-  m_table.reset();
-  m_table.emplace(config, colorSpace, settings);
+  m_table = std::make_shared<const DisplayTable>(config, colorSpace, settings);
   m_weights = swaplight::luminanceWeights(config, colorSpace);
   m_xyzFromRgb = xyzFromLinear(config, colorSpace);
   m_colorSpace = colorSpace;
   m_display = display;
-  return *m_table;
+  return m_table;
 }
 
 }  // namespace swaplight

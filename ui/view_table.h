@@ -1,7 +1,7 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "core/session/document.h"
@@ -13,8 +13,9 @@ namespace swaplight {
 /// and channels. For what tells about the picture: probe and scopes.
 class ViewTable {
  public:
-  /// Made again where the colour space or the view changed. Throws InputError for an unknown view.
-  const DisplayTable& table(const std::string& colorSpace, const DisplayChoice& display);
+  /// Made again where the colour space or the view changed; for other threads, too. Throws InputError for an
+  /// unknown view.
+  std::shared_ptr<const DisplayTable> table(const std::string& colorSpace, const DisplayChoice& display);
   /// Of the colour space of the last table().
   [[nodiscard]] const Rgb& luminanceWeights() const { return m_weights; }
   [[nodiscard]] const glm::mat3& xyzFromRgb() const { return m_xyzFromRgb; }
@@ -22,7 +23,7 @@ class ViewTable {
  private:
   std::string m_colorSpace;
   DisplayChoice m_display;
-  std::optional<DisplayTable> m_table;
+  std::shared_ptr<const DisplayTable> m_table;
   Rgb m_weights{0, 1, 0};
   glm::mat3 m_xyzFromRgb{1};
 };

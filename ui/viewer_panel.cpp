@@ -102,7 +102,7 @@ void drawViewerPanel(StudioContext& studio) {
   const ImVec2 under(origin.x + (overB ? static_cast<float>(paneWidth) : 0), origin.y);
   handleViewerMouse(studio, seen(), under);
   const ViewWindow window = seen();
-  studio.shown = {true, window, under.x, under.y, ImGui::IsItemHovered()};
+  studio.shown = {true, window, under.x, under.y, ImGui::IsItemHovered(), studio.editor.revision()};
   drawPanes(studio, window, origin);
   drawViewerOverlay(studio, window, origin, size);
   drawProbeCard(studio, origin, size);

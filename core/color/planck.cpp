@@ -62,4 +62,14 @@ Chromaticity planckianXy(double kelvin) {
   return {sum.x / total, sum.y / total};
 }
 
+std::vector<Chromaticity> spectralLocus() {
+  constexpr size_t kCount = 65;  // to 700 nm
+  std::vector<Chromaticity> locus;
+  for (size_t i = 0; i < kCount; ++i) {
+    const Matching& m = kCie1931[i];
+    locus.push_back({m.x / (m.x + m.y + m.z), m.y / (m.x + m.y + m.z)});
+  }
+  return locus;
+}
+
 }  // namespace swaplight
