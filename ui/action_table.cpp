@@ -1,6 +1,7 @@
 #include "ui/action_table.h"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 namespace swaplight {
@@ -23,7 +24,21 @@ std::string keysName(const KeyPress& press) {
   return name + press.key;
 }
 
+bool matchesWords(const std::string& text, const std::string& search) {
+  const auto lower = [](std::string words) {
+    std::transform(words.begin(), words.end(), words.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return words;
+  };
+  const std::string in = lower(text);
+  std::istringstream words(lower(search));
+  for (std::string word; words >> word;)
+    if (in.find(word) == std::string::npos) return false;
+  return true;
+}
+
 void ActionTable::add(Action action) {
+  action.ownKeys = action.keys;
   m_actions.push_back(std::move(action));
 }
 

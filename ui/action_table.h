@@ -19,6 +19,7 @@ struct Action {
   std::function<void()> run;
   std::function<bool()> enabled = {};  ///< empty: always
   std::function<bool()> checked = {};  ///< empty: not a switch
+  std::string ownKeys = {};            ///< the keys that it came with; set by the table
 
   [[nodiscard]] bool isEnabled() const { return !enabled || enabled(); }
   [[nodiscard]] bool isChecked() const { return checked && checked(); }
@@ -41,6 +42,9 @@ class ActionTable {
  private:
   std::deque<Action> m_actions;
 };
+
+/// Whether a text has every word of a search somewhere, in any case.
+[[nodiscard]] bool matchesWords(const std::string& text, const std::string& search);
 
 /// "Ctrl+Shift+Z" from a key press: how keys are written in the table.
 [[nodiscard]] std::string keysName(const KeyPress& press);

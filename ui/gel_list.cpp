@@ -4,9 +4,6 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include <algorithm>
-#include <cctype>
-
 #include "core/color/gel.h"
 #include "core/error.h"
 #include "ui/layout_probe.h"
@@ -18,14 +15,8 @@
 namespace swaplight {
 namespace {
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool matches(const Gel& gel, const std::string& filter) {
-  return filter.empty() || lower(gel.id + " " + gel.name).find(lower(filter)) != std::string::npos;
+  return matchesWords(gel.id + " " + gel.name, filter);
 }
 
 /// White light through the gel.

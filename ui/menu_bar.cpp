@@ -22,7 +22,7 @@ const std::vector<Menu>& menus() {
       {"File",
        {"file.open", "recent", "-", "file.save", "file.save_as", "-", "file.export", "-", "file.close",
         "file.quit"}},
-      {"Edit", {"edit.undo", "edit.redo"}},
+      {"Edit", {"edit.undo", "edit.redo", "edit.history"}},
       {"Lights",
        {"light.solo", "light.solo_alone", "light.mute", "-", "light.rename", "light.copy", "light.paste",
         "light.reset", "-", "light.neutral", "light.match", "-", "mixer.as_captured", "mixer.all_white",
@@ -52,7 +52,10 @@ const std::vector<Menu>& menus() {
       {"Compare",
        {"compare.off", "compare.wipe", "compare.split", "compare.difference", "compare.toggle", "-",
         "compare.keep", "side_b", "compare.center_line"}},
-      {"Window", {"view.mixer", "view.hide_panels", "view.full_screen"}},
+      {"Window",
+       {"view.mixer", "view.scopes", "view.tools", "scopes.region", "-", "view.hide_panels",
+        "view.full_screen", "window.reset"}},
+      {"Help", {"help.palette", "help.keys", "help.about"}},
   };
   return all;
 }

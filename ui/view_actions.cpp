@@ -54,22 +54,6 @@ void StudioWindow::addViewActions() {
                    m_view.probe = true;
                  },
                  shown});
-  m_actions.add({"view.mixer",
-                 "Mixer",
-                 "",
-                 "Show or hide the lights.",
-                 [this] { m_layout.mixer = !m_layout.mixer; },
-                 {},
-                 [this] { return m_layout.mixer; }});
-  m_actions.add({"view.hide_panels",
-                 "Only the picture",
-                 "Tab",
-                 "Hide everything but the viewer; again: show it.",
-                 [this] { m_layout.hidden = !m_layout.hidden; },
-                 {},
-                 [this] { return m_layout.hidden; }});
-  m_actions.add({"view.full_screen", "Full screen", "F11", "The whole monitor; again: a window.",
-                 [this] { m_screen.toggleFullScreen(); }});
 }
 
 }  // namespace swaplight
