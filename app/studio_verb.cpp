@@ -3,6 +3,7 @@
 
 #include "app/verbs.h"
 #include "core/error.h"
+#include "ui/bench_ui.h"
 #include "ui/studio.h"
 
 namespace swaplight {
@@ -22,18 +23,40 @@ void readSize(const std::string& text, StudioOptions& options) {
     throw InputError("--size {}: write WIDTHxHEIGHT in pixels, from 320x240 to 16384x16384", text);
 }
 
+int bench(const StudioOptions& options, Terminal& terminal) {
+  const Json json = benchUi(options);
+  terminal.say("{}, in a {} of {} x {}, {} lights, load {:.1f}", json["engine"].get<std::string>(),
+               json["in"].get<std::string>(), json["window"][0].get<int>(), json["window"][1].get<int>(),
+               json["lights"].get<int>(), json["load_before"][0].get<double>());
+  std::string table =
+      fmt::format("{:<26}{:^27}{:^27}\n{:<26}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "milliseconds", "a frame",
+                  "input to picture", "", "median", "p95", "worst", "median", "p95", "worst");
+  for (const Json& one : json["cases"]) {
+    table += fmt::format("{:<26}", one["case"].get<std::string>());
+    for (const char* what : {"frame_ms", "latency_ms"})
+      for (const char* part : {"median", "p95", "worst"})
+        table += fmt::format("{:>9.1f}", one[what][part].get<double>());
+    table += "\n";
+  }
+  table += fmt::format("most memory held: {} MB", json["peak_memory_mb"].get<long>());
+  terminal.result(table, json);
+  return 0;
+}
+
 }  // namespace
 
 void addStudioVerb(Program& program) {
   struct Arguments {
     StudioOptions options;
-    std::string size = "1600x900";
+    std::string size;
+    bool bench = false;
   };
   const auto a = std::make_shared<Arguments>();
   CLI::App& verb =
       program.addVerb("studio", "Open the studio: light a set again, and see it", [a](Terminal& terminal) {
-        readSize(a->size, a->options);
+        readSize(!a->size.empty() ? a->size : a->bench ? "1920x1080" : "1600x900", a->options);
         a->options.samplesFolder = SWAPLIGHT_SAMPLES_DIR;
+        if (a->bench) return bench(a->options, terminal);
         runStudio(a->options);
         if (!a->options.screenshot.empty()) terminal.say("wrote {}", a->options.screenshot.string());
         terminal.result("", Json{{"screenshot", a->options.screenshot.string()}});
@@ -43,7 +66,9 @@ void addStudioVerb(Program& program) {
   verb.add_option("--screenshot", a->options.screenshot,
                   "Write the studio's picture to a file instead of opening a window; needs no display")
       ->type_name("PNG");
-  verb.add_option("--size", a->size, "Of the window, in pixels (default: 1600x900)")->type_name("WxH");
+  verb.add_option("--size", a->size,
+                  "Of the window, in pixels (default: 1600x900; 1920x1080 with --bench-ui)")
+      ->type_name("WxH");
   verb.add_option("--scale", a->options.scale, "Of the interface (default: the desktop's)")
       ->check(CLI::Range(0.5, 4.0).description(""))
       ->type_name("X");
@@ -54,6 +79,9 @@ void addStudioVerb(Program& program) {
           "Who computes the picture: graphics, processor, or auto (the graphics card, if there is one)")
       ->transform(CLI::CheckedTransformer(engines).description(""))
       ->type_name("NAME");
+  verb.add_flag(
+      "--bench-ui", a->bench,
+      "Measure frame times and input-to-picture latency while a slider is dragged over large pictures");
   verb.add_option("--script", a->options.script, "Commands for the studio, one a line")->type_name("FILE");
   verb.add_option("--probe-layout", a->options.layoutProbe,
                   "Write where the named widgets lie to a JSON file, for tests")

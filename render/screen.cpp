@@ -15,6 +15,10 @@ void clearScreen(int width, int height, Rgb code) {
   glClear(GL_COLOR_BUFFER_BIT);
 }
 
+void finishScreen() {
+  glFinish();
+}
+
 std::vector<uint8_t> readScreen(int width, int height) {
   const size_t rowBytes = static_cast<size_t>(width) * 4;
   std::vector<uint8_t> upward(rowBytes * static_cast<size_t>(height));

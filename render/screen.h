@@ -13,6 +13,9 @@ namespace swaplight {
 /// Fills what is bound for drawing with display code values 0..1, and makes all of it the viewport.
 void clearScreen(int width, int height, Rgb code);
 
+/// Waits until everything that was asked of OpenGL is done: for measuring.
+void finishScreen();
+
 /// What has been drawn: 8-bit R G B A, row after row from the top, without gaps.
 [[nodiscard]] std::vector<uint8_t> readScreen(int width, int height);
 

@@ -114,6 +114,7 @@ class GlfwScreen : public Screen {
     releaseKeys();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    applyPretendedMouse();
     ImGui::NewFrame();
   }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/file/json_file.h"
 #include "core/json.h"
@@ -16,6 +17,7 @@ struct Probe {
   Json items = Json::object();
   Json state = Json::object();
   Json written;
+  Json last = Json::object();  ///< the frame's items before
 };
 
 std::optional<Probe>& probe() {
@@ -25,8 +27,18 @@ std::optional<Probe>& probe() {
 
 }  // namespace
 
+void rememberLayout() {
+  if (!probe()) probe().emplace();
+}
+
+std::optional<ItemRect> itemRect(const std::string& name) {
+  if (!probe() || !probe()->last.contains(name)) return std::nullopt;
+  const Json& rect = probe()->last[name];
+  return ItemRect{rect[0], rect[1], rect[2], rect[3]};
+}
+
 void probeLayout(const std::filesystem::path& file) {
-  probe().emplace();
+  rememberLayout();
   probe()->file = file;
 }
 
@@ -49,8 +61,9 @@ void markState(const std::string& name, const std::string& value) {
 void endLayoutFrame() {
   if (!probe()) return;
   Json layout = probe()->state;
-  layout["items"] = std::move(probe()->items);
-  probe()->items = Json::object();
+  probe()->last = std::exchange(probe()->items, Json::object());
+  if (probe()->file.empty()) return;
+  layout["items"] = probe()->last;
   if (layout == probe()->written) return;
   writeJson(layout, probe()->file);
   probe()->written = std::move(layout);

@@ -39,6 +39,7 @@ class OffscreenScreen : public Screen {
     io.DisplaySize = ImVec2(static_cast<float>(m_width), static_cast<float>(m_height));
     io.DeltaTime = 1.0F / 60;
     ImGui_ImplOpenGL3_NewFrame();
+    applyPretendedMouse();
     ImGui::NewFrame();
   }
 

@@ -47,6 +47,11 @@ class Screen {
   void requestFrames(int count = 3) { m_framesWanted = std::max(m_framesWanted, count); }
   [[nodiscard]] bool frameWanted() const { return m_framesWanted > 0; }
   [[nodiscard]] const Keyboard& keyboard() const { return m_keyboard; }
+  /// From the next frame on the mouse is here, whatever the real one does: for scripts and measurements.
+  void pretendMouse(float x, float y, bool down, bool right = false) {
+    m_pretended = {true, x, y, down, right};
+  }
+
   /// Files that were dropped onto the window since the last call.
   [[nodiscard]] std::vector<std::filesystem::path> takeDropped() { return std::exchange(m_dropped, {}); }
 
@@ -55,6 +60,15 @@ class Screen {
     m_keyboard.endFrame();
     m_framesWanted = std::max(0, m_framesWanted - 1);
   }
+  /// To be called between the backend's new frame and Dear ImGui's.
+  void applyPretendedMouse() const;
+
+  struct Pretended {
+    bool on = false;
+    float x = 0, y = 0;
+    bool down = false, right = false;
+  };
+  Pretended m_pretended;
   Keyboard m_keyboard;
   std::vector<std::filesystem::path> m_dropped;
   int m_framesWanted = 3;

@@ -1,5 +1,7 @@
 #include "ui/script.h"
 
+#include <imgui.h>
+
 #include <chrono>
 #include <sstream>
 #include <thread>
@@ -7,11 +9,13 @@
 #include "core/error.h"
 #include "core/file/atomic_file.h"
 #include "core/relight/setting.h"
+#include "ui/layout_probe.h"
 #include "ui/light_edit.h"
 
 namespace swaplight {
 namespace {
 
+constexpr int kDragSteps = 8;
 constexpr int kSettleFrames = 3;  // Dear ImGui's windows take their size in the second frame
 
 size_t lightIndex(const StudioContext& studio, const std::string& name) {
@@ -35,12 +39,20 @@ Script::Script(const std::filesystem::path& file,
 }
 
 void Script::step(StudioWindow& studio) {
-  while (!m_lines.empty()) {
+  while (!done()) {
     if (m_frames > 0) {
       --m_frames;
       return;
     }
     if (studio.context().sets.busy()) return;
+    if (!m_mouse.empty()) {
+      const MouseState mouse = m_mouse.front();
+      m_mouse.pop_front();
+      studio.screen().pretendMouse(mouse.x, mouse.y, mouse.left, mouse.right);
+      if (m_mouse.empty()) m_frames = kSettleFrames;
+      return;
+    }
+    if (m_lines.empty()) return;
     const Line line = m_lines.front();
     m_lines.pop_front();
     try {
@@ -49,6 +61,37 @@ void Script::step(StudioWindow& studio) {
       throw InputError("{}, line {}: {}", m_name, line.number, error.what());
     }
   }
+}
+
+bool Script::runMouse(StudioWindow& /*studio*/, const std::string& command, const std::string& arguments) {
+  const bool drags = command == "drag";
+  if (!drags && command != "hover" && command != "click" && command != "menu") return false;
+  std::istringstream words(arguments);
+  std::string item;
+  words >> item;
+  std::vector<float> places;
+  for (float place = 0; words >> place;) places.push_back(place);
+  if (places.empty()) places = {0.5F, 0.5F};
+  if (places.size() != (drags ? 4U : 2U)) throw InputError("{}: write X Y from 0 to 1", command);
+  const auto rect = itemRect(item);
+  if (!rect) throw InputError("{}: \"{}\" is not to be seen", command, item);
+  const auto at = [&](float x, float y, bool left, bool right) {
+    return MouseState{rect->x0 + x * (rect->x1 - rect->x0 - 1), rect->y0 + y * (rect->y1 - rect->y0 - 1),
+                      left, right};
+  };
+  const bool right = command == "menu";
+  m_mouse.push_back(at(places[0], places[1], false, false));
+  m_mouse.push_back(m_mouse.back());
+  if (command != "hover") m_mouse.push_back(at(places[0], places[1], !right, right));
+  for (int step = 1; drags && step <= kDragSteps; ++step) {
+    const float part = static_cast<float>(step) / kDragSteps;
+    m_mouse.push_back(at(places[0] + part * (places[2] - places[0]),
+                         places[1] + part * (places[3] - places[1]), true, false));
+  }
+  MouseState released = m_mouse.back();
+  released.left = released.right = false;
+  m_mouse.push_back(released);
+  return true;
 }
 
 bool Script::run(StudioWindow& studio, const Line& line) {
@@ -87,6 +130,12 @@ bool Script::run(StudioWindow& studio, const Line& line) {
   } else if (command == "quit") {
     m_lines.clear();
     studio.quit();
+  } else if (command == "type") {
+    for (const char character : argument)
+      ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(character));
+    m_frames = kSettleFrames;
+  } else if (runMouse(studio, command, argument)) {
+    return false;
   } else {
     throw InputError("there is no command \"{}\"", command);
   }

@@ -60,6 +60,12 @@ void SessionController::openWithoutPictures(const fs::path& path) {
   }
 }
 
+void SessionController::openSet(OpenSet set) {
+  Pending pending;
+  pending.session.document.source = set.source;
+  adopt(std::move(pending), std::move(set));
+}
+
 void SessionController::recover(const Recovered& recovered) {
   try {
     Pending pending{readSession(recovered.session), recovered.savedAs, true};

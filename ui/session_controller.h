@@ -27,6 +27,8 @@ class SessionController {
   void open(const std::filesystem::path& path);
   /// The same without solving or reading the pictures, for a file that stopped us before.
   void openWithoutPictures(const std::filesystem::path& path);
+  /// Shows a set that is there already as that of a file.
+  void openSet(OpenSet set);
   /// Continues with what a studio that died has left.
   void recover(const Recovered& recovered);
   /// Reads or solves the document's set (again).

@@ -1,12 +1,11 @@
 #include "ui/studio.h"
 
-#include <imgui.h>
-
 #include <memory>
 #include <optional>
 
 #include "core/error.h"
 #include "core/image/image_io.h"
+#include "ui/imgui_session.h"
 #include "ui/layout_probe.h"
 #include "ui/script.h"
 #include "ui/studio_window.h"
@@ -17,19 +16,6 @@ namespace {
 
 constexpr double kTick = 0.25;        // seconds between looks at timers while nothing happens
 constexpr int kScreenshotFrames = 4;  // until every window has its size
-
-class ImGuiSession {
- public:
-  ImGuiSession() {
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;  // panels are kept in a file of our own
-    io.ConfigWindowsMoveFromTitleBarOnly = true;
-  }
-  ImGuiSession(const ImGuiSession&) = delete;
-  ImGuiSession& operator=(const ImGuiSession&) = delete;
-  ~ImGuiSession() { ImGui::DestroyContext(); }
-};
 
 void writeScreenshot(Screen& screen, const std::filesystem::path& file) {
   const std::vector<uint8_t> rgba = screen.pixels();
@@ -79,6 +65,7 @@ void runStudio(const StudioOptions& options) {
                                              : openOffscreen(options.width, options.height);
   applyTheme(options.scale > 0 ? options.scale : screen->contentScale());
   if (!options.layoutProbe.empty()) probeLayout(options.layoutProbe);
+  if (!options.script.empty()) rememberLayout();
   StudioWindow studio(*screen, options);
   if (!options.file.empty()) studio.context().session.open(options.file);
   run(*screen, studio, options);

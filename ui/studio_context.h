@@ -23,6 +23,7 @@ struct ShownPicture {
   float originX = 0;  ///< the pane's corner on the screen
   float originY = 0;
   bool hovered = false;
+  uint64_t revision = 0;  ///< of the document that it shows
 };
 
 /// What a panel reads, and where its edits go. References to parts that the studio owns.
