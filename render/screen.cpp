@@ -15,6 +15,13 @@ void clearScreen(int width, int height, Rgb code) {
   glClear(GL_COLOR_BUFFER_BIT);
 }
 
+void setBlending(bool on) {
+  if (on)
+    glEnable(GL_BLEND);
+  else
+    glDisable(GL_BLEND);
+}
+
 void finishScreen() {
   glFinish();
 }
@@ -50,11 +57,13 @@ void ScreenTexture::update(int width, int height, const uint8_t* rgba) {
   if (!m_texture) m_texture = GlTexture::make();
   const BoundTexture bound(0, GL_TEXTURE_2D, m_texture.id());
   const TightPixels tight;
-  if (width == m_width && height == m_height) {
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
-    return;
-  }
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  if (width != m_width || height != m_height) allocate(width, height);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+}
+
+void ScreenTexture::allocate(int width, int height) {
+  // In the order in which a window keeps its bytes: software renderers copy that faster.
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

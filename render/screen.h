@@ -16,6 +16,9 @@ void clearScreen(int width, int height, Rgb code);
 /// Waits until everything that was asked of OpenGL is done: for measuring.
 void finishScreen();
 
+/// Whether what is drawn from here on is mixed with what is there by its alpha.
+void setBlending(bool on);
+
 /// What has been drawn: 8-bit R G B A, row after row from the top, without gaps.
 [[nodiscard]] std::vector<uint8_t> readScreen(int width, int height);
 
@@ -41,6 +44,8 @@ class ScreenTexture {
   [[nodiscard]] unsigned id() const { return m_texture.id(); }
 
  private:
+  void allocate(int width, int height);
+
   GlTexture m_texture;
   int m_width = 0;
   int m_height = 0;

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <chrono>
+#include <iostream>
 #include <sstream>
 #include <thread>
 
@@ -127,6 +128,8 @@ bool Script::run(StudioWindow& studio, const Line& line) {
   } else if (command == "sleep") {
     std::this_thread::sleep_for(std::chrono::duration<double>(std::stod(argument)));
     return false;
+  } else if (command == "say") {
+    std::cerr << argument << std::endl;  // at once: somebody may be waiting for it
   } else if (command == "quit") {
     m_lines.clear();
     studio.quit();

@@ -13,7 +13,7 @@ namespace swaplight {
 ///   open FILE              wait                   frames N
 ///   action ID              light NAME SETTING     select NAME
 ///   save FILE              export FILE            screenshot FILE
-///   sleep SECONDS          quit
+///   sleep SECONDS          say TEXT               quit
 ///   hover ITEM [X Y]       click ITEM [X Y]        menu ITEM [X Y]
 ///   drag ITEM X Y X Y      type TEXT
 /// A mouse command names a widget and, as parts of its width and height, a place on it (default: its middle);

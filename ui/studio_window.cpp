@@ -146,7 +146,8 @@ void StudioWindow::frame() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                            ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings |
-                           ImGuiWindowFlags_NoScrollWithMouse;
+                           ImGuiWindowFlags_NoScrollWithMouse |
+                           ImGuiWindowFlags_NoBackground;  // the screen was cleared to its colour
   if (!m_layout.hidden) flags |= ImGuiWindowFlags_MenuBar;
   ImGui::Begin("##studio", nullptr, flags);
   ImGui::PopStyleVar(3);

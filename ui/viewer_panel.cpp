@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/screen.h"
 #include "ui/layout_probe.h"
 #include "ui/theme.h"
 #include "ui/viewer_bar.h"
@@ -38,6 +39,26 @@ Covered coveredPart(const ViewWindow& window, int pictureWidth, int pictureHeigh
   return covered;
 }
 
+/// The viewer's ground beside a picture, not under it: filling the screen twice is slow in software.
+void drawGroundAround(ImVec2 low, ImVec2 high, ImVec2 from, ImVec2 to) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const auto fill = [&](ImVec2 a, ImVec2 b) {
+    if (a.x < b.x && a.y < b.y) draw->AddRectFilled(a, b, kViewerGround);
+  };
+  fill(from, ImVec2(to.x, low.y));
+  fill(ImVec2(from.x, high.y), to);
+  fill(ImVec2(from.x, low.y), ImVec2(low.x, high.y));
+  fill(ImVec2(high.x, low.y), ImVec2(to.x, high.y));
+}
+
+/// Without blending: the picture is opaque.
+void drawOpaque(unsigned texture, ImVec2 low, ImVec2 high) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddCallback([](const ImDrawList*, const ImDrawCmd*) { setBlending(false); }, nullptr);
+  draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)), low, high);  // NOLINT
+  draw->AddCallback([](const ImDrawList*, const ImDrawCmd*) { setBlending(true); }, nullptr);
+}
+
 /// Draws pictures into a pane whose corner is `origin`. The texture is told apart by `place`.
 void drawPane(StudioContext& studio, const LayeredPicture& a, const LayeredPicture* b,
               const ViewWindow& window, ImVec2 origin, int place) {
@@ -58,8 +79,9 @@ void drawPane(StudioContext& studio, const LayeredPicture& a, const LayeredPictu
   const ImVec2 low(origin.x + static_cast<float>(covered.x), origin.y + static_cast<float>(covered.y));
   const ImVec2 high(low.x + static_cast<float>(covered.window.width),
                     low.y + static_cast<float>(covered.window.height));
-  const auto id = reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture));  // NOLINT
-  ImGui::GetWindowDrawList()->AddImage(id, low, high);
+  const ImVec2 to(origin.x + static_cast<float>(window.width), origin.y + static_cast<float>(window.height));
+  drawGroundAround(low, high, origin, to);
+  drawOpaque(texture, low, high);
   markRect(place == 0 ? "viewer.picture" : "viewer.picture_b", low.x, low.y, high.x, high.y);
 }
 
@@ -71,6 +93,12 @@ void drawPanes(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
   const LayeredPicture* b = pictures.b ? &*pictures.b : nullptr;
   const bool overlaid = mode == Mode::Wipe || mode == Mode::Difference;
   if (mode == Mode::OnlyB) a = b;
+  const auto empty = [&](ImVec2 at) {
+    drawGroundAround(
+        at, at, at,
+        ImVec2(at.x + static_cast<float>(window.width), at.y + static_cast<float>(window.height)));
+  };
+  if (!a) empty(origin);
   if (a) drawPane(studio, *a, overlaid ? b : nullptr, window, origin, 0);
   if (mode == Mode::Split && b)
     drawPane(studio, *b, nullptr, window, ImVec2(origin.x + static_cast<float>(window.width), origin.y), 1);
@@ -84,11 +112,13 @@ void drawViewerPanel(StudioContext& studio) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();
   if (size.x < 1 || size.y < 1) return;
-  ImGui::GetWindowDrawList()->AddRectFilled(origin, ImVec2(origin.x + size.x, origin.y + size.y),
-                                            kViewerGround);
   markRect("viewer", origin.x, origin.y, origin.x + size.x, origin.y + size.y);
   const OpenSet* set = studio.set();
-  if (!set) return;
+  if (!set) {
+    ImGui::GetWindowDrawList()->AddRectFilled(origin, ImVec2(origin.x + size.x, origin.y + size.y),
+                                              kViewerGround);
+    return;
+  }
 
   const ViewPictures& pictures = *set->pictures;
   const bool split = studio.view.compare.mode == CompareState::Mode::Split;
