@@ -118,6 +118,9 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
     for (const std::string& warning : set->solved->capture.warnings) m_messages.warn(warning);
   }
   for (const std::string& warning : pending.session.warnings) m_messages.warn(warning);
+  if (displayWithin(ColorConfig::current(), document.display) != document.display)
+    m_messages.warn(document.display.display + " " + document.display.view +
+                    " is not in this colour configuration: shown through its default view.");
   m_editor.reset(document, "Open " + shortName(document.source));
   if (pending.unsaved) m_editor.markUnsaved();
   m_view = viewStateFromJson(pending.session.studio);

@@ -3,7 +3,8 @@
 namespace swaplight {
 
 std::shared_ptr<const DisplayTable> ViewTable::table(const std::string& colorSpace,
-                                                     const DisplayChoice& display) {
+                                                     const DisplayChoice& chosen) {
+  const DisplayChoice display = displayWithin(ColorConfig::current(), chosen);
   if (m_table && colorSpace == m_colorSpace && display == m_display) return m_table;
   const ColorConfig& config = ColorConfig::current();
   ViewSettings settings;

@@ -48,8 +48,9 @@ Comparison wipeIn(const CompareState& state, int pictureWidth, int pictureHeight
 
 ViewSettings viewerSettings(const StudioContext& studio) {
   ViewSettings settings = studio.view.settings;
-  settings.display = studio.document().display.display;
-  settings.view = studio.document().display.view;
+  const DisplayChoice display = displayWithin(ColorConfig::current(), studio.document().display);
+  settings.display = display.display;
+  settings.view = display.view;
   return settings;
 }
 

@@ -23,4 +23,13 @@ Rig fitRig(const Rig& rig, const Capture& capture) {
   return fitted;
 }
 
+DisplayChoice displayWithin(const ColorConfig& config, const DisplayChoice& display) {
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return name.empty() || std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (!has(config.displays(), display.display)) return {};
+  const std::string shown = display.display.empty() ? config.defaultDisplay() : display.display;
+  return has(config.views(shown), display.view) ? display : DisplayChoice{};
+}
+
 }  // namespace swaplight

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/color/color_config.h"
 #include "core/relight/rig.h"
 #include "core/solve/solve_options.h"
 
@@ -28,6 +29,9 @@ struct Document {
 
 /// Bytes that `document` holds and `before` does not share: what keeping it in the history costs.
 [[nodiscard]] size_t documentBytes(const Document& document, const Document& before);
+
+/// The choice where the configuration has it; its default where it has not.
+[[nodiscard]] DisplayChoice displayWithin(const ColorConfig& config, const DisplayChoice& display);
 
 /// The rig for exactly the lights of a capture, in its order: settings are taken from `rig` by name, lights
 /// that it does not know are as captured, lights that the capture does not have are left out.
