@@ -16,6 +16,7 @@ namespace swaplight {
 namespace {
 
 constexpr ImU32 kGrid = IM_COL32(255, 255, 255, 34);
+constexpr float kRoomForNames = 130;  // side of a chromaticity plot, below which names would only overlap
 constexpr ImU32 kGridStrong = IM_COL32(255, 255, 255, 80);
 
 /// Draws in a rectangle whose corners stand for 0, 0 (lower left) and 1, 1.
@@ -71,7 +72,6 @@ std::pair<ImVec2, ImVec2> squareIn(ImVec2 low, ImVec2 high, float left, float be
 struct HistogramAxis {
   const Histogram& histogram;
   std::vector<std::pair<float, std::string>> ticks;  ///< place 0..1
-  const char* name;
 };
 
 HistogramAxis axisOf(const ScopePictures& pictures, ScopeOptions::Axis axis) {
@@ -81,17 +81,17 @@ HistogramAxis axisOf(const ScopePictures& pictures, ScopeOptions::Axis axis) {
       for (float stops = kHistogramLowestStops; stops <= kHistogramHighestStops; stops += 2)
         ticks.emplace_back((stops - kHistogramLowestStops) / (kHistogramHighestStops - kHistogramLowestStops),
                            fmt::format("{:+.0f}", stops));
-      return {pictures.stops, ticks, "before the view: stops from grey"};
+      return {pictures.stops, ticks};
     case ScopeOptions::Axis::Linear:
       for (float value = 0; value <= kHistogramHighestLinear; value += 0.5F)
         ticks.emplace_back(value / kHistogramHighestLinear, fmt::format("{:.1f}", value));
-      return {pictures.linear, ticks, "before the view: linear light"};
+      return {pictures.linear, ticks};
     case ScopeOptions::Axis::Codes:
       break;
   }
   for (const int code : {0, 64, 128, 192, 255})
     ticks.emplace_back(static_cast<float>(code) / 255, std::to_string(code));
-  return {pictures.codes, ticks, "after the view: code"};
+  return {pictures.codes, ticks};
 }
 
 }  // namespace
@@ -168,7 +168,8 @@ void drawChromaticity(StudioContext& studio, unsigned texture, ImVec2 low, ImVec
     plot.draw()->AddCircleFilled(place, px(5), colorU32(chipColor(light.color)));
     plot.draw()->AddCircle(place, px(5), IM_COL32(0, 0, 0, 255), 0, px(2));
     plot.draw()->AddCircle(place, px(6), kText);
-    plot.draw()->AddText(ImVec2(place.x + px(8), place.y - px(8)), kText, light.title().c_str());
+    if (to.x - from.x > px(kRoomForNames))
+      plot.draw()->AddText(ImVec2(place.x + px(8), place.y - px(8)), kText, light.title().c_str());
   }
 }
 
@@ -186,9 +187,13 @@ void drawHistogram(const ScopePictures& pictures, const ScopeOptions& options, I
                                          : count / static_cast<float>(most);
     return std::min(part, 1.0F);
   };
+  float written = -1e9F;
   for (const auto& [place, text] : axis.ticks) {
     plot.line(place, 0, place, 1);
+    const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
+    if (plot.at(place, 0).x - half < written) continue;  // there is no room for every number
     plot.labelBelow(place, text);
+    written = plot.at(place, 0).x + half + px(4);
   }
   const float percent = 100.0F * static_cast<float>(most) / static_cast<float>(std::max<uint64_t>(1, pixels));
   for (const float part : {0.0F, 0.5F, 1.0F}) {
@@ -210,7 +215,6 @@ void drawHistogram(const ScopePictures& pictures, const ScopeOptions& options, I
     plot.draw()->AddPolyline(points.data(), static_cast<int>(points.size()), inks[c], ImDrawFlags_None,
                              px(1));
   }
-  plot.label(0.02F, 0.99F, axis.name, kFaint);
 }
 
 }  // namespace swaplight

@@ -64,7 +64,10 @@ void header(StudioContext& studio) {
   }
   if (options.histogram) {
     choice<Axis>("##axis", &options.histogramAxis,
-                 {{Axis::Codes, "codes"}, {Axis::Stops, "stops"}, {Axis::Linear, "linear"}}, 82);
+                 {{Axis::Codes, "codes, after the view"},
+                  {Axis::Stops, "stops from grey"},
+                  {Axis::Linear, "linear light"}},
+                 160);
     toggle("log", &options.logCounts);
   }
   ImGui::PopFont();
