@@ -16,7 +16,7 @@ constexpr float kOtherSure = .7f;     // visibility of pixels that the other lig
 constexpr float kRatioEdge = .3f;     // log step of the other lights that a ratio is not continued over
 constexpr float kLeastOfMean = .93f;  // of the ratio around it: less is not fully lit
 constexpr float kPictureEdge =
-    .8f;                            // log step of the whole picture that a contribution is not continued over
+    .5f;                            // log step of the whole picture that a contribution is not continued over
 constexpr float kMostlySeen = .2f;  // visibility from which on it is refined
 constexpr float kLeastGrey = 1e-4f;  // of white
 constexpr float kFullySeen = .7f;    // visibility from which on the whole contribution counts as direct
@@ -111,7 +111,7 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
     seen = cv::max(seen, visibilities[j]);
   }
   const cv::Mat otherGrey = greyOf(others);
-  const int rim = std::max(2, full.width / 240);  // the faint end of penumbras
+  const int rim = std::max(2, full.width / 320);  // the faint end of penumbras
   const auto sureOf = [rim](const cv::Mat& v, float least) {
     cv::Mat sure = v > least;
     cv::erode(sure, sure, {}, {-1, -1}, rim, cv::BORDER_CONSTANT, cv::Scalar(255));

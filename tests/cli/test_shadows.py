@@ -1,5 +1,7 @@
 """swaplight shadows, swaplight beta, and edits on the command line"""
 import json
+import os
+import unittest
 
 import numpy as np
 import swaplight_cli as cli
@@ -83,6 +85,65 @@ class ShadowsTest(cli.CliTest):
         self.fail('relight', self.solved, '--edits', unknown, *output, naming=['u.json', 'rim', 'key'])
         self.fail('relight', self.solved, '--edits', self.capture.path, *output, naming=['capture.json', 'format'])
         self.fail('relight', self.solved, '--edits', self.path('none.json'), *output, naming=['none.json'])
+
+
+SHARED = os.environ.get('SWAPLIGHT_SHARED', '')
+GLOSS = os.path.join(SHARED, 'captures', 'gloss')
+
+
+def grown(mask, pixels):
+    for _ in range(pixels):
+        padded = np.pad(mask, 1)
+        mask = mask | padded[:-2, 1:-1] | padded[2:, 1:-1] | padded[1:-1, :-2] | padded[1:-1, 2:]
+    return mask
+
+
+@unittest.skipUnless(os.path.isdir(GLOSS), f'no ground truth: SWAPLIGHT_SHARED is "{SHARED}"')
+class ShadowTruthTest(cli.CliTest):
+    """A still life under two lights with hard shadows, and each light's contribution without shadows."""
+
+    def setUp(self):
+        super().setUp()
+        self.truth = {n: cli.read_rgb(os.path.join(GLOSS, 'lambert', f'T_{n}.exr')) for n in ('left', 'right')}
+        capture = cli.Capture(self.path('set'), names=('left', 'right'))
+        capture.shots = [cli.photograph(list(self.truth.values()), c) for c in cli.SWAPPED]
+        capture.save()
+        self.solved = self.path('solved.exr')
+        self.succeed('solve', capture.path, '-o', self.solved, '-q')
+
+    def mean_difference(self, test, reference, where):
+        """Mean CIEDE2000 over the pixels chosen, displayed as the whole picture is."""
+        cli.write_image(self.path('test.exr'), np.where(where[..., None], test, reference).astype(np.float32))
+        cli.write_image(self.path('reference.exr'), reference.astype(np.float32))
+        said = self.succeed_json('evaluate', self.path('test.exr'), self.path('reference.exr'), '--metric', 'de2000')
+        return said['de2000']['mean'] * where.size / where.sum()
+
+    def test_umbra_and_visibility_are_near_the_truth(self):
+        self.succeed('shadows', self.solved, '-o', self.path('shadows.exr'), '-q')
+        found = cli.read_image(self.path('shadows.exr'))
+        for light in self.truth:
+            visible = cli.read_image(os.path.join(GLOSS, f'shadow_{light}.exr'))['Y']
+            label = found[f'shadow_{light}.label']
+            known, umbra = label > 0, visible < .02
+            both, either = (label == 1) & umbra & known, ((label == 1) | umbra) & known
+            self.assertGreater(both.sum() / either.sum(), .85, light)
+            self.assertLess(np.abs(found[f'shadow_{light}.Y'] - visible)[known].mean(), .06, light)
+            self.assertLess(1 - known.mean(), .1, light)
+            self.assertLess(((label == 1) & (visible > .98)).mean(), .01, light)
+
+    def test_a_removed_cast_shadow_shows_the_surface_below_it(self):
+        for light, other in (('left', 'right'), ('right', 'left')):
+            with open(self.path('edits.json'), 'w') as file:
+                json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': [
+                    {'lights': [light], 'operation': 'shadow', 'kind': 'lighten'}]}, file)
+            frame = self.path(f'{light}.exr')
+            self.succeed('relight', self.solved, '--edits', self.path('edits.json'), '-o', frame, '-q')
+            truth = cli.read_rgb(os.path.join(GLOSS, 'lambert', f'U_{light}.exr')) + self.truth[other]
+            shadow = cli.read_image(os.path.join(GLOSS, f'shadow_{light}.exr'))
+            umbra = (shadow['Y'] < .02) & (shadow['A'] > 0)
+            band = grown(umbra, 6) & ~umbra & (shadow['A'] > 0)
+            self.assertLess(self.mean_difference(cli.read_rgb(frame), truth, umbra), 4, light)
+            self.assertLess(self.mean_difference(cli.read_rgb(frame), truth, band), 3, light)
 
 
 if __name__ == '__main__':
