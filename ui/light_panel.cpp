@@ -153,13 +153,17 @@ void temperature(const ColorEditor& edit) {
   markItem("light.kelvin.number");
   tooltip("Drag, or double-click and type.");
   ImGui::SameLine(0, gap);
-  if (ImGui::BeginCombo("##whites", "", ImGuiComboFlags_NoPreview)) {
-    for (const float white : kWhites)
-      if (ImGui::Selectable(fmt::format("{:.0f} K", white).c_str(), isKelvin && kelvin == white))
-        editLights(edit.studio, edit.light, fmt::format("{:.0f} K", white), [&](LightSetting& setting) {
+  const bool open = ImGui::BeginCombo("##whites", "", ImGuiComboFlags_NoPreview);
+  if (open) {
+    for (const float white : kWhites) {
+      const std::string words = fmt::format("{:.0f} K", white);
+      if (ImGui::Selectable(words.c_str(), isKelvin && kelvin == white))
+        editLights(edit.studio, edit.light, words, [&](LightSetting& setting) {
           setting.color.kind = LightColor::Kind::Kelvin;
           setting.color.kelvin = white;
         });
+      markItem(fmt::format("kelvin.{:.0f}", white));
+    }
     ImGui::EndCombo();
   }
   markItem("light.kelvin.presets");

@@ -191,11 +191,17 @@ void drawLightRow(StudioContext& studio, size_t light) {
 
   ImGui::PushID(index);
   // The row itself is clicked where nothing else of it is.
+  const float switchesWidth = 3 * px(26) + 2 * px(4);
   const bool clicked = ImGui::InvisibleButton("##row", size);
   ImGui::SetItemAllowOverlap();
   markItem(mark);
   if (clicked) choose(studio, light);
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+  // Only the name's own place: a double-click on the number below it types a number.
+  const ImVec2 corner = ImGui::GetItemRectMin();
+  const bool onName = ImGui::IsMouseHoveringRect(
+      ImVec2(corner.x + px(kPadding + 42), corner.y),
+      ImVec2(corner.x + size.x - px(kPadding) - switchesWidth, corner.y + px(kPadding + 36)));
+  if (ImGui::IsItemHovered() && onName && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
     beginRename(studio, light);
   if (ImGui::BeginPopupContextItem("##menu")) {
     if (ImGui::IsWindowAppearing() && several.count(index) == 0) choose(studio, light);
@@ -205,7 +211,6 @@ void drawLightRow(StudioContext& studio, size_t light) {
 
   const float pad = px(kPadding);
   const float inner = size.x - 2 * pad;
-  const float switchesWidth = 3 * px(26) + 2 * px(4);
   ImGui::SetCursorPos(ImVec2(start.x + pad, start.y + pad));
   if (colorChip("##chip", chipColor(setting.color), ImVec2(px(32), px(32)), "Choose this light"))
     choose(studio, light);

@@ -163,13 +163,21 @@ void drawChromaticity(StudioContext& studio, unsigned texture, ImVec2 low, ImVec
   for (float mired = 40; mired <= 1000; mired += 20) points.push_back(at(whiteXy(1e6F / mired)));
   plot.draw()->AddPolyline(points.data(), static_cast<int>(points.size()), IM_COL32(240, 200, 140, 150),
                            ImDrawFlags_None, px(1));
+  std::vector<ImVec2> named;
   for (const LightSetting& light : studio.document().rig.lights) {
     const ImVec2 place = at(xyFromRec709(colorFactor(light.color)));
     plot.draw()->AddCircleFilled(place, px(5), colorU32(chipColor(light.color)));
     plot.draw()->AddCircle(place, px(5), IM_COL32(0, 0, 0, 255), 0, px(2));
     plot.draw()->AddCircle(place, px(6), kText);
-    if (to.x - from.x > px(kRoomForNames))
-      plot.draw()->AddText(ImVec2(place.x + px(8), place.y - px(8)), kText, light.title().c_str());
+    if (to.x - from.x < px(kRoomForNames)) continue;
+    // Names of lights of one colour stand below each other.
+    ImVec2 corner(place.x + px(9), place.y - px(8));
+    while (std::any_of(named.begin(), named.end(), [&](ImVec2 other) {
+      return std::abs(other.x - corner.x) < px(60) && std::abs(other.y - corner.y) < px(14);
+    }))
+      corner.y += px(14);
+    named.push_back(corner);
+    plot.draw()->AddText(corner, kText, light.title().c_str());
   }
 }
 
