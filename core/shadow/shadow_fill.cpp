@@ -18,6 +18,7 @@ constexpr float kLeastOfMean = .93f;  // of the ratio around it: less is not ful
 constexpr float kPictureEdge =
     .5f;                            // log step of the whole picture that a contribution is not continued over
 constexpr float kMostlySeen = .2f;  // visibility from which on it is refined
+constexpr float kReached = .05f;    // visibility beyond the end of shading that falls off
 constexpr float kLeastGrey = 1e-4f;  // of white
 constexpr float kFullySeen = .7f;    // visibility from which on the whole contribution counts as direct
 
@@ -70,9 +71,14 @@ cv::Mat localMean(const cv::Mat& x, const cv::Mat& where, const cv::Mat& guide, 
   return sum / weight;
 }
 
+struct Continued {
+  cv::Mat ratio;
+  cv::Mat cast;  ///< 0..1: is the shadow nearby cast, or does the shading fall off by itself?
+};
+
 // A ratio known where `fixed`, continued. Where it fades out towards the border (shading that falls off, not
 // a shadow that is cast) what lies beyond is dark of itself: 0.
-cv::Mat continued(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& guide) {
+Continued continued(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& guide) {
   cv::Mat where;
   fixed.convertTo(where, CV_32F, 1 / 255.);
   const double near = std::max(2., ratio.cols / 160.);
@@ -88,7 +94,7 @@ cv::Mat continued(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& gui
   cv::max(cast, 0, cast);
   cv::Mat smooth = fillSmoothly(ratio, full, guide, kRatioEdge);
   cv::max(smooth, 0, smooth);
-  return smooth.mul(cast);
+  return {smooth.mul(cast), cast};
 }
 
 }  // namespace
@@ -134,7 +140,7 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   cv::divide(shrunk(greyOf(own).mul(both), size), below, ratio);
   const cv::Mat fixed = shrunk(both, size) > .49;
   const cv::Mat guide = logarithm(meanOver(others, asFloat(known), size));
-  const cv::Mat smoothRatio = continued(ratio, fixed, guide);
+  const auto [smoothRatio, cast] = continued(ratio, fixed, guide);
 
   // The contribution without its shadow, coarsely; what no light shows is continued from its surroundings.
   const cv::Mat knownSmall = shrunk(asFloat(known), size) > .49;
@@ -171,6 +177,10 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   cv::max(seenShare, kMostlySeen, seenShare);
   cv::min(seenShare, visibility, seenShare);
   seenShare.copyTo(filled.visibility, visibility > kMostlySeen);
+  // Shading that falls off by itself is dim, but sees all of the light up to its end.
+  cv::Mat reached;
+  cv::Mat(visibility > kReached).convertTo(reached, CV_32F, 1 / 255.);
+  cv::Mat(reached + grown(cast, full).mul(filled.visibility - reached)).copyTo(filled.visibility, known);
   filled.visibility.setTo(1, sure);
 
   // Bounced light is no part of it where it can be told apart: in the umbra.
