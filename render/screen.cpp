@@ -15,11 +15,19 @@ void clearScreen(int width, int height, Rgb code) {
   glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void setBlending(bool on) {
-  if (on)
-    glEnable(GL_BLEND);
-  else
-    glDisable(GL_BLEND);
+void copyToScreen(const ScreenCopy& copy) {
+  const GlFramebuffer source = GlFramebuffer::make();
+  const bool scissors = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
+  GLint read = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, source.id());
+  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, copy.texture, 0);
+  glDisable(GL_SCISSOR_TEST);
+  const int top = copy.screenHeight - copy.y;
+  glBlitFramebuffer(0, 0, copy.width, copy.height, copy.x, top, copy.x + copy.width, top - copy.height,
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  if (scissors) glEnable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
 }
 
 void finishScreen() {

@@ -16,8 +16,16 @@ void clearScreen(int width, int height, Rgb code);
 /// Waits until everything that was asked of OpenGL is done: for measuring.
 void finishScreen();
 
-/// Whether what is drawn from here on is mixed with what is there by its alpha.
-void setBlending(bool on);
+/// A texture that goes to a place of the surface pixel by pixel.
+struct ScreenCopy {
+  unsigned texture = 0;  ///< row 0 at the top
+  int width = 0, height = 0;
+  int x = 0, y = 0;  ///< of its upper left corner, from the surface's upper left
+  int screenHeight = 0;
+};
+/// Copies to what is bound for drawing, whatever the scissors. Where the surface keeps its rows from the top,
+/// as windows do, this is a copy of memory for a software renderer, many times faster than drawing.
+void copyToScreen(const ScreenCopy& copy);
 
 /// What has been drawn: 8-bit R G B A, row after row from the top, without gaps.
 [[nodiscard]] std::vector<uint8_t> readScreen(int width, int height);

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/screen.h"
@@ -51,12 +52,17 @@ void drawGroundAround(ImVec2 low, ImVec2 high, ImVec2 from, ImVec2 to) {
   fill(ImVec2(high.x, low.y), ImVec2(to.x, high.y));
 }
 
-/// Without blending: the picture is opaque.
-void drawOpaque(unsigned texture, ImVec2 low, ImVec2 high) {
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddCallback([](const ImDrawList*, const ImDrawCmd*) { setBlending(false); }, nullptr);
-  draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)), low, high);  // NOLINT
-  draw->AddCallback([](const ImDrawList*, const ImDrawCmd*) { setBlending(true); }, nullptr);
+/// Copies a texture to the screen when Dear ImGui comes to this place of its list. Until then what to copy is
+/// kept here, by the texture's place.
+void copyWhenDrawn(const ScreenCopy& copy, int place) {
+  static std::array<ScreenCopy, 2> copies;
+  ScreenCopy& kept = copies.at(static_cast<size_t>(place));
+  kept = copy;
+  ImGui::GetWindowDrawList()->AddCallback(
+      [](const ImDrawList*, const ImDrawCmd* command) {
+        copyToScreen(*static_cast<const ScreenCopy*>(command->UserCallbackData));
+      },
+      &kept);
 }
 
 /// Draws pictures into a pane whose corner is `origin`. The texture is told apart by `place`.
@@ -81,7 +87,9 @@ void drawPane(StudioContext& studio, const LayeredPicture& a, const LayeredPictu
                     low.y + static_cast<float>(covered.window.height));
   const ImVec2 to(origin.x + static_cast<float>(window.width), origin.y + static_cast<float>(window.height));
   drawGroundAround(low, high, origin, to);
-  drawOpaque(texture, low, high);
+  copyWhenDrawn({texture, covered.window.width, covered.window.height, static_cast<int>(low.x),
+                 static_cast<int>(low.y), static_cast<int>(ImGui::GetIO().DisplaySize.y)},
+                place);
   markRect(place == 0 ? "viewer.picture" : "viewer.picture_b", low.x, low.y, high.x, high.y);
 }
 
