@@ -28,7 +28,7 @@ bool line(const Action& action, bool chosen) {
   if (!action.isEnabled()) ImGui::PopStyleColor();
   if (chosen) ImGui::SetScrollHereY();
   const float width = ImGui::CalcTextSize(action.keys.c_str()).x;
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - width - px(8));
   ImGui::TextDisabled("%s", action.keys.c_str());
   return clicked;
 }
@@ -51,10 +51,15 @@ void CommandPalette::draw(const ActionTable& actions) {
   if (ImGui::InputTextWithHint("##filter", "What to do", &m_filter)) m_chosen = 0;
   markItem("palette.filter");
 
-  std::vector<const Action*> found;
-  for (const Action& action : actions.actions())
-    if (matchesWords(action.name + " " + action.id + " " + action.tooltip, m_filter))
+  // What is called so comes before what only speaks of it.
+  std::vector<const Action*> found, described;
+  for (const Action& action : actions.actions()) {
+    if (matchesWords(action.name + " " + action.id, m_filter))
       found.push_back(&action);
+    else if (matchesWords(action.tooltip, m_filter))
+      described.push_back(&action);
+  }
+  found.insert(found.end(), described.begin(), described.end());
   const int last = static_cast<int>(found.size()) - 1;
   if (pressed(ImGuiKey_DownArrow)) ++m_chosen;
   if (pressed(ImGuiKey_UpArrow)) --m_chosen;

@@ -151,7 +151,7 @@ void drawViewerBar(StudioContext& studio) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ViewSettings& settings = studio.view.settings;
   ImGui::SetCursorScreenPos(ImVec2(at.x + px(6), at.y + px(4)));
-  listButton("##subject", subjectWords(studio, studio.view.subject), 124, "What is shown",
+  listButton("##subject", subjectWords(studio, studio.view.subject), 144, "What is shown",
              [&] { drawSubjectMenu(studio, false); });
   listButton("##compare", compareWords(studio.view.compare.mode), 76, "Compare with another picture, B",
              [&] { compareList(studio); });
