@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "core/simd.h"
+#include "core/solve/edge_noise.h"
 #include "core/solve/neighbourhood.h"
 #include "core/solve/run_scratch.h"
 #include "core/solve/shrinkage.h"
@@ -23,11 +24,19 @@ SWAPLIGHT_SIMD void takeAway(const float* __restrict alone, const float* __restr
   }
 }
 
+SWAPLIGHT_SIMD void multiply(const float* __restrict factor, float* __restrict values, size_t count) {
+  for (size_t p = 0; p < count; ++p) values[p] *= factor[p];
+}
+
+SWAPLIGHT_SIMD void divide(const float* __restrict factor, float* __restrict values, size_t count) {
+  for (size_t p = 0; p < count; ++p) values[p] /= factor[p];
+}
+
 }  // namespace
 
-void solveAuto(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
-               const Progress& progress) {
-  const Shrinkage shrinkage(context, signal);
+float solveAuto(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
+                const Progress& progress) {
+  Shrinkage shrinkage(context, signal);
   const int lights = context.plan.lights;
   const int runs = int((signal.pixelCount() + kRun - 1) / kRun);
   const auto eachRun = [&](float from, float to, const auto& work) {
@@ -57,8 +66,18 @@ void solveAuto(const EstimatorContext& context, const ShotSignal& signal, Solved
     for (int i = 0; i < lights; ++i) std::copy_n(fit.share[i], in.count, set.beta.plane(i) + first);
   });
 
-  const float freedom = float(std::max(shrinkage.matte().freedom(), 1));
   const ImageSpan quality = set.quality.span();
+  const ImageSpan edges = set.contributions[0].span().channelRange(2, 1);
+  const float squaredShift = squaredEdgeShift(signal, context.noise, quality.channelRange(kResidual, 1),
+                                              shrinkage.matte().freedom());
+  float* factor = squaredShift > 0 ? edges.row(0, 0) : nullptr;
+  if (factor) {
+    edgeNoiseFactor(signal, context.noise, squaredShift, edges);
+    divide(factor, misfit, signal.pixelCount());
+  }
+  shrinkage.learn(signal, factor);
+
+  const float freedom = float(std::max(shrinkage.matte().freedom(), 1));
   localOdds(quality.channelRange(kResidual, 1), freedom + 3.5F * std::sqrt(2 * freedom),
             quality.channelRange(kModel, 1));
   std::vector<ImageSpan> pooled;
@@ -70,11 +89,14 @@ void solveAuto(const EstimatorContext& context, const ShotSignal& signal, Solved
     for (int i = 0; i < lights; ++i)
       std::copy_n(set.contributions[size_t(i)].plane(0) + first, in.count, fit.share[i]);
     shrinkage.matte().assess(in, fit);
+    const float* noise = factor ? factor + first : nullptr;
     takeAway(fit.shareVariance, set.contributions[0].plane(1) + first, fit.variance, in.count);
+    if (noise) multiply(noise, fit.variance, size_t(in.count));
     const SolvedRun out = runAt(set, first);
-    shrinkage.finish(in, fit, misfit + first, odds + first, out, odds + first);
+    shrinkage.finish(in, fit, {misfit + first, odds + first, noise}, out, odds + first);
     writeBeta(lights, in.count, out);
   });
+  return std::sqrt(squaredShift);
 }
 
 }  // namespace swaplight

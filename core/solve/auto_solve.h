@@ -11,7 +11,8 @@ namespace swaplight {
 /// pooled with the neighbours' where noise hides them (poolShares), and pixels that the matte model does not
 /// explain are given what they need beyond it (Shrinkage), the more readily where their neighbours need it
 /// too. Fills contributions, residual, sigma and model of `set`.
-void solveAuto(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
-               const Progress& progress);
+/// Returns how far the shots seem to lie from one another, in pixels (0: nothing to see; edge_noise.h).
+float solveAuto(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
+                const Progress& progress);
 
 }  // namespace swaplight

@@ -16,11 +16,6 @@ constexpr size_t kSample = 16000;
 constexpr int kBins = 10;
 constexpr double kLargestFactor = 10;
 
-/// The median of chi-square with k degrees of freedom (Wilson and Hilferty 1931).
-double medianChiSquare(double k) {
-  return k * std::pow(1 - 2 / (9 * k), 3);
-}
-
 /// Least squares over x >= 0 for three unknowns: the best of all subsets whose solution is not negative.
 Eigen::Vector3d nonNegative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   Eigen::Vector3d best = Eigen::Vector3d::Zero();
@@ -42,6 +37,10 @@ Eigen::Vector3d nonNegative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) 
 }
 
 }  // namespace
+
+double medianChiSquare(double freedom) {
+  return freedom * std::pow(1 - 2 / (9 * freedom), 3);
+}
 
 NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& signal) {
   const int lights = context.plan.lights;

@@ -13,4 +13,7 @@ namespace swaplight {
 /// where the fit leaves no freedom.
 [[nodiscard]] NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& signal);
 
+/// The median of chi-square (Wilson and Hilferty 1931); freedom >= 1.
+[[nodiscard]] double medianChiSquare(double freedom);
+
 }  // namespace swaplight

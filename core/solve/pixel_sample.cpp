@@ -4,7 +4,7 @@
 
 namespace swaplight {
 
-PackedRun pixelSample(const ShotSignal& signal, int shots, size_t count) {
+PackedRun pixelSample(const ShotSignal& signal, int shots, size_t count, std::vector<size_t>* index) {
   const size_t pixels = signal.pixelCount();
   const size_t runs = std::max<size_t>(1, std::min(pixels, count) / kLanes);
   PackedRun sample(shots, runs * kLanes);
@@ -16,7 +16,10 @@ PackedRun pixelSample(const ShotSignal& signal, int shots, size_t count) {
     PixelRun in;
     signal.run(first, length, true, scratch, in);
     for (int p = 0; p < length; ++p)
-      if (!signal.flagged(first + size_t(p), 1)) sample.add(in, p);
+      if (!signal.flagged(first + size_t(p), 1)) {
+        sample.add(in, p);
+        if (index) index->push_back(first + size_t(p));
+      }
   }
   return sample;
 }

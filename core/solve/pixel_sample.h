@@ -6,6 +6,8 @@
 namespace swaplight {
 
 /// About `count` usable pixels (none with a flag), spread evenly over the set in runs of a cache line.
-[[nodiscard]] PackedRun pixelSample(const ShotSignal& signal, int shots, size_t count);
+/// `index` (may be null) receives where each was taken.
+[[nodiscard]] PackedRun pixelSample(const ShotSignal& signal, int shots, size_t count,
+                                    std::vector<size_t>* index = nullptr);
 
 }  // namespace swaplight

@@ -29,6 +29,8 @@ class ShotSignal {
   /// The mean signal of each shot, over an even sample of usable pixels.
   [[nodiscard]] std::vector<Rgb> meanSignal() const;
 
+  /// The shots as photographed.
+  [[nodiscard]] const CapturePixels& pixels() const { return *m_pixels; }
   [[nodiscard]] size_t pixelCount() const { return m_pixelCount; }
 
  private:

@@ -76,11 +76,11 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) 
   }
   const float freedom = float(std::max(m_matte.freedom(), 1));
   m_gate = freedom + 0.5F * std::sqrt(2 * freedom);
-  learn(signal);
 }
 
-void Shrinkage::learn(const ShotSignal& signal) {
-  const PackedRun sample = pixelSample(signal, m_plan.shots, kSample);
+void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
+  std::vector<size_t> index;
+  const PackedRun sample = pixelSample(signal, m_plan.shots, kSample, &index);
   const int count = sample.run().count;
   MatteScratch matte(m_plan.lights, count);
   m_matte.fit(sample.run(), matte.run());
@@ -90,16 +90,17 @@ void Shrinkage::learn(const ShotSignal& signal) {
   const size_t bright = brightness.size() * 99 / 100;
   std::nth_element(brightness.begin(), brightness.begin() + long(bright), brightness.end());
   for (size_t j = 0; j < kRelativeScales.size(); ++j)
-    m_prior.scale[j] = kRelativeScales[j] * std::max(brightness[bright], 1e-6F);
-  m_prior.weight.fill(1.0F / ShrinkagePrior::kScales);
-  m_plan.prior = m_prior;
-
+    m_plan.prior.scale[j] = kRelativeScales[j] * std::max(brightness[bright], 1e-6F);
+  m_plan.prior.weight.fill(1.0F / ShrinkagePrior::kScales);
   constexpr size_t kScales = ShrinkagePrior::kScales;
   const size_t padded = (size_t(count) + kLanes - 1) / kLanes * kLanes;
   std::vector<float> evidence(padded * kScales);
   ShrinkageRun out;
   for (size_t j = 0; j < kScales; ++j) out.logEvidence[j] = &evidence[j * padded];
-  SWAPLIGHT_KERNEL(shrinkRun)(m_plan, sample.run(), matte.run(), nullptr, out);
+  std::vector<float> factor(padded, 1.0F);
+  if (noise)
+    for (size_t p = 0; p < index.size(); ++p) factor[p] = noise[index[p]];
+  SWAPLIGHT_KERNEL(shrinkRun)(m_plan, sample.run(), matte.run(), nullptr, factor.data(), out);
   for (int round = 0; round < kRounds; ++round) {
     std::array<double, kScales> responsibility{};
     for (int p = 0; p < count; ++p) {
@@ -108,29 +109,31 @@ void Shrinkage::learn(const ShotSignal& signal) {
       std::array<double, kScales> weight;
       double sum = 0;
       for (size_t j = 0; j < kScales; ++j) {
-        weight[j] = m_prior.weight[j] * std::exp(double(evidence[j * padded + size_t(p)] - best));
+        weight[j] = m_plan.prior.weight[j] * std::exp(double(evidence[j * padded + size_t(p)] - best));
         sum += weight[j];
       }
       for (size_t j = 0; j < kScales; ++j) responsibility[j] += weight[j] / sum;
     }
     for (size_t j = 0; j < kScales; ++j)
-      m_prior.weight[j] = std::max(float(responsibility[j] / count), 1e-5F);
+      m_plan.prior.weight[j] = std::max(float(responsibility[j] / count), 1e-5F);
   }
-  m_plan.prior = m_prior;
 }
 
-void Shrinkage::finish(const PixelRun& in, const MatteRun& matte, const float* misfit, const float* odds,
+void Shrinkage::finish(const PixelRun& in, const MatteRun& matte, const Evidence& evidence,
                        const SolvedRun& out, float* notMatte) const {
   const int n = m_plan.lights;
   std::vector<int> index;
   index.reserve(size_t(in.count));
   for (int p = 0; p < in.count; ++p)
-    if (misfit[p] > m_gate) index.push_back(p);
+    if (evidence.misfit[p] > m_gate) index.push_back(p);
   const auto gather = [&](const float* from, float* to) {
     for (size_t j = 0; j < index.size(); ++j) to[j] = from[index[j]];
   };
-  std::vector<float> packedOdds((index.size() + kLanes - 1) / kLanes * kLanes, 1.0F);
-  if (odds) gather(odds, packedOdds.data());
+  const size_t padded = (index.size() + kLanes - 1) / kLanes * kLanes;
+  std::vector<float> odds(padded, 1.0F);
+  if (evidence.odds) gather(evidence.odds, odds.data());
+  std::vector<float> noise(padded, 1.0F);
+  if (evidence.noise) gather(evidence.noise, noise.data());
   writeContributions(matte, n, in.count, out);
   writeQuality(matte, m_matte.freedom(), in.count, out);
   if (notMatte) std::fill_n(notMatte, in.count, 0.0F);
@@ -139,7 +142,6 @@ void Shrinkage::finish(const PixelRun& in, const MatteRun& matte, const float* m
   // Pixels that need more, packed together.
   PackedRun packed(m_plan.shots, index.size());
   MatteScratch fit(n, int(index.size()));
-  const size_t padded = (index.size() + kLanes - 1) / kLanes * kLanes;
   std::vector<float> room(padded * size_t(3 * n + 2));
   float* next = room.data();
   const auto take = [&] { return std::exchange(next, next + padded); };
@@ -155,7 +157,7 @@ void Shrinkage::finish(const PixelRun& in, const MatteRun& matte, const float* m
   ShrinkageRun to;
   to.solved = &solved;
   to.notMatte = probability;
-  SWAPLIGHT_KERNEL(shrinkRun)(m_plan, packed.run(), fit.run(), packedOdds.data(), to);
+  SWAPLIGHT_KERNEL(shrinkRun)(m_plan, packed.run(), fit.run(), odds.data(), noise.data(), to);
   const auto scatter = [&](const float* from, float* all) {
     for (size_t j = 0; j < index.size(); ++j) all[index[j]] = from[j];
   };

@@ -21,22 +21,24 @@ class Shrinkage {
   Shrinkage(const EstimatorContext& context, const ShotSignal& signal);
 
   [[nodiscard]] const MatteFit& matte() const { return m_matte; }
-  [[nodiscard]] const ShrinkagePrior& prior() const { return m_prior; }
-  /// The chi-square beyond which a pixel is looked at closer.
-  [[nodiscard]] float gate() const { return m_gate; }
 
-  /// Contributions, residual, sigma of a run whose matte fit is given. `misfit` decides which pixels are
-  /// looked at closer (it may be an earlier fit's); `odds` (may be null) multiplies the prior odds of not
-  /// being matte. `notMatte` (may be null) receives the probability that the matte model was not enough.
-  void finish(const PixelRun& in, const MatteRun& matte, const float* misfit, const float* odds,
-              const SolvedRun& out, float* notMatte) const;
+  /// Learns the prior from a sample of the set. `noise` (a plane; may be null) multiplies the variance.
+  void learn(const ShotSignal& signal, const float* noise);
+
+  /// What is known of a run's pixels from elsewhere.
+  struct Evidence {
+    const float* misfit;           ///< chi-square that decides which pixels are looked at closer
+    const float* odds = nullptr;   ///< factor of the prior odds of not being matte
+    const float* noise = nullptr;  ///< factor of the noise model's variance
+  };
+  /// Contributions, residual, sigma of a run whose matte fit is given. `notMatte` (may be null) receives the
+  /// probability that the matte model was not enough. The evidence may lie in the planes of the answer.
+  void finish(const PixelRun& in, const MatteRun& matte, const Evidence& evidence, const SolvedRun& out,
+              float* notMatte) const;
 
  private:
-  void learn(const ShotSignal& signal);
-
   MatteFit m_matte;
   ShrinkagePlan m_plan;
-  ShrinkagePrior m_prior;
   float m_gate = 0;
 };
 

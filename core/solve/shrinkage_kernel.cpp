@@ -137,14 +137,15 @@ SWAPLIGHT_LANES Lanes refit(const ShrinkagePlan& plan, const Modes<kN>& pixel, i
 
 template <int kN>
 [[gnu::always_inline]] inline void shrink(const ShrinkagePlan& plan, const PixelRun& in,
-                                          const MatteRun& matte, const float* odds, const ShrinkageRun& out,
-                                          int lights) {
+                                          const MatteRun& matte, const float* odds, const float* noise,
+                                          const ShrinkageRun& out, int lights) {
   constexpr int kD = Modes<kN>::kD;
   const int n = lights;
   const int d = 3 * n;
   for (int at = 0; at < in.count; at += kLanes) {
     Modes<kN> pixel;
     toModes<kN>(plan, in, matte, at, n, pixel);
+    if (noise) pixel.noise *= load(noise + at);
     Lanes answer[kD];
     Lanes mixed[kD];
     Lanes evidence[kScales];
@@ -196,19 +197,19 @@ template <int kN>
 }  // namespace
 
 void shrinkRun(const ShrinkagePlan& plan, const PixelRun& in, const MatteRun& matte, const float* odds,
-               const ShrinkageRun& out) {
+               const float* noise, const ShrinkageRun& out) {
   switch (plan.lights) {
     case 2:
-      shrink<2>(plan, in, matte, odds, out, 2);
+      shrink<2>(plan, in, matte, odds, noise, out, 2);
       break;
     case 3:
-      shrink<3>(plan, in, matte, odds, out, 3);
+      shrink<3>(plan, in, matte, odds, noise, out, 3);
       break;
     case 4:
-      shrink<4>(plan, in, matte, odds, out, 4);
+      shrink<4>(plan, in, matte, odds, noise, out, 4);
       break;
     default:
-      shrink<kMaxLights>(plan, in, matte, odds, out, plan.lights);
+      shrink<kMaxLights>(plan, in, matte, odds, noise, out, plan.lights);
   }
 }
 

@@ -40,8 +40,9 @@ struct ShrinkageRun {
   float* notMatte = nullptr;
 };
 
-/// All pixels of a run, whose matte fit is given; planes padded to kLanes. `odds` may be null.
+/// All pixels of a run, whose matte fit is given; planes padded to kLanes. `odds` and `noise`, a factor of
+/// the noise model's variance, may be null.
 SWAPLIGHT_DECLARE_KERNEL(shrinkRun, const ShrinkagePlan& plan, const PixelRun& in, const MatteRun& matte,
-                         const float* odds, const ShrinkageRun& out)
+                         const float* odds, const float* noise, const ShrinkageRun& out)
 
 }  // namespace swaplight

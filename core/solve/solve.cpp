@@ -231,10 +231,16 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
   context.noise.square += report.colorUncertainty * report.colorUncertainty;
 
   SolvedSet set = emptySet(capture, pixels);
-  if (info.name == "auto")
-    solveAuto(context, signal, set, progress);
-  else
+  if (info.name == "auto") {
+    if (solveAuto(context, signal, set, progress) > 0)
+      report.warnings.emplace_back(
+          options.align
+              ? "the shots still disagree along edges: trusted less there"
+              : "the shots disagree along edges, as if the camera had moved by a fraction of a pixel: "
+                "trusted less there; --align may help");
+  } else {
     solveWithEstimator(info, context, signal, set, progress);
+  }
 
   progress.update(0.9F, "Finishing");
   if (info.model != Model::Single && markMoved(context, signal, set) > 0) updateBeta(set);
