@@ -17,8 +17,9 @@ constexpr int kBlock = 32;  // a sample's blocks, kBlocks across and down
 constexpr int kBlocks = 12;
 constexpr size_t kFewest = 2000;
 constexpr float kWorthIt = 1.5F;
+constexpr float kStillMatte = 3.5F;  // a moved camera spoils the flatter half as well, but not by more
 // An edge is sharper than its surroundings' mean says: the worst pixels, not the median ones, count as gloss.
-constexpr float kTail = 8;
+constexpr float kTail = 16;
 constexpr float kNoticed = 0.002F;  // pixel^2: what is closer together did not move
 
 /// e of an area.
@@ -84,9 +85,10 @@ float squaredEdgeShift(const ShotSignal& signal, const NoiseModel& noise, ImageV
   const float typical = sample[(strong + sample.size()) / 2].first;
   const float flat = medianMisfit(sample, 0, sample.size() / 2);
   const float edges = medianMisfit(sample, strong, sample.size());
-  if (flat > kWorthIt * float(medianChiSquare(std::max(freedom, 1)))) return 0;
+  const float expected = float(medianChiSquare(std::max(freedom, 1)));
+  if (flat > kStillMatte * expected) return 0;
   if (typical <= 0 || !(edges > kWorthIt * flat)) return 0;
-  const float squared = (edges / std::max(flat, 1e-3F) - 1) / typical;
+  const float squared = (edges / std::clamp(flat, 1e-3F, expected) - 1) / typical;
   return squared > kNoticed ? kTail * squared : 0;
 }
 
