@@ -201,8 +201,7 @@ std::vector<std::string> ColorConfig::views(const std::string& display) const {
   const int count = m_impl->config->getNumViews(display.c_str());
   std::vector<std::string> names;
   names.reserve(static_cast<size_t>(count));
-  for (int i = 0; i < count; ++i)
-    names.emplace_back(m_impl->config->getView(display.c_str(), i));
+  for (int i = 0; i < count; ++i) names.emplace_back(m_impl->config->getView(display.c_str(), i));
   return names;
 }
 
