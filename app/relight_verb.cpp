@@ -2,9 +2,8 @@
 #include "app/solve_arguments.h"
 #include "app/verbs.h"
 #include "core/error.h"
-#include "core/export/frame_file.h"
+#include "core/export/frame_export.h"
 #include "core/file/atomic_file.h"
-#include "core/relight/relight.h"
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
 #include "core/session/session_file.h"
@@ -64,24 +63,14 @@ fs::path sourceOf(const Arguments& arguments, const std::optional<Session>& sess
   throw InputError("say what to relight: a solved set, a capture, or a session that names one");
 }
 
-/// A session's view holds where the picture goes through one and the command line names none.
-FrameOptions outputOf(const Arguments& arguments, const std::optional<Session>& session) {
-  FrameOptions output = arguments.output;
-  const std::string extension = fs::path(arguments.frame).extension().string();
-  const bool asked = output.linear || !output.view.empty() || !output.display.empty();
-  if (session && !asked && !isSceneLinear(arguments.frame)) {
-    output.display = session->document.display.display;
-    output.view = session->document.display.view;
-  }
-  return output;
-}
-
 int run(const Arguments& arguments, Terminal& terminal) {
   const std::optional<Session> session = sessionOf(arguments);
   if (session)
     for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
   const fs::path source = sourceOf(arguments, session);
-  FrameOptions output = outputOf(arguments, session);
+  const FrameOptions output =
+      session ? frameOptionsFor(session->document.display, arguments.frame, arguments.output)
+              : arguments.output;
 
   // Say what is wrong before the work, not after it.
   checkFrame(arguments.frame, output);
@@ -94,14 +83,9 @@ int run(const Arguments& arguments, Terminal& terminal) {
       session && !arguments.solve.given() ? session->document.solve : arguments.solve.resolve();
   const SolvedSet set = arguments.edits.applyTo(openSource(source, options, progress.part(0, 0.8f)));
   const Rig rig = rigOf(arguments, session, set.capture);
-  progress.update(0.9f, "relighting");
-  Image frame = relight(set, rigFactors(rig, set.colorSpace()), rig.ambient);
-
-  progress.update(0.95f, "writing");
-  output.write.text["swaplight/rig"] = jsonFromRig(rig).dump();
-  const Json json{{"frame", arguments.frame}, {"source", source.string()},       {"width", frame.width()},
-                  {"height", frame.height()}, {"color_space", set.colorSpace()}, {"rig", jsonFromRig(rig)}};
-  writeFrame(std::move(frame), arguments.frame, output);
+  exportFrame(set, rig, arguments.frame, output, progress.part(0.8f, 1));
+  const Json json{{"frame", arguments.frame}, {"source", source.string()},       {"width", set.width()},
+                  {"height", set.height()},   {"color_space", set.colorSpace()}, {"rig", jsonFromRig(rig)}};
   for (const LightSetting& light : rig.lights)
     terminal.detail("  {:<12} {}", light.light, settingText(light));
   terminal.say("wrote {}, {} x {} pixels", arguments.frame, set.width(), set.height());

@@ -4,12 +4,13 @@
 
 namespace swaplight {
 
-FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file) {
-  FrameOptions options;
-  if (isSceneLinear(file)) return options;
-  options.display = display.display;
-  options.view = display.view;
-  return options;
+FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file,
+                             FrameOptions asked) {
+  const bool decided = asked.linear || !asked.view.empty() || !asked.display.empty();
+  if (decided || isSceneLinear(file)) return asked;
+  asked.display = display.display;
+  asked.view = display.view;
+  return asked;
 }
 
 void exportFrame(const SolvedSet& set, const Rig& rig, const std::filesystem::path& file,

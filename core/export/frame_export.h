@@ -9,9 +9,10 @@
 
 namespace swaplight {
 
-/// How a session's frame is written to this file: through the session's view where the format is made for the
-/// eye, scene-linear otherwise. Throws InputError on an unknown format.
-[[nodiscard]] FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file);
+/// How a session's frame is written to this file: as asked for, and where neither linear nor a view is asked
+/// for, through the session's view if the format is made for the eye. Throws InputError on an unknown format.
+[[nodiscard]] FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file,
+                                           FrameOptions asked = {});
 
 /// Relights a set under a rig and writes the frame, with the rig in its header: the one way by which frames
 /// leave the studio and the command line, so that they are the same to the bit. Throws InputError as
