@@ -67,7 +67,10 @@ void KeysWindow::drawGroup(ActionTable& actions, const std::string& group) {
     tooltip(
         "Click, then press the new keys. Backspace takes them away, Escape leaves them, right-click brings "
         "back the first ones.");
-    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) actions.setKeys(action.id, action.ownKeys);
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+      actions.setKeys(action.id, action.ownKeys);
+      writeKeyFile(actions, m_file);
+    }
     ImGui::PopID();
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/relight/rig_edit.h"
+#include "ui/fader_row.h"
 #include "ui/icons.h"
 #include "ui/layout_probe.h"
 #include "ui/light_menu.h"

@@ -11,20 +11,15 @@
 #include "ui/layout_probe.h"
 #include "ui/light_edit.h"
 #include "ui/light_menu.h"
+#include "ui/mixer_card.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace swaplight {
 namespace {
 
-constexpr float kStopsRange = 8;  ///< of the slider
-constexpr float kMostStops = 30;  ///< that can be typed
 constexpr float kRowHeight = 82;
-constexpr float kGroupHeight = 48;
-constexpr float kPadding = 9;
-constexpr float kNumberWidth = 84;
-constexpr float kDotWidth = 14;
-constexpr ImU32 kLitPower = IM_COL32(92, 110, 92, 255);
+constexpr float kChipSide = 32;
 
 float timesOf(const LightSetting& setting) {
   return std::exp2(setting.stops) * setting.multiplier;
@@ -39,17 +34,6 @@ std::string underName(const LightSetting& setting) {
     words = roleName(setting.role) + "  ·  " + words;
   if (!setting.group.empty()) words += "  ·  " + setting.group;
   return words;
-}
-
-/// A card to put a row's widgets on; returns its size.
-ImVec2 beginCard(float height, bool chosen) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, px(height));
-  const ImVec2 high(at.x + size.x, at.y + size.y);
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(at, high, chosen ? kCardChosen : kCard, px(6));
-  if (chosen) draw->AddRect(at, high, kAccent, px(6), 0, px(1));
-  return size;
 }
 
 /// Which lights are chosen after a click on this one, with the modifiers held.
@@ -119,7 +103,7 @@ void name(StudioContext& studio, size_t light, const LightSetting& setting, ImVe
 
 /// Mute, solo and on at the right end of a row.
 void switches(StudioContext& studio, size_t light, const LightSetting& setting) {
-  const float side = px(26);
+  const float side = px(kSwitchSide);
   const float gap = px(4);
   const std::string mark = "mixer." + setting.light;
   if (toggleButton("M", setting.mute, kMute, side, "Mute  (M)")) {
@@ -186,21 +170,22 @@ void drawLightRow(StudioContext& studio, size_t light) {
   const int index = static_cast<int>(light);
   const std::set<int>& several = studio.view.selectedLights;
   const bool chosen = several.empty() ? shownLight(studio) == light : several.count(index) > 0;
-  const ImVec2 start = ImGui::GetCursorPos();
-  const ImVec2 size = beginCard(kRowHeight, chosen);
+  const MixerCard card(kRowHeight, chosen);
+  const float nameAt = px(kChipSide + 10);
+  const float switchesWidth = 3 * px(kSwitchSide) + 2 * px(4);
+  const float nameWidth = card.innerWidth() - nameAt - switchesWidth - px(8);
 
   ImGui::PushID(index);
   // The row itself is clicked where nothing else of it is.
-  const float switchesWidth = 3 * px(26) + 2 * px(4);
-  const bool clicked = ImGui::InvisibleButton("##row", size);
+  const bool clicked = ImGui::InvisibleButton("##row", card.size());
   ImGui::SetItemAllowOverlap();
   markItem(mark);
   if (clicked) choose(studio, light);
   // Only the name's own place: a double-click on the number below it types a number.
   const ImVec2 corner = ImGui::GetItemRectMin();
+  const ImVec2 nameCorner(corner.x + px(kCardPadding) + nameAt, corner.y);
   const bool onName = ImGui::IsMouseHoveringRect(
-      ImVec2(corner.x + px(kPadding + 42), corner.y),
-      ImVec2(corner.x + size.x - px(kPadding) - switchesWidth, corner.y + px(kPadding + 36)));
+      nameCorner, ImVec2(nameCorner.x + nameWidth, corner.y + px(kCardPadding + 36)));
   if (ImGui::IsItemHovered() && onName && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
     beginRename(studio, light);
   if (ImGui::BeginPopupContextItem("##menu")) {
@@ -209,91 +194,18 @@ void drawLightRow(StudioContext& studio, size_t light) {
     ImGui::EndPopup();
   }
 
-  const float pad = px(kPadding);
-  const float inner = size.x - 2 * pad;
-  ImGui::SetCursorPos(ImVec2(start.x + pad, start.y + pad));
-  if (colorChip("##chip", chipColor(setting.color), ImVec2(px(32), px(32)), "Choose this light"))
+  ImGui::SetCursorPos(card.at(0, 0));
+  if (colorChip("##chip", chipColor(setting.color), ImVec2(px(kChipSide), px(kChipSide)),
+                "Choose this light"))
     choose(studio, light);
   markItem(mark + ".chip");
-  name(studio, light, setting, ImVec2(start.x + pad + px(42), start.y + pad),
-       inner - px(42) - switchesWidth - px(8));
-  ImGui::SetCursorPos(ImVec2(start.x + pad + inner - switchesWidth, start.y + pad + px(3)));
+  name(studio, light, setting, card.at(nameAt, 0), nameWidth);
+  ImGui::SetCursorPos(card.at(card.innerWidth() - switchesWidth, px(3)));
   switches(studio, light, setting);
-  ImGui::SetCursorPos(ImVec2(start.x + pad, start.y + pad + px(40)));
-  intensity(studio, light, setting, inner);
+  ImGui::SetCursorPos(card.at(0, px(40)));
+  intensity(studio, light, setting, card.innerWidth());
   ImGui::PopID();
-  ImGui::SetCursorPos(ImVec2(start.x, start.y + size.y + px(6)));
-}
-
-void drawGroupRow(StudioContext& studio, size_t index) {
-  const Rig& rig = studio.document().rig;
-  const LightGroup group = rig.groups[index];
-  const ImVec2 start = ImGui::GetCursorPos();
-  const ImVec2 size = beginCard(kGroupHeight, false);
-  const float pad = px(kPadding);
-  const float side = px(26);
-  const float gap = px(6);
-  ImGui::PushID(group.name.c_str());
-  ImGui::SetCursorPos(ImVec2(start.x + pad, start.y + (size.y - ImGui::GetFrameHeight()) / 2));
-  ImGui::AlignTextToFramePadding();
-  ImGui::PushFont(fonts().strong);
-  ImGui::Text("%s  %s", kIconLayers, group.name.c_str());
-  ImGui::PopFont();
-  if (ImGui::BeginPopupContextItem("##group menu")) {
-    if (ImGui::MenuItem("Dissolve the group"))
-      editRig(studio, group.name + ": dissolve", withoutGroup(rig, group.name));
-    ImGui::EndPopup();
-  }
-  const float left = px(112);
-  ImGui::SameLine(left);
-  float stops = group.stops;
-  const float slider = size.x - (left - start.x) - pad - px(kNumberWidth) - side - px(kDotWidth) - 3 * gap;
-  bool changed = stopsSlider("##stops", &stops, kStopsRange, slider);
-  markItem("mixer.group." + group.name + ".stops");
-  ImGui::SameLine(0, gap);
-  ImGui::SetNextItemWidth(px(kNumberWidth));
-  changed |= ImGui::DragFloat("##number", &stops, 0.02F, -kMostStops, kMostStops, "%+.2f st");
-  if (changed) {
-    Document next = studio.document();
-    next.rig.groups[index].stops = stops;
-    studio.editor.preview(group.name + ": fader", std::move(next));
-  }
-  ImGui::SameLine(0, gap);
-  if (toggleButton(kIconPower, group.on, kLitPower, side, "The whole group on or off")) {
-    Rig next = rig;
-    next.groups[index].on = !group.on;
-    editRig(studio, group.name + (group.on ? ": off" : ": on"), std::move(next));
-  }
-  ImGui::PopID();
-  ImGui::SetCursorPos(ImVec2(start.x, start.y + size.y + px(6)));
-}
-
-void drawAmbientRow(StudioContext& studio) {
-  const Document& document = studio.document();
-  const ImVec2 start = ImGui::GetCursorPos();
-  const ImVec2 size = beginCard(kGroupHeight, false);
-  const float pad = px(kPadding);
-  ImGui::SetCursorPos(ImVec2(start.x + pad, start.y + (size.y - ImGui::GetFrameHeight()) / 2));
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Ambient");
-  tooltip("The light that no lamp of the capture explains.");
-  const float left = px(112);
-  ImGui::SameLine(left);
-  float percent = 100 * document.rig.ambient;
-  ImGui::SetNextItemWidth(size.x - (left - start.x) - pad - px(kDotWidth) - px(6));
-  if (ImGui::SliderFloat("##ambient", &percent, 0, 200, "%.0f %%")) {
-    Document next = document;
-    next.rig.ambient = std::max(0.0F, percent / 100);
-    studio.editor.preview("Ambient", std::move(next));
-  }
-  markItem("mixer.ambient");
-  ImGui::SameLine(0, px(6));
-  if (changedDot("##reset ambient", document.rig.ambient != 1, "Differs from the capture. Click to reset.")) {
-    Document next = document;
-    next.rig.ambient = 1;
-    studio.editor.edit("Ambient: reset", std::move(next));
-  }
-  ImGui::SetCursorPos(ImVec2(start.x, start.y + size.y + px(6)));
+  card.end();
 }
 
 }  // namespace swaplight

@@ -6,9 +6,5 @@ namespace swaplight {
 
 /// One light's row in the mixer.
 void drawLightRow(StudioContext& studio, size_t light);
-/// The fader of a group of lights.
-void drawGroupRow(StudioContext& studio, size_t group);
-/// What no light explains.
-void drawAmbientRow(StudioContext& studio);
 
 }  // namespace swaplight
