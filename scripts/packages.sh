@@ -7,7 +7,7 @@ build_packages=(g++ cmake ninja-build pkg-config ccache
   fonts-inter fonts-material-design-icons-iconfont)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev
   python3 python3-numpy python3-openimageio openimageio-tools
-  xvfb xdotool x11-utils x11-apps imagemagick)
+  xvfb xdotool python3-xlib x11-utils x11-apps imagemagick)
 check_packages=(clang clang-format clang-tidy)
 
 install_packages() {
