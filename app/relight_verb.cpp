@@ -4,6 +4,8 @@
 #include "core/error.h"
 #include "core/export/frame_export.h"
 #include "core/file/atomic_file.h"
+#include "core/look/look.h"
+#include "core/look/rig_blend.h"
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
 #include "core/session/session_file.h"
@@ -18,6 +20,7 @@ struct Arguments {
   std::vector<std::string> lights;
   std::string rig;
   std::string session;
+  std::string look;
   std::optional<float> ambient;
   std::string frame;
   FrameOptions output;
@@ -35,11 +38,24 @@ void saying(const std::string& where, const Work& work) {
   }
 }
 
-/// The session's rig, the rig file's, and what the command line says, one over the other.
-Rig rigOf(const Arguments& arguments, const std::optional<Session>& session, const Capture& capture) {
+/// The rig under a look: one of the session's, else a preset, in part or whole. Without a solved set only
+/// what can be wrong is found out.
+Rig withLook(const Rig& rig, const std::string& text, const std::optional<Session>& session,
+             const SolvedSet* set) {
+  const LookRequest request = lookRequestFromText(text);
+  const SavedLook* saved = session ? findSavedLook(session->document.looks, request.name) : nullptr;
+  const Rig lit =
+      saved ? saved->rig : applyLook(rig, findLook(request.name), set ? LightRatios(*set) : LightRatios());
+  return blendRigs(rig, lit, request.amount);
+}
+
+/// The session's rig, the rig file's, the look, and what the command line says, one over the other.
+Rig rigOf(const Arguments& arguments, const std::optional<Session>& session, const Capture& capture,
+          const SolvedSet* set = nullptr) {
   Rig rig = defaultRig(capture);
   if (session) saying("session", [&] { rig = rigFor(capture, session->document.rig); });
   if (!arguments.rig.empty()) saying(arguments.rig, [&] { rig = rigFor(capture, readRig(arguments.rig)); });
+  if (!arguments.look.empty()) saying("--look", [&] { rig = withLook(rig, arguments.look, session, set); });
   for (const std::string& text : arguments.lights) {
     const size_t equals = text.find('=');
     if (equals == std::string::npos)
@@ -82,7 +98,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const SolveOptions options =
       session && !arguments.solve.given() ? session->document.solve : arguments.solve.resolve();
   const SolvedSet set = arguments.edits.applyTo(openSource(source, options, progress.part(0, 0.8f)));
-  const Rig rig = rigOf(arguments, session, set.capture);
+  const Rig rig = rigOf(arguments, session, set.capture, &set);
   exportFrame(set, rig, arguments.frame, output, progress.part(0.8f, 1));
   const Json json{{"frame", arguments.frame}, {"source", source.string()},       {"width", set.width()},
                   {"height", set.height()},   {"color_space", set.colorSpace()}, {"rig", jsonFromRig(rig)}};
@@ -112,6 +128,11 @@ void addRelightVerb(Program& program) {
   verb.add_option("--rig", a->rig, "A rig of lights (JSON)")->type_name("FILE");
   verb.add_option("--session", a->session, "Take the rig, the view and, without SOURCE, the set of a session")
       ->type_name("FILE");
+  verb.add_option("--look", a->look,
+                  "A look: one that the session holds, or high-key, low-key, rembrandt, silhouette, "
+                  "day-for-night, cool-morning, golden-hour, moonlight, candle, neon; with an amount from 0 "
+                  "to 1 after a colon. Lights that --light names are set after it")
+      ->type_name("NAME[:AMOUNT]");
   a->edits.addTo(verb);
   verb.add_option("--ambient", a->ambient, "Factor on what no light explains (default: 1)")
       ->check(CLI::Range(0.0, 1e9).description(""))

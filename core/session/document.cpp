@@ -4,10 +4,21 @@
 
 namespace swaplight {
 
-size_t documentBytes(const Document& document, const Document& /*before*/) {
-  size_t bytes = sizeof(Document) + document.source.native().size();
-  for (const LightSetting& light : document.rig.lights)
+namespace {
+
+size_t rigBytes(const Rig& rig) {
+  size_t bytes = 0;
+  for (const LightSetting& light : rig.lights)
     bytes += sizeof(LightSetting) + light.light.size() + light.color.gel.size() + light.label.size();
+  return bytes;
+}
+
+}  // namespace
+
+size_t documentBytes(const Document& document, const Document& /*before*/) {
+  size_t bytes = sizeof(Document) + document.source.native().size() + rigBytes(document.rig);
+  for (const SavedLook& look : document.looks)
+    bytes += sizeof(SavedLook) + look.name.size() + look.note.size() + rigBytes(look.rig);
   return bytes;
 }
 

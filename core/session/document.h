@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/color/color_config.h"
+#include "core/look/saved_look.h"
 #include "core/relight/rig.h"
 #include "core/solve/solve_options.h"
 
@@ -24,6 +25,7 @@ struct Document {
   SolveOptions solve;            ///< how a capture is solved; without meaning for a solved set
   Rig rig;                       ///< in the source's order of lights
   DisplayChoice display;
+  std::vector<SavedLook> looks;  ///< the gallery
   bool operator==(const Document&) const = default;
 };
 

@@ -51,6 +51,7 @@ Json jsonFromSession(const Session& session, const std::filesystem::path& folder
   json["solve"] = jsonFromSolveOptions(document.solve);
   json["rig"] = jsonFromRig(document.rig);
   json["display"] = jsonFromDisplay(document.display);
+  if (!document.looks.empty()) json["looks"] = jsonFromSavedLooks(document.looks);
   if (!session.studio.empty()) json["studio"] = session.studio;
   keepUnknownKeys(json, session.unknown);
   return json;
@@ -68,6 +69,8 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& folder, c
   if (const Json* rig = fields.find("rig")) session.document.rig = rigFromJson(*rig, name + ": rig");
   if (const Json* display = fields.find("display"))
     session.document.display = displayFromJson(*display, name + ": display");
+  if (const Json* looks = fields.find("looks"))
+    session.document.looks = savedLooksFromJson(*looks, name + ": look");
   if (const Json* studio = fields.find("studio")) session.studio = *studio;
 
   session.unknown = unknownKeys(json, jsonFromSession(session, folder));
