@@ -15,6 +15,7 @@ namespace {
 constexpr size_t kSample = 16000;
 constexpr int kBins = 10;
 constexpr double kLargestFactor = 10;
+constexpr double kSmallestFactor = 1e-4;  // texture, taken for noise, can be far above it
 
 /// Least squares over x >= 0 for three unknowns: the best of all subsets whose solution is not negative.
 Eigen::Vector3d nonNegative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
@@ -74,7 +75,7 @@ NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& si
     y /= double(misfit.size());
     std::nth_element(misfit.begin(), misfit.begin() + long(misfit.size() / 2), misfit.end());
     const double factor =
-        std::clamp(misfit[misfit.size() / 2] / medianChiSquare(matte.freedom()), 1.0, kLargestFactor);
+        std::clamp(misfit[misfit.size() / 2] / medianChiSquare(matte.freedom()), kSmallestFactor, kLargestFactor);
     // Relative errors of the variance count alike in all bins.
     const double target = factor * context.noise.variance(float(y));
     powers.row(bin) << 1 / target, y / target, y * y / target;

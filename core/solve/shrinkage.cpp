@@ -44,6 +44,13 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) 
   // D^-1/2 A P^1/2 = U S W'.
   Eigen::Matrix3d prior =
       Eigen::Matrix3d::Constant(kWhiteness) + (1 - kWhiteness) * Eigen::Matrix3d::Identity();
+  // What no light shows is not led by the other channels: it stays dark.
+  for (int c = 0; c < 3; ++c)
+    if (context.plan.matrix(c).isZero()) {
+      prior.row(c).setZero();
+      prior.col(c).setZero();
+      prior(c, c) = 1;
+    }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(prior);
   const Eigen::Matrix3d root = eigen.operatorSqrt();
   const Eigen::Matrix3d inverseRoot = eigen.operatorInverseSqrt();
