@@ -99,7 +99,8 @@ std::string assignmentText(const PlanChoice& choice, const std::vector<PlanColor
   for (int k = 0; k < choice.plan.shots; ++k) {
     rows.push_back({fmt::format("{}", k + 1)});
     for (int i = 0; i < choice.plan.lights; ++i)
-      rows.back().push_back(colors[size_t(choice.colorIndex[size_t(k) * size_t(choice.plan.lights) + size_t(i)])].name);
+      rows.back().push_back(
+          colors[size_t(choice.colorIndex[size_t(k) * size_t(choice.plan.lights) + size_t(i)])].name);
   }
   std::vector<std::vector<std::string>> values{{"colour", "linear r/g/b"}};
   for (size_t c = 0; c < colors.size(); ++c)
@@ -160,7 +161,8 @@ int run(const Arguments& arguments, Terminal& terminal) {
   for (int k = 0; k < choice.plan.shots; ++k) {
     Json shot = Json::array();
     for (int i = 0; i < choice.plan.lights; ++i) {
-      const PlanColor& color = colors[size_t(choice.colorIndex[size_t(k) * size_t(choice.plan.lights) + size_t(i)])];
+      const PlanColor& color =
+          colors[size_t(choice.colorIndex[size_t(k) * size_t(choice.plan.lights) + size_t(i)])];
       shot.push_back({{"light", options.lights[size_t(i)]},
                       {"name", color.name},
                       {"color", {color.color.r, color.color.g, color.color.b}}});

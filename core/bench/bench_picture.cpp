@@ -277,6 +277,7 @@ std::vector<Image> render(const StillLife& set, int count, const Shade& shade) {
   const int width = set.width();
   const int height = set.height();
   std::vector<Image> fine;
+  fine.reserve(size_t(count));
   for (int i = 0; i < count; ++i) fine.emplace_back(ImageSpec::rgb(width, height), 0);
   parallelRows(height, 4, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
@@ -291,6 +292,7 @@ std::vector<Image> render(const StillLife& set, int count, const Shade& shade) {
       }
   });
   std::vector<Image> pictures;
+  pictures.reserve(fine.size());
   for (const Image& image : fine) pictures.push_back(halved(image));
   return pictures;
 }

@@ -142,6 +142,7 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set) {
   all.known = (sum > kLeastLight) & (sum > kTellable * kDenoisedShare * sigma);
   const float floor = kLeastLight + .5f * percentile(sigma, .5);
   std::vector<cv::Mat> logs;
+  logs.reserve(greys.size());
   for (const cv::Mat& grey : greys) logs.push_back(logarithm(grey, floor));
 
   // Reflectance: what the lights share.

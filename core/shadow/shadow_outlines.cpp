@@ -22,7 +22,7 @@ cv::Mat displayed(const Image& linear) {
     for (int x = 0; x < picture.cols; ++x)
       for (int c = 0; c < 3; ++c) {
         const float code = kDimming * srgbFromLinear(std::clamp(scale * linear.view().at(c, x, y), 0.f, 1.f));
-        picture.at<cv::Vec3b>(y, x)[c] = static_cast<uchar>(code * 255 + .5f);
+        picture.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uchar>(code * 255);
       }
   return picture;
 }

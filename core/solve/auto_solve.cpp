@@ -9,10 +9,13 @@
 #include "core/solve/edge_noise.h"
 #include "core/solve/neighbourhood.h"
 #include "core/solve/run_scratch.h"
+#include "core/solve/share_pooling.h"
 #include "core/solve/shrinkage.h"
 
 namespace swaplight {
 namespace {
+
+constexpr float kGuideStep = 0.1F;  // of the guide of a bright part of the set
 
 /// Pooling took away part of the variance of the shares, which is nearly all of the contributions'.
 SWAPLIGHT_SIMD void takeAway(const float* __restrict alone, const float* __restrict pooled,
@@ -32,6 +35,45 @@ SWAPLIGHT_SIMD void divide(const float* __restrict factor, float* __restrict val
   for (size_t p = 0; p < count; ++p) values[p] /= factor[p];
 }
 
+/// The guide of pooling: the brightness of the set in steps that noise does not depend on.
+SWAPLIGHT_SIMD void writeGuide(const float* __restrict red, const float* __restrict green,
+                               const float* __restrict blue, float* __restrict guide, int count) {
+  for (int p = 0; p < count; ++p) guide[p] = std::sqrt((red[p] + green[p] + blue[p]) * (1.0F / 3));
+}
+
+float brightGuide(ImageView guide) {
+  std::vector<float> sample;
+  const size_t count = size_t(guide.width) * size_t(guide.height);
+  const size_t every = std::max<size_t>(1, count / 20000);
+  for (size_t p = 0; p < count; p += every) sample.push_back(guide.row(0, 0)[p]);
+  const auto bright = sample.begin() + long(sample.size() * 95 / 100);
+  std::nth_element(sample.begin(), bright, sample.end());
+  return *bright;
+}
+
+/// The shares in `beta`, their variance in `quality.sigma`, the guide in the second light's contribution:
+/// pooled with what is near, then with what is around that. In between they wait in planes of the
+/// contributions.
+void poolTwice(const NoiseModel& noise, SolvedSet& set) {
+  const ImageSpan variance = set.quality.span().channelRange(kSigma, 1);
+  const ImageSpan left = set.contributions[0].span().channelRange(1, 1);
+  const ImageSpan guide = set.contributions[1].span().channelRange(1, 1);
+  std::vector<ImageSpan> shares, near;
+  for (int i = 0; i < set.lightCount(); ++i) {
+    shares.push_back(set.beta.span().channelRange(i, 1));
+    near.push_back(set.contributions[size_t(i)].span().channelRange(0, 1));
+  }
+  const auto views = [](const std::vector<ImageSpan>& spans) {
+    return std::vector<ImageView>(spans.begin(), spans.end());
+  };
+  // The root of a signal has the same noise everywhere: a quarter of the slope of the variance.
+  const float step =
+      2 * std::sqrt(kGuideStep * kGuideStep * std::pow(brightGuide(guide), 2.0F) + noise.linear / 2);
+  poolShares(views(shares), variance, guide, {.step = 1, .cut = 9, .guideStep = step}, near, left);
+  poolShares(views(near), left, guide, {.step = 2, .cut = 4, .guideStep = step}, shares, variance);
+  cutShares(shares);
+}
+
 }  // namespace
 
 float solveAuto(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
@@ -44,11 +86,13 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal, Solve
     parallelRows(runs, 4, [&](int begin, int end) {
       std::vector<float> scratch;
       MatteScratch fit(lights, kRun);
+      MatteRun run = fit.run();
+      run.signedShares = true;
       for (int r = begin; r < end; ++r) {
         const size_t first = size_t(r) * kRun;
         PixelRun in;
         signal.run(first, int(std::min<size_t>(kRun, signal.pixelCount() - first)), true, scratch, in);
-        work(first, in, fit.run());
+        work(first, in, run);
       }
       progress.update(from + (to - from) * float(done += end - begin) / float(runs),
                       "Telling the lights apart");
@@ -59,11 +103,14 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal, Solve
   float* misfit = set.quality.plane(kResidual);
   float* variance = set.quality.plane(kSigma);
   float* odds = set.quality.plane(kModel);
+  float* guide = lights > 1 ? set.contributions[1].plane(1) : nullptr;
   eachRun(0.1F, 0.5F, [&](size_t first, const PixelRun& in, const MatteRun& fit) {
     shrinkage.matte().fit(in, fit);
     std::copy_n(fit.misfit, in.count, misfit + first);
     std::copy_n(fit.shareVariance, in.count, variance + first);
     for (int i = 0; i < lights; ++i) std::copy_n(fit.share[i], in.count, set.beta.plane(i) + first);
+    if (guide)
+      writeGuide(fit.reflectance[0], fit.reflectance[1], fit.reflectance[2], guide + first, in.count);
   });
 
   const ImageSpan quality = set.quality.span();
@@ -80,17 +127,13 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal, Solve
   const float freedom = float(std::max(shrinkage.matte().freedom(), 1));
   localOdds(quality.channelRange(kResidual, 1), freedom + 3.5F * std::sqrt(2 * freedom),
             quality.channelRange(kModel, 1));
-  std::vector<ImageSpan> pooled;
-  for (Image& contribution : set.contributions) pooled.push_back(contribution.span().channelRange(0, 1));
-  const ImageSpan left = set.contributions[0].span().channelRange(1, 1);
-  poolShares(set.beta.view(), quality.channelRange(kSigma, 1), pooled, left);
+  if (lights > 1) poolTwice(context.noise, set);
 
   eachRun(0.5F, 0.9F, [&](size_t first, const PixelRun& in, const MatteRun& fit) {
-    for (int i = 0; i < lights; ++i)
-      std::copy_n(set.contributions[size_t(i)].plane(0) + first, in.count, fit.share[i]);
+    for (int i = 0; i < lights; ++i) std::copy_n(set.beta.plane(i) + first, in.count, fit.share[i]);
     shrinkage.matte().assess(in, fit);
     const float* noise = factor ? factor + first : nullptr;
-    takeAway(fit.shareVariance, set.contributions[0].plane(1) + first, fit.variance, in.count);
+    takeAway(fit.shareVariance, variance + first, fit.variance, in.count);
     if (noise) multiply(noise, fit.variance, size_t(in.count));
     const SolvedRun out = runAt(set, first);
     shrinkage.finish(in, fit, {misfit + first, odds + first, noise}, out, odds + first);

@@ -165,7 +165,7 @@ Conditioning conditioningOf(const LightPlan& plan) {
 
   // A neutral surface has the same contribution in all channels: their Gram matrices add up.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-  const Eigen::VectorXd squares = eigen.eigenvalues();
+  const Eigen::VectorXd& squares = eigen.eigenvalues();
   const bool singular = !(squares[0] > kSingular * kSingular * squares[plan.lights - 1]);
   result.matteAmplification = singular ? kInfinity : std::sqrt(squares.cwiseInverse().mean());
   if (result.advice.size() == channelAdvices && (singular || squares[0] < 1 / (kNoisy * kNoisy)))

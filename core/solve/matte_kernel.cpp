@@ -123,8 +123,8 @@ SWAPLIGHT_LANES void firstGuess(const MattePlan& plan, const PixelRun& in, int a
 
 /// Kaufman's Hessian and the gradient at u, the gauge added, lights that stay at zero taken out.
 template <int kN>
-SWAPLIGHT_LANES void curvature(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u, Lanes* h,
-                               Lanes* g) {
+SWAPLIGHT_LANES void curvature(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u, bool hold,
+                               Lanes* h, Lanes* g) {
   for (int i = 0; i < n; ++i) {
     Lanes slope = splat(0);
     for (int c = 0; c < 3; ++c) slope += at.rho[c] * (normal.p[c][i] - at.rho[c] * at.qu[c][i]);
@@ -149,6 +149,7 @@ SWAPLIGHT_LANES void curvature(const Normal<kN>& normal, const At<kN>& at, int n
   trace *= 1.0F / float(n);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j <= i; ++j) h[packed<kN>(i, j)] += i == j ? trace * (1 + kDamping) : trace;
+  if (!hold) return;
   for (int i = 0; i < n; ++i) {
     const LaneMask held = (u[i] <= 0) & (g[i] <= 0);
     g[i] = select(held, splat(0), g[i]);
@@ -220,13 +221,30 @@ SWAPLIGHT_LANES void writeFit(const MattePlan& plan, const Normal<kN>& normal, i
   if (!out.variance) return;
   Lanes h[kN * (kN + 1) / 2];
   Lanes slope[kN];
-  curvature<kN>(normal, here, n, u, h, slope);
+  curvature<kN>(normal, here, n, u, true, h, slope);
   factorCholesky<kN>(n, h);
   Lanes variance;
   Lanes shareVariance;
   variances<kN>(plan, normal, here, n, u, h, variance, shareVariance);
   store(out.variance + at, variance);
   store(out.shareVariance + at, shareVariance);
+}
+
+/// The step that lights at zero would take if they could be negative.
+template <int kN>
+SWAPLIGHT_LANES void stepBelowZero(const Normal<kN>& normal, int n, Lanes* u) {
+  LaneMask atZero = u[0] <= 0;
+  for (int i = 1; i < n; ++i) atZero |= u[i] <= 0;
+  if (!any(atZero)) return;
+  At<kN> here;
+  evaluate<kN>(normal, n, u, here);
+  Lanes h[kN * (kN + 1) / 2];
+  Lanes step[kN];
+  curvature<kN>(normal, here, n, u, false, h, step);
+  factorCholesky<kN>(n, h);
+  solveCholesky<kN>(n, h, step);
+  for (int i = 0; i < n; ++i)
+    u[i] = select(atZero, smaller(larger(u[i] + step[i], splat(-1)), splat(2)), u[i]);
 }
 
 template <int kN>
@@ -261,13 +279,14 @@ SWAPLIGHT_LANES void fitRun(const MattePlan& plan, const PixelRun& in, const Mat
       // The next step; a shorter one where this did not help.
       Lanes h[kN * (kN + 1) / 2];
       Lanes newton[kN];
-      curvature<kN>(normal, there, n, next, h, newton);
+      curvature<kN>(normal, there, n, next, true, h, newton);
       factorCholesky<kN>(n, h);
       solveCholesky<kN>(n, h, newton);
       for (int i = 0; i < n; ++i) step[i] = select(better, newton[i], 0.25F * step[i]);
     }
-    for (int i = 0; i < n; ++i) store(out.share[i] + at, best[i]);
     writeFit<kN>(plan, normal, n, best, out, at);
+    if (out.signedShares) stepBelowZero<kN>(normal, n, best);
+    for (int i = 0; i < n; ++i) store(out.share[i] + at, best[i]);
   }
 }
 

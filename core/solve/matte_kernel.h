@@ -9,7 +9,7 @@ namespace swaplight {
 
 /// What a matte fit says of a run of pixels; planes as long as the run, rounded up to kLanes.
 struct MatteRun {
-  float* share[kMaxLights];  ///< beta: >= 0, sum 1
+  float* share[kMaxLights];  ///< beta: >= 0 (but see signedShares), sum 1
   float* reflectance[3];     ///< rho >= 0, scaled so that T = beta rho
   float* misfit;             ///< chi-square: residuals over their expected noise, squared and summed
   /// Of a light's contribution (mean of channels, averaged over the lights) over the sum of all. May be null,
@@ -18,6 +18,9 @@ struct MatteRun {
   /// Of beta, mean over the lights; only the part that is noise of the pixel's own. The rest, above all what
   /// is not known of the light colours, is the same all over the picture: neighbours cannot take it away.
   float* shareVariance;
+  /// Asks the fit for shares that go on below 0 where noise leads there, all else being as at 0: those,
+  /// unlike shares that were cut off, have the right mean over many pixels.
+  bool signedShares = false;
 };
 
 /// Constants of the capture, laid out for the kernels.

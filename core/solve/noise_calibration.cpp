@@ -74,8 +74,8 @@ NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& si
     }
     y /= double(misfit.size());
     std::nth_element(misfit.begin(), misfit.begin() + long(misfit.size() / 2), misfit.end());
-    const double factor =
-        std::clamp(misfit[misfit.size() / 2] / medianChiSquare(matte.freedom()), kSmallestFactor, kLargestFactor);
+    const double factor = std::clamp(misfit[misfit.size() / 2] / medianChiSquare(matte.freedom()),
+                                     kSmallestFactor, kLargestFactor);
     // Relative errors of the variance count alike in all bins.
     const double target = factor * context.noise.variance(float(y));
     powers.row(bin) << 1 / target, y / target, y * y / target;

@@ -110,7 +110,7 @@ Ring randomRing(const Space& space, std::mt19937& random) {
 }
 
 /// Takes every change of one colour that helps (a swap, where the colour is taken), until none does.
-Found climb(const Space& space, Ring ring) {
+Found climb(const Space& space, const Ring& ring) {
   Found found;
   found.consider(ring, space.costOf(ring));
   const auto attempt = [&](const Ring& changed) {

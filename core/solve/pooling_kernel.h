@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "core/simd.h"
+#include "core/solve/pixel_run.h"
+
+namespace swaplight {
+
+inline constexpr int kPoolRadius = 2;  // steps; the window is 5 x 5
+
+/// Planes of a band of rows, with a margin of kPoolRadius steps on every side (precision 0: not of the
+/// picture). Pointers are to the first pixel of the picture.
+struct PoolBand {
+  int lights = 0;
+  int stride = 0;  ///< floats from a row to the next
+  int step = 1;    ///< pixels between neighbours that are looked at
+  float cut = 9;   ///< (beta - beta')^2 over its variance, beyond which two pixels have nothing in common
+  float guideScale = 0;              ///< 1 / squared difference of guides, beyond which likewise
+  const float* share[kMaxLights]{};  ///< beta, signed
+  const float* variance = nullptr;   ///< of beta
+  const float* precision = nullptr;  ///< 1 / variance
+  const float* guide = nullptr;
+};
+
+/// Row `row` of the band: pooled shares and what is left of the variance. `width` is rounded up to kLanes.
+SWAPLIGHT_DECLARE_KERNEL(poolRow, const PoolBand& band, int row, int width, float* const* pooled, float* left)
+
+}  // namespace swaplight

@@ -1,0 +1,117 @@
+#include "core/solve/share_pooling.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/simd.h"
+#include "core/solve/lanes.h"
+#include "core/solve/pooling_kernel.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kBand = 32;          // rows
+constexpr float kCertain = 1e-7F;  // a variance below which beta is not touched
+
+SWAPLIGHT_SIMD void invert(const float* __restrict variance, float* __restrict raised,
+                           float* __restrict precision, int count) {
+  for (int x = 0; x < count; ++x) {
+    raised[x] = variance[x] + kCertain;
+    precision[x] = 1 / raised[x];
+  }
+}
+
+SWAPLIGHT_SIMD void cut(float* const* planes, int lights, int count) {
+  for (int x = 0; x < count; ++x) {
+    float sum = 1e-12F;
+    for (int i = 0; i < lights; ++i) {
+      planes[i][x] = planes[i][x] > 0 ? planes[i][x] : 0;
+      sum += planes[i][x];
+    }
+    for (int i = 0; i < lights; ++i) planes[i][x] /= sum;
+  }
+}
+
+/// The memory of a band.
+class Band {
+ public:
+  Band(int lights, int width, const SharePooling& options)
+      : m_margin(kPoolRadius * options.step), m_width((width + kLanes - 1) / kLanes * kLanes) {
+    m_band.lights = lights;
+    m_band.stride = m_width + 2 * m_margin;
+    m_band.step = options.step;
+    m_band.cut = options.cut;
+    m_band.guideScale = 1 / (options.guideStep * options.guideStep);
+    m_rows = kBand + 2 * m_margin;
+    m_data.resize(size_t(lights + 3) * size_t(m_rows) * size_t(m_band.stride), 0.0F);
+    m_row.resize(size_t(lights + 1) * size_t(m_width));
+    for (int i = 0; i < lights; ++i) m_band.share[i] = plane(i, 0);
+    m_band.variance = plane(lights, 0);
+    m_band.precision = plane(lights + 1, 0);
+    m_band.guide = plane(lights + 2, 0);
+  }
+
+  void load(std::span<const ImageView> shares, ImageView variance, ImageView guide, int top) {
+    std::fill(m_data.begin(), m_data.end(), 0.0F);
+    const int lights = m_band.lights;
+    // Beyond the picture: no weight, but a variance that can be divided by.
+    std::fill_n(plane(lights, -m_margin) - m_margin, size_t(m_rows) * size_t(m_band.stride), 1.0F);
+    const int last = std::min(top + kBand + m_margin, variance.height);
+    for (int y = std::max(top - m_margin, 0); y < last; ++y) {
+      for (int i = 0; i < lights; ++i)
+        std::copy_n(shares[size_t(i)].row(0, y), variance.width, plane(i, y - top));
+      invert(variance.row(0, y), plane(lights, y - top), plane(lights + 1, y - top), variance.width);
+      std::copy_n(guide.row(0, y), variance.width, plane(lights + 2, y - top));
+    }
+  }
+
+  void pool(std::span<const ImageSpan> pooled, ImageSpan left, int top, int row) {
+    std::array<float*, kMaxLights> out{};
+    for (int i = 0; i < m_band.lights; ++i) out[size_t(i)] = m_row.data() + size_t(i) * size_t(m_width);
+    float* variance = m_row.data() + size_t(m_band.lights) * size_t(m_width);
+    SWAPLIGHT_KERNEL(poolRow)(m_band, row, m_width, out.data(), variance);
+    for (int i = 0; i < m_band.lights; ++i)
+      std::copy_n(out[size_t(i)], left.width, pooled[size_t(i)].row(0, top + row));
+    std::copy_n(variance, left.width, left.row(0, top + row));
+  }
+
+ private:
+  float* plane(int which, int row) {
+    return m_data.data() + (size_t(which) * size_t(m_rows) + size_t(row + m_margin)) * size_t(m_band.stride) +
+           m_margin;
+  }
+
+  PoolBand m_band;
+  int m_margin, m_width, m_rows = 0;
+  std::vector<float> m_data, m_row;
+};
+
+}  // namespace
+
+void poolShares(std::span<const ImageView> shares, ImageView variance, ImageView guide,
+                const SharePooling& options, std::span<const ImageSpan> pooled, ImageSpan left) {
+  const int bands = (variance.height + kBand - 1) / kBand;
+  parallelRows(bands, 1, [&](int begin, int end) {
+    Band band(int(shares.size()), variance.width, options);
+    for (int b = begin; b < end; ++b) {
+      const int top = b * kBand;
+      band.load(shares, variance, guide, top);
+      for (int row = 0; row < std::min(kBand, variance.height - top); ++row)
+        band.pool(pooled, left, top, row);
+    }
+  });
+}
+
+void cutShares(std::span<const ImageSpan> shares) {
+  parallelRows(shares[0].height, 16, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      std::array<float*, kMaxLights> rows{};
+      for (size_t i = 0; i < shares.size(); ++i) rows[i] = shares[i].row(0, y);
+      cut(rows.data(), int(shares.size()), shares[0].width);
+    }
+  });
+}
+
+}  // namespace swaplight

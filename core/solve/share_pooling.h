@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+
+#include "core/image/image.h"
+
+namespace swaplight {
+
+/// How far pixels are held to be of one kind.
+struct SharePooling {
+  int step = 1;           ///< pixels between the 5 x 5 neighbours that are looked at
+  float cut = 9;          ///< squared difference of beta over its expected noise
+  float guideStep = .2F;  ///< difference of the guide; both fall to nothing there
+};
+
+/// What a pixel's neighbours say of its proportions, where noise hides them: the mean of those that do not
+/// differ from it by more than noise explains and are about as bright, each weighted by how well it is known.
+/// So nothing happens where the photographs are clear, and edges, in the proportions or in the picture, stay.
+/// (The sigma filter, Lee 1983, with Tukey's biweight instead of a step; called with steps 1, 2, ... it is
+/// the edge-stopping a-trous transform of Dammertz et al. 2010.)
+///
+/// `shares`: a plane a light, sum 1, signed (cut off at 0 they would have a mean above 0 in a shadow).
+/// `variance`: of beta, a plane, > 0. `guide`: a plane. `pooled` (a plane a light) receives the shares,
+/// signed still, `left` what is left of the variance; neither may be the same memory as the input.
+void poolShares(std::span<const ImageView> shares, ImageView variance, ImageView guide,
+                const SharePooling& options, std::span<const ImageSpan> pooled, ImageSpan left);
+
+/// Signed shares to shares: >= 0, sum 1.
+void cutShares(std::span<const ImageSpan> shares);
+
+}  // namespace swaplight
