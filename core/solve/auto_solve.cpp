@@ -70,7 +70,8 @@ void poolTwice(const NoiseModel& noise, SolvedSet& set) {
   const float step =
       2 * std::sqrt(kGuideStep * kGuideStep * std::pow(brightGuide(guide), 2.0F) + noise.linear / 2);
   poolShares(views(shares), variance, guide, {.step = 1, .cut = 9, .guideStep = step}, near, left);
-  poolShares(views(near), left, guide, {.step = 2, .cut = 4, .guideStep = step}, shares, variance);
+  poolShares(views(near), left, guide,
+             {.step = 2, .cut = 4, .guideStep = step, .overlap = 3.7F, .doubt = .4F}, shares, variance);
   cutShares(shares);
 }
 

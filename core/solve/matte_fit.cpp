@@ -20,12 +20,16 @@ MatteFit::MatteFit(const EstimatorContext& context)
   m_plan.linear = context.noise.linear;
   m_plan.square = context.noise.square;
   Eigen::MatrixXd guess[3];
+  int seen = 0;
   for (int c = 0; c < 3; ++c) {
     const Eigen::MatrixXd l = from.matrix(c);
     const Eigen::MatrixXd gram = l.transpose() * l;
+    m_plan.seen[size_t(c)] = l.isZero() ? 0.0F : 1.0F;
+    seen += !l.isZero();
     const double ridge = kRidge * gram.trace() / m_lights + 1e-12;
     guess[c] = (gram + ridge * Eigen::MatrixXd::Identity(m_lights, m_lights)).ldlt().solve(l.transpose());
   }
+  m_freedom = seen * (m_shots - 1) - (m_lights - 1);
   m_plan.mean.assign(size_t(m_lights) * 3, 0.0F);
   for (int k = 0; k < m_shots; ++k)
     for (int c = 0; c < 3; ++c)

@@ -12,7 +12,7 @@ namespace swaplight {
 ///   u'Q_c u.
 /// Gauss-Newton on u (Kaufman's Hessian rho^2 (Q - Quu'Q / u'Qu)) with the gauge sum(u) held, lights at zero
 /// that want to be negative held there, steps that do not help shortened. Weights come from the signal that a
-/// first guess predicts, not from the noisy values themselves. 3 K - N - 2 degrees of freedom are left.
+/// first guess predicts, not from the noisy values themselves.
 /// Golub and Pereyra 1973; Kaufman 1975.
 class MatteFit {
  public:
@@ -26,10 +26,12 @@ class MatteFit {
 
   [[nodiscard]] int lights() const { return m_lights; }
   [[nodiscard]] int shots() const { return m_shots; }
-  [[nodiscard]] int freedom() const { return 3 * m_shots - m_lights - 2; }
+  /// Degrees of freedom that are left: shots less 1 a channel that some light has, lights less 1.
+  [[nodiscard]] int freedom() const { return m_freedom; }
 
  private:
   int m_lights, m_shots;
+  int m_freedom = 0;
   MattePlan m_plan;
 };
 

@@ -169,7 +169,7 @@ SWAPLIGHT_LANES void variances(const MattePlan& plan, const Normal<kN>& normal, 
   Lanes rhoVariance = splat(0);
   for (int c = 0; c < 3; ++c) {
     total += at.rho[c];
-    rhoVariance += at.inverse[c];
+    rhoVariance += plan.seen[size_t(c)] * at.inverse[c];
   }
   for (int j = 0; j < n; ++j) {
     slope[j] = splat(0);

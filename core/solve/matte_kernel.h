@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/simd.h"
@@ -28,6 +29,7 @@ struct MattePlan {
   int lights = 0;
   int shots = 0;
   float constant = 0, linear = 0, square = 0;  ///< the noise model
+  std::array<float, 3> seen{1, 1, 1};          ///< 0: a channel that no light has; nothing is asked there
   std::vector<float> color;                    ///< [k][c][i]
   std::vector<float> mean;                     ///< [c][i]: color, summed over the shots / 3 K
   std::vector<float> product;                  ///< [k][c][i <= j]: color i x color j

@@ -44,7 +44,8 @@ template <int kN>
       }
     total = 1 / larger(total, splat(1e-30F));
     for (int i = 0; i < n; ++i) store(pooled[i] + x, sum[i] * total);
-    store(left + x, squares * total * total);
+    const Lanes known = squares * total * total * band.overlap + band.doubt * variance;
+    store(left + x, smaller(known, variance));
   }
 }
 

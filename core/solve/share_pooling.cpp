@@ -12,13 +12,13 @@
 namespace swaplight {
 namespace {
 
-constexpr int kBand = 32;          // rows
-constexpr float kCertain = 1e-7F;  // a variance below which beta is not touched
+constexpr int kBand = 32;           // rows
+constexpr float kCertain = 1e-12F;  // a variance below which beta is not touched
 
 SWAPLIGHT_SIMD void invert(const float* __restrict variance, float* __restrict raised,
                            float* __restrict precision, int count) {
   for (int x = 0; x < count; ++x) {
-    raised[x] = variance[x] + kCertain;
+    raised[x] = variance[x] > kCertain ? variance[x] : kCertain;
     precision[x] = 1 / raised[x];
   }
 }
@@ -43,6 +43,8 @@ class Band {
     m_band.stride = m_width + 2 * m_margin;
     m_band.step = options.step;
     m_band.cut = options.cut;
+    m_band.overlap = options.overlap;
+    m_band.doubt = options.doubt;
     m_band.guideScale = 1 / (options.guideStep * options.guideStep);
     m_rows = kBand + 2 * m_margin;
     m_data.resize(size_t(lights + 3) * size_t(m_rows) * size_t(m_band.stride), 0.0F);

@@ -47,6 +47,7 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) 
   // What no light shows is not led by the other channels: it stays dark.
   for (int c = 0; c < 3; ++c)
     if (context.plan.matrix(c).isZero()) {
+      m_plan.unseen[size_t(c)] = 1;
       prior.row(c).setZero();
       prior.col(c).setZero();
       prior(c, c) = 1;
@@ -76,7 +77,7 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) 
     Eigen::RowVectorXd grey = Eigen::RowVectorXd::Zero(d);
     for (int c = 0; c < 3; ++c) {
       const Eigen::RowVectorXd row = root.row(c) * svd.matrixV().middleRows(i * 3, 3);
-      grey += row;
+      if (m_plan.unseen[size_t(c)] == 0) grey += row;
       for (int m = 0; m < d; ++m) m_plan.fromModes.push_back(float(row[m]));
     }
     for (int m = 0; m < d; ++m) m_plan.greyPower[size_t(m)] += float(grey[m] * grey[m] / n);

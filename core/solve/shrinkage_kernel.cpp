@@ -106,7 +106,10 @@ SWAPLIGHT_LANES Lanes refit(const ShrinkagePlan& plan, const Modes<kN>& pixel, i
     for (int b = 0; b <= a; ++b) {
       Lanes& entry = h[a * (a + 1) / 2 + b];
       if (b >= 3) entry += trace;
-      if (a == b) entry += 1e-5F * (a < 3 ? rhoTrace : trace);
+      // What is not seen has a slope of its own, the same for every tau: it is no evidence.
+      if (a == b)
+        entry +=
+            a < 3 ? 1e-5F * rhoTrace * (1 - plan.unseen[size_t(a)]) + plan.unseen[size_t(a)] : 1e-5F * trace;
     }
   for (int i = 0; i < n; ++i) {
     const int a = 3 + i;

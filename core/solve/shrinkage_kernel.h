@@ -22,6 +22,7 @@ struct ShrinkagePlan {
   int lights = 0, shots = 0;
   float constant = 0, linear = 0, square = 0;  ///< noise model
   float gauge = 1;
+  std::array<float, 3> unseen{};  ///< 1: a channel that no light has
   std::vector<float> color;       ///< [k][c][i]
   std::vector<float> shape;       ///< [k][c]: 1 / D
   std::vector<float> toModes;     ///< [m][k][c]: U' D^-1/2
