@@ -75,10 +75,18 @@ void poolTwice(const NoiseModel& noise, SolvedSet& set) {
   cutShares(shares);
 }
 
+/// What a moved shot shows beyond its edge is made up: no evidence against the matte model.
+void trustOutside(const std::vector<ShotShift>& shifts, ImageSpan misfit) {
+  if (std::none_of(shifts.begin(), shifts.end(), worthMoving)) return;
+  for (int y = 0; y < misfit.height; ++y)
+    for (int x = 0; x < misfit.width; ++x)
+      if (outsideAny(shifts, x, y, misfit.width, misfit.height)) misfit.row(0, y)[x] = 0;
+}
+
 }  // namespace
 
-float solveAuto(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
-                const Progress& progress) {
+float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
+                const std::vector<ShotShift>& shifts, SolvedSet& set, const Progress& progress) {
   Shrinkage shrinkage(context, signal);
   const int lights = context.plan.lights;
   const int runs = int((signal.pixelCount() + kRun - 1) / kRun);
@@ -124,6 +132,7 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal, Solve
     divide(factor, misfit, signal.pixelCount());
   }
   shrinkage.learn(signal, factor);
+  trustOutside(shifts, quality.channelRange(kResidual, 1));
 
   const float freedom = float(std::max(shrinkage.matte().freedom(), 1));
   localOdds(quality.channelRange(kResidual, 1), freedom + 3.5F * std::sqrt(2 * freedom),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/progress.h"
+#include "core/solve/align_shots.h"
 #include "core/solve/estimator.h"
 #include "core/solve/shot_signal.h"
 #include "core/solve/solved_set.h"
@@ -12,7 +13,9 @@ namespace swaplight {
 /// explain are given what they need beyond it (Shrinkage), the more readily where their neighbours need it
 /// too. Fills contributions, residual, sigma and model of `set`.
 /// Returns how far the shots seem to lie from one another, in pixels (0: nothing to see; edge_noise.h).
-float solveAuto(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
-                const Progress& progress);
+/// `shifts`: what the shots were moved by; beyond their edges the matte model is all that is asked of a
+/// pixel.
+float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
+                const std::vector<ShotShift>& shifts, SolvedSet& set, const Progress& progress);
 
 }  // namespace swaplight

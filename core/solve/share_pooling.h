@@ -11,8 +11,8 @@ struct SharePooling {
   int step = 1;           ///< pixels between the 5 x 5 neighbours that are looked at
   float cut = 9;          ///< squared difference of beta over its expected noise
   float guideStep = .2F;  ///< difference of the guide; weights fall to nothing at both
-  float overlap = 1;  ///< variance of a mean of neighbours over that of independent ones: they were pooled
-  float doubt = .2F;  ///< fraction of the variance that differences too small to be seen may hide
+  float overlap = 1;   ///< variance of a mean of neighbours over that of independent ones: they were pooled
+  float doubt = .25F;  ///< fraction of the variance that differences too small to be seen may hide
 };
 
 /// What a pixel's neighbours say of its proportions, where noise hides them: the mean of those that do not

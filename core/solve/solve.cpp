@@ -232,7 +232,7 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
 
   SolvedSet set = emptySet(capture, pixels);
   if (info.name == "auto") {
-    if (solveAuto(context, signal, set, progress) > 0)
+    if (solveAuto(context, signal, report.shifts, set, progress) > 0)
       report.warnings.emplace_back(
           options.align
               ? "the shots still disagree along edges: trusted less there"
