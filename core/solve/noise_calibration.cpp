@@ -15,7 +15,8 @@ namespace {
 constexpr size_t kSample = 16000;
 constexpr int kBins = 10;
 constexpr double kLargestFactor = 10;
-constexpr double kSmallestFactor = 1e-4;  // texture, taken for noise, can be far above it
+constexpr double kNothingFlat = 0.5;
+constexpr double kSmallestFactor = 1e-4;  // texture, where it is taken for noise, can be far above that
 
 /// Least squares over x >= 0 for three unknowns: the best of all subsets whose solution is not negative.
 Eigen::Vector3d nonNegative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
@@ -61,24 +62,30 @@ NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& si
   }
   std::sort(order.begin(), order.end());
 
-  Eigen::MatrixXd powers(kBins, 3);
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(kBins);
-  for (int bin = 0; bin < kBins; ++bin) {
-    const size_t first = order.size() * size_t(bin) / kBins;
-    const size_t last = order.size() * size_t(bin + 1) / kBins;
+  std::array<double, kBins> brightness{}, factor{};
+  for (size_t bin = 0; bin < kBins; ++bin) {
+    const size_t first = order.size() * bin / kBins;
+    const size_t last = order.size() * (bin + 1) / kBins;
     std::vector<float> misfit;
-    double y = 0;
     for (size_t j = first; j < last; ++j) {
       misfit.push_back(fit.run().misfit[order[j].second]);
-      y += std::max(order[j].first, 0.0F);
+      brightness[bin] += std::max(order[j].first, 0.0F) / float(last - first);
     }
-    y /= double(misfit.size());
     std::nth_element(misfit.begin(), misfit.begin() + long(misfit.size() / 2), misfit.end());
-    const double factor = std::clamp(misfit[misfit.size() / 2] / medianChiSquare(matte.freedom()),
-                                     kSmallestFactor, kLargestFactor);
+    factor[bin] = misfit[misfit.size() / 2] / medianChiSquare(matte.freedom());
+  }
+  // Less than expected is believed only where all bins say so.
+  const double most = *std::max_element(factor.begin(), factor.end());
+  const double least = most < kNothingFlat ? kSmallestFactor : 1;
+
+  Eigen::MatrixXd powers(kBins, 3);
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(kBins);
+  for (size_t bin = 0; bin < kBins; ++bin) {
     // Relative errors of the variance count alike in all bins.
-    const double target = factor * context.noise.variance(float(y));
-    powers.row(bin) << 1 / target, y / target, y * y / target;
+    const double y = brightness[bin];
+    const double target =
+        std::clamp(factor[bin], least, kLargestFactor) * context.noise.variance(float(y));
+    powers.row(long(bin)) << 1 / target, y / target, y * y / target;
   }
   const Eigen::Vector3d x = nonNegative(powers, ones);
   NoiseModel model = context.noise;
