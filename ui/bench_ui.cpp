@@ -155,7 +155,7 @@ Json loadAverage() {
 
 }  // namespace
 
-Json benchUi(StudioOptions options) {
+Json benchUi(const StudioOptions& options) {
   const TemporaryHome home;
   const fs::path source =
       options.file.empty() ? options.samplesFolder / "film_set" / "capture.json" : options.file;

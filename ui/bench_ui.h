@@ -9,6 +9,6 @@ namespace swaplight {
 /// move to the picture that shows it. In a window; without a display in memory. Returns, and writes to
 /// standard error as a table: frame times and input-to-picture latency (median, p95, worst, in milliseconds)
 /// a case, the engine, the machine's load, the most memory held.
-[[nodiscard]] Json benchUi(StudioOptions options);
+[[nodiscard]] Json benchUi(const StudioOptions& options);
 
 }  // namespace swaplight

@@ -35,8 +35,9 @@ class Plot {
   }
   void image(unsigned texture) const {
     if (texture != 0)
-      m_draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)), m_low,
-                       m_high);  // NOLINT
+      m_draw->AddImage(
+          reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)),  // NOLINT: as ImGui asks
+          m_low, m_high);
   }
   void line(float x0, float y0, float x1, float y1, ImU32 color = kGrid) const {
     m_draw->AddLine(at(x0, y0), at(x1, y1), color, std::max(1.0F, px(1)));
@@ -78,13 +79,14 @@ HistogramAxis axisOf(const ScopePictures& pictures, ScopeOptions::Axis axis) {
   std::vector<std::pair<float, std::string>> ticks;
   switch (axis) {
     case ScopeOptions::Axis::Stops:
-      for (float stops = kHistogramLowestStops; stops <= kHistogramHighestStops; stops += 2)
-        ticks.emplace_back((stops - kHistogramLowestStops) / (kHistogramHighestStops - kHistogramLowestStops),
-                           fmt::format("{:+.0f}", stops));
+      for (int stops = int(kHistogramLowestStops); stops <= int(kHistogramHighestStops); stops += 2)
+        ticks.emplace_back(
+            (float(stops) - kHistogramLowestStops) / (kHistogramHighestStops - kHistogramLowestStops),
+            fmt::format("{:+d}", stops));
       return {pictures.stops, ticks};
     case ScopeOptions::Axis::Linear:
-      for (float value = 0; value <= kHistogramHighestLinear; value += 0.5F)
-        ticks.emplace_back(value / kHistogramHighestLinear, fmt::format("{:.1f}", value));
+      for (int half = 0; half <= int(2 * kHistogramHighestLinear); ++half)
+        ticks.emplace_back(float(half) / (2 * kHistogramHighestLinear), fmt::format("{:.1f}", .5 * half));
       return {pictures.linear, ticks};
     case ScopeOptions::Axis::Codes:
       break;
@@ -147,7 +149,8 @@ void drawChromaticity(StudioContext& studio, unsigned texture, ImVec2 low, ImVec
   const auto at = [&](const Chromaticity& xy) {
     return plot.at(static_cast<float>(xy.x) / kScopeLargestX, static_cast<float>(xy.y) / kScopeLargestY);
   };
-  for (float value = 0; value < kScopeLargestY; value += 0.2F) {
+  for (int step = 0; float(step) < 5 * kScopeLargestY; ++step) {
+    const float value = 0.2F * float(step);
     plot.line(0, value / kScopeLargestY, 1, value / kScopeLargestY);
     plot.labelLeft(value / kScopeLargestY, fmt::format("{:.1f}", value));
     if (value > kScopeLargestX) continue;
@@ -156,11 +159,12 @@ void drawChromaticity(StudioContext& studio, unsigned texture, ImVec2 low, ImVec
   }
   static const std::vector<Chromaticity> border = spectralLocus();
   std::vector<ImVec2> points;
+  points.reserve(border.size());
   for (const Chromaticity& xy : border) points.push_back(at(xy));
   plot.draw()->AddPolyline(points.data(), static_cast<int>(points.size()), kGridStrong, ImDrawFlags_Closed,
                            px(1));
   points.clear();
-  for (float mired = 40; mired <= 1000; mired += 20) points.push_back(at(whiteXy(1e6F / mired)));
+  for (int mired = 40; mired <= 1000; mired += 20) points.push_back(at(whiteXy(1e6F / float(mired))));
   plot.draw()->AddPolyline(points.data(), static_cast<int>(points.size()), IM_COL32(240, 200, 140, 150),
                            ImDrawFlags_None, px(1));
   std::vector<ImVec2> named;

@@ -133,9 +133,9 @@ void drawDisplayMenu(StudioContext& studio) {
   for (const std::string& display : config.displays()) {
     ImGui::TextDisabled("%s", display.c_str());
     for (const std::string& view : config.views(display)) {
-      const std::string name = display + " \u00b7 " + view;
+      const std::string name = fmt::format("{} \u00b7 {}", display, view);
       ImGui::PushID(name.c_str());
-      if (ImGui::MenuItem(("   " + view).c_str(), nullptr, name == viewWords(studio))) {
+      if (ImGui::MenuItem(fmt::format("   {}", view).c_str(), nullptr, name == viewWords(studio))) {
         Document next = studio.document();
         next.display = {display, view};
         studio.editor.edit("View: " + name, std::move(next));

@@ -83,8 +83,7 @@ NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& si
   for (size_t bin = 0; bin < kBins; ++bin) {
     // Relative errors of the variance count alike in all bins.
     const double y = brightness[bin];
-    const double target =
-        std::clamp(factor[bin], least, kLargestFactor) * context.noise.variance(float(y));
+    const double target = std::clamp(factor[bin], least, kLargestFactor) * context.noise.variance(float(y));
     powers.row(long(bin)) << 1 / target, y / target, y * y / target;
   }
   const Eigen::Vector3d x = nonNegative(powers, ones);

@@ -1,6 +1,7 @@
 #include "core/view/subject_image.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/measure/color_map.h"
@@ -34,7 +35,7 @@ Image mapped(ImageView values, int channel, float brightest) {
   for (size_t i = 0; i < colors.size(); ++i) colors[i] = viridis(static_cast<float>(i) / (kSteps - 1));
   return coloured(values, channel, [&](float value) {
     const float at = value > 0 ? std::min(value / brightest, 1.0F) : 0;  // not a number counts as 0
-    return colors[static_cast<size_t>(at * (kSteps - 1) + 0.5F)];
+    return colors[static_cast<size_t>(std::lround(at * (kSteps - 1)))];
   });
 }
 

@@ -174,8 +174,8 @@ TEST(Plan, EveryLightCarriesEachColourOnceInAWholeTurn) {
     std::vector<int> ofLight;
     std::vector<int> inShot;
     for (int b = 0; b < 4; ++b) {
-      ofLight.push_back(choice.colorIndex[size_t(b * 4 + a)]);
-      inShot.push_back(choice.colorIndex[size_t(a * 4 + b)]);
+      ofLight.push_back(choice.colorIndex[size_t(b) * 4 + size_t(a)]);
+      inShot.push_back(choice.colorIndex[size_t(a) * 4 + size_t(b)]);
     }
     EXPECT_THAT(ofLight, testing::UnorderedElementsAreArray(inShot));
     std::sort(inShot.begin(), inShot.end());

@@ -54,7 +54,7 @@ std::string inputError(const Work& work) {
   try {
     work();
   } catch (const InputError& error) {
-    const std::string message = error.what();
+    std::string message = error.what();
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     return message;
   }
