@@ -1,0 +1,81 @@
+#include "app/lighting_arguments.h"
+
+#include "core/error.h"
+#include "core/relight/setting.h"
+#include "core/session/open_source.h"
+
+namespace swaplight {
+namespace {
+
+/// Runs `work`; what it throws begins with `where`.
+template <typename Work>
+void saying(const std::string& where, const Work& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    throw InputError("{}: {}", where, error.what());
+  }
+}
+
+}  // namespace
+
+void LightingArguments::addTo(CLI::App& verb) {
+  verb.add_option("SOURCE", m_source, "A solved set, a capture (it is solved first) or a session");
+  verb.add_option(
+          "--light", m_lights,
+          std::string("A light's part, more than once if need be. SETTING is a comma-joined list of ") +
+              kSettingGrammar + ". A light that is not named stays unit white")
+      ->type_name("NAME=SETTING")
+      ->allow_extra_args(false);
+  verb.add_option("--rig", m_rig, "A rig of lights (JSON)")->type_name("FILE");
+  verb.add_option("--session", m_session, "Take the rig, the view and, without SOURCE, the set of a session")
+      ->type_name("FILE");
+  m_edits.addTo(verb);
+  verb.add_option("--ambient", m_ambient, "Factor on what no light explains (default: 1)")
+      ->check(CLI::Range(0.0, 1e9).description(""))
+      ->type_name("X");
+  m_solve.addTo(verb);
+}
+
+std::optional<Session> LightingArguments::session() const {
+  if (!m_session.empty()) return readSession(m_session);
+  if (isSessionFile(m_source)) return readSession(m_source);
+  return std::nullopt;
+}
+
+std::filesystem::path LightingArguments::source(const std::optional<Session>& session) const {
+  if (!m_source.empty() && !isSessionFile(m_source)) return m_source;
+  if (session && !session->document.source.empty()) return session->document.source;
+  throw InputError("say what to relight: a solved set, a capture, or a session that names one");
+}
+
+Rig LightingArguments::rig(const std::optional<Session>& session, const Capture& capture) const {
+  Rig rig = defaultRig(capture);
+  if (session) saying("session", [&] { rig = rigFor(capture, session->document.rig); });
+  if (!m_rig.empty()) saying(m_rig, [&] { rig = rigFor(capture, readRig(m_rig)); });
+  for (const std::string& text : m_lights) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos)
+      throw InputError("--light {}: write NAME=SETTING, as key=3200K,+1st", text);
+    saying("--light " + text,
+           [&] { applySetting(findLight(rig, text.substr(0, equals)), text.substr(equals + 1)); });
+  }
+  if (m_ambient) rig.ambient = *m_ambient;
+  return rig;
+}
+
+SolveOptions LightingArguments::solveOptions(const std::optional<Session>& session) const {
+  return session && !m_solve.given() ? session->document.solve : m_solve.resolve();
+}
+
+void LightingArguments::check(const std::optional<Session>& session) const {
+  const std::filesystem::path set = source(session);
+  if (sourceKind(set) == SourceKind::Capture && m_edits.file.empty())
+    static_cast<void>(rig(session, readCapture(sourceFile(set))));
+}
+
+SolvedSet LightingArguments::open(const std::optional<Session>& session, const Progress& progress) const {
+  return m_edits.applyTo(openSource(source(session), solveOptions(session), progress));
+}
+
+}  // namespace swaplight

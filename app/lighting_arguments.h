@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/edit_arguments.h"
+#include "app/program.h"
+#include "app/solve_arguments.h"
+#include "core/relight/rig.h"
+#include "core/session/session_file.h"
+
+namespace swaplight {
+
+/// A set and the light that is put on it, as every verb that makes pictures of a set takes them: a solved
+/// set, a capture or a session, and over it the rig of a session, of a file, and what the command line says.
+class LightingArguments {
+ public:
+  void addTo(CLI::App& verb);
+
+  /// The session that is named, or is the source itself. Throws InputError.
+  [[nodiscard]] std::optional<Session> session() const;
+  /// The set's file. Throws InputError where nothing names one.
+  [[nodiscard]] std::filesystem::path source(const std::optional<Session>& session) const;
+  /// The rig of the session, that of the rig file, and the command line's, one over the other. Throws
+  /// InputError that begins with where the mistake is.
+  [[nodiscard]] Rig rig(const std::optional<Session>& session, const Capture& capture) const;
+  /// How a capture is solved: as the command line says, else as the session does.
+  [[nodiscard]] SolveOptions solveOptions(const std::optional<Session>& session) const;
+  /// Says what is wrong with the rig before a capture is solved, where that can be known.
+  void check(const std::optional<Session>& session) const;
+  /// The set, edited.
+  [[nodiscard]] SolvedSet open(const std::optional<Session>& session, const Progress& progress) const;
+
+ private:
+  std::string m_source;
+  std::vector<std::string> m_lights;
+  std::string m_rig;
+  std::string m_session;
+  std::optional<float> m_ambient;
+  EditArguments m_edits;
+  SolveArguments m_solve;
+};
+
+}  // namespace swaplight
