@@ -20,6 +20,7 @@ namespace swaplight {
   X(kIconPan, "\xee\xa4\xa5")      /* pan_tool */           \
   X(kIconCompare, "\xee\x8e\xb9")  /* compare */            \
   X(kIconPhoto, "\xee\x90\x90")    /* photo */              \
+  X(kIconGallery, "\xee\x90\x93")  /* photo_library */      \
   X(kIconLight, "\xee\xa4\x8f")    /* lightbulb_outline */  \
   X(kIconTune, "\xee\x90\xa9")     /* tune */               \
   X(kIconReset, "\xee\x81\x82")    /* replay */             \

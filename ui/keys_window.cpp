@@ -20,8 +20,8 @@ struct Group {
 };
 constexpr Group kGroups[] = {{"file.", "File"},        {"edit.", "Edit"},     {"light.", "Chosen light"},
                              {"mixer.", "All lights"}, {"view.", "View"},     {"channel.", "Channels"},
-                             {"compare.", "Compare"},  {"scopes.", "Scopes"}, {"window.", "Window"},
-                             {"help.", "Help"}};
+                             {"compare.", "Compare"},  {"scopes.", "Scopes"}, {"looks.", "Looks"},
+                             {"window.", "Window"},    {"help.", "Help"}};
 
 /// What the mouse does, which no key table holds.
 void mouseHelp() {

@@ -10,8 +10,10 @@
 #include "ui/layout_probe.h"
 #include "ui/light_menu.h"
 #include "ui/light_panel.h"
+#include "ui/menu_bar.h"
 #include "ui/mixer_row.h"
 #include "ui/theme.h"
+#include "ui/three_point_panel.h"
 #include "ui/widgets.h"
 
 namespace swaplight {
@@ -26,6 +28,8 @@ void header(StudioContext& studio) {
   ImGui::PopFont();
   const float side = ImGui::GetFrameHeight();
   const Rig& rig = studio.document().rig;
+  ImGui::SameLine(0, px(12));
+  actionTextButton(studio.actions, "view.three_point", "Three-point", px(104));
   ImGui::SameLine(ImGui::GetContentRegionMax().x - side - px(20));
   if (changedDot("##reset all", rig != allWhiteRig(rig),
                  "Something differs from all white. Click to reset all."))
@@ -55,7 +59,10 @@ void drawMixerPanel(StudioContext& studio) {
   if (set && set->solved->ambient) drawAmbientRow(studio);
   ImGui::EndChild();
   ImGui::Separator();
-  drawLightPanel(studio);
+  if (studio.layout.threePoint && set)
+    drawThreePointPanel(studio);
+  else
+    drawLightPanel(studio);
 }
 
 }  // namespace swaplight

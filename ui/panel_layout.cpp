@@ -46,6 +46,8 @@ PanelLayout readPanelLayout(const std::filesystem::path& file) {
     layout.mixer = json.value("mixer", layout.mixer);
     layout.scopes = json.value("scopes", layout.scopes);
     layout.tools = json.value("tools", layout.tools);
+    layout.gallery = json.value("gallery", layout.gallery);
+    layout.threePoint = json.value("three_point", layout.threePoint);
     if (json.contains("scope_options")) layout.scopeOptions = scopeOptionsFromJson(json["scope_options"]);
     layout.mixerWidth = std::clamp(json.value("mixer_width", layout.mixerWidth), 300.0F, 900.0F);
     layout.scopesHeight = std::clamp(json.value("scopes_height", layout.scopesHeight), 120.0F, 900.0F);
@@ -61,6 +63,8 @@ void writePanelLayout(const PanelLayout& layout, const std::filesystem::path& fi
     writeJson(Json{{"mixer", layout.mixer},
                    {"scopes", layout.scopes},
                    {"tools", layout.tools},
+                   {"gallery", layout.gallery},
+                   {"three_point", layout.threePoint},
                    {"scope_options", jsonFromScopeOptions(layout.scopeOptions)},
                    {"mixer_width", layout.mixerWidth},
                    {"scopes_height", layout.scopesHeight}},

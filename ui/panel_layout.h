@@ -20,7 +20,9 @@ struct PanelLayout {
   bool mixer = true;
   bool scopes = false;
   bool tools = true;
-  bool hidden = false;  ///< everything but the viewer
+  bool gallery = false;
+  bool threePoint = false;  ///< in the place of the light's colour
+  bool hidden = false;      ///< everything but the viewer
   float mixerWidth = 372;
   float scopesHeight = 220;
   ScopeOptions scopeOptions;

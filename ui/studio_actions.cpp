@@ -7,6 +7,7 @@ void StudioWindow::addActions() {
   addLightActions();
   addViewActions();
   addCompareActions();
+  addLookActions();
   addWindowActions();
 }
 

@@ -3,6 +3,7 @@
 #include "core/session/document_editor.h"
 #include "render/picture_screen.h"
 #include "ui/action_table.h"
+#include "ui/look_state.h"
 #include "ui/messages.h"
 #include "ui/mixer_state.h"
 #include "ui/panel_layout.h"
@@ -43,6 +44,7 @@ struct StudioContext {
   ViewerState& viewer;
   SubjectPictures& subjects;
   ViewTable& table;
+  LookState& looks;
 
   [[nodiscard]] const Document& document() const { return editor.document(); }
   [[nodiscard]] const OpenSet* set() const { return session.set(); }

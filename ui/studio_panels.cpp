@@ -54,6 +54,7 @@ void StudioWindow::drawToolbar() {
   actionButton(m_actions, "compare.wipe", kIconCompare, side);
   actionButton(m_actions, "view.photograph", kIconPhoto, side);
   actionButton(m_actions, "view.scopes", kIconScopes, side);
+  actionButton(m_actions, "view.gallery", kIconGallery, side);
   gap();
   actionButton(m_actions, "help.keys", kIconHelp, side);
   ImGui::PopStyleVar();
@@ -66,16 +67,18 @@ void StudioWindow::drawPanels() {
   const bool hasLights = !m_editor.document().rig.lights.empty();
   const bool mixer = panels && m_layout.mixer && hasLights;
   const bool scopes = panels && m_layout.scopes && m_session.set();
+  const bool gallery = panels && m_layout.gallery && m_session.set();
   const float splitterWidth = px(kSplitter);
   const float status = panels ? ImGui::GetFrameHeight() + px(2) : 0;
   const float height = room.y - status;
   const float tools = panels && m_layout.tools ? px(kToolbarWidth) : 0;
   const float mixerWidth = mixer ? std::min(px(m_layout.mixerWidth), room.x * 0.6F) : 0;
   const float viewerWidth = room.x - tools - mixerWidth - (mixer ? splitterWidth : 0);
-  const float scopesHeight =
-      scopes ? std::clamp(px(m_layout.scopesHeight), px(120), std::max(px(120), height - px(kLeastViewer)))
-             : 0;
-  const float viewerHeight = height - scopesHeight - (scopes ? splitterWidth : 0);
+  const float galleryHeight = gallery ? px(GalleryPanel::kHeight) : 0;
+  const float scopesHeight = scopes ? std::clamp(px(m_layout.scopesHeight), px(120),
+                                                 std::max(px(120), height - galleryHeight - px(kLeastViewer)))
+                                    : 0;
+  const float viewerHeight = height - galleryHeight - scopesHeight - (scopes ? splitterWidth : 0);
 
   const auto place = [&](float x, float y) { ImGui::SetCursorScreenPos(ImVec2(at.x + x, at.y + y)); };
   if (tools > 0)
@@ -105,6 +108,11 @@ void StudioWindow::drawPanels() {
     place(tools, viewerHeight + splitterWidth);
     panel("##scopes", ImVec2(viewerWidth, scopesHeight), ImVec2(px(8), px(6)), ImGuiWindowFlags_NoScrollbar,
           [&] { m_scopes.draw(m_context); });
+  }
+  if (gallery) {
+    place(tools, height - galleryHeight);
+    panel("##gallery", ImVec2(viewerWidth, galleryHeight), ImVec2(px(8), px(8)), ImGuiWindowFlags_NoScrollbar,
+          [&] { m_gallery.draw(m_context); });
   }
   if (panels) {
     place(px(10), height);

@@ -6,6 +6,7 @@
 #include "ui/dialogs.h"
 #include "ui/export_controller.h"
 #include "ui/file_chooser.h"
+#include "ui/gallery_panel.h"
 #include "ui/keys_window.h"
 #include "ui/scopes_panel.h"
 #include "ui/screen.h"
@@ -43,6 +44,7 @@ class StudioWindow {
   void addViewActions();
   void addCompareActions();
   void addWindowActions();
+  void addLookActions();
   void drawToolbar();
   void drawPanels();
   /// Does it at once, or after the person has decided about unsaved work.
@@ -74,7 +76,9 @@ class StudioWindow {
   SubjectPictures m_subjects;
   uint64_t m_subjectsShown = 0;
   ViewTable m_table;
+  LookState m_looks;
   ScopesPanel m_scopes;
+  GalleryPanel m_gallery;
   StudioContext m_context;
 
   FileChooser m_chooser;

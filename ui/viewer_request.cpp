@@ -79,7 +79,10 @@ std::string subjectWords(const StudioContext& studio, const ViewSubject& subject
 std::string sideBWords(const StudioContext& studio) {
   const CompareState& compare = studio.view.compare;
   if (compare.subject.kind != ViewSubject::Kind::Relit) return subjectWords(studio, compare.subject);
-  return compare.rig ? "Kept lighting" : "All white";
+  if (!compare.rig) return "All white";
+  for (const SavedLook& look : studio.document().looks)
+    if (look.rig == compare.rig) return look.name;
+  return "Kept lighting";
 }
 
 }  // namespace swaplight

@@ -9,6 +9,12 @@ void StudioWindow::addWindowActions() {
   panel("view.mixer", "Mixer", "F5", "Show or hide the lights.", &m_layout.mixer);
   panel("view.scopes", "Scopes", "F6", "Show or hide waveform, vectorscope, histogram and chromaticities.",
         &m_layout.scopes);
+  panel("view.gallery", "Gallery", "F8", "Show or hide the looks that you kept.", &m_layout.gallery);
+  panel(
+      "view.three_point", "Three-point lighting", "F9",
+      "Key, fill and back, their ratios, and looks made of them, in the place of the light's colour; again: "
+      "the colour.",
+      &m_layout.threePoint);
   panel("view.tools", "Tools", "F7", "Show or hide the buttons at the left.", &m_layout.tools);
   panel("view.hide_panels", "Only the picture", "Tab", "Hide everything but the viewer; again: show it.",
         &m_layout.hidden);
