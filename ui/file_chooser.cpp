@@ -175,7 +175,7 @@ void FileChooser::draw() {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button + ImGui::GetStyle().ItemSpacing.x));
   if (!m_opened) ImGui::SetKeyboardFocusHere();
   if (ImGui::InputTextWithHint("##name", m_question->saving ? "File name" : "File name or path", &m_name,
-                               ImGuiInputTextFlags_EnterReturnsTrue))
+                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll))
     done = true;
   markItem("chooser.name");
   m_opened = true;

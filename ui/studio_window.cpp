@@ -91,15 +91,16 @@ void StudioWindow::askForFile() {
 void StudioWindow::askForSaveName(const std::function<void()>& then) {
   const fs::path& source = m_editor.document().source;
   const fs::path stem = source.filename() == "capture.json" ? source.parent_path().filename() : source.stem();
-  m_chooser.ask({"Save the session",
-                 "Save",
-                 {".swaplight"},
-                 true,
-                 stem.string() + ".swaplight",
-                 m_session.file().empty() ? source.parent_path() : m_session.file().parent_path(),
-                 [this, then](const fs::path& file) {
-                   if (m_session.saveAs(file)) then();
-                 }});
+  m_chooser.ask(
+      {"Save the session",
+       "Save",
+       {".swaplight"},
+       true,
+       m_session.file().empty() ? stem.string() + ".swaplight" : m_session.file().filename().string(),
+       m_session.file().empty() ? source.parent_path() : m_session.file().parent_path(),
+       [this, then](const fs::path& file) {
+         if (m_session.saveAs(file)) then();
+       }});
 }
 
 void StudioWindow::askForExport() {

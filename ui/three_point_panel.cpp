@@ -18,7 +18,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kLabelWidth = 84;
-constexpr float kWordsWidth = 108;
+constexpr float kWordsWidth = 116;
 constexpr float kGap = 4;
 constexpr int kColumns = 3;
 constexpr float kFlattest = -1, kSteepest = 6;  ///< stops of key over fill
