@@ -5,6 +5,7 @@ int main(int argc, char** argv) {
   swaplight::Program program;
   addInfoVerb(program);
   addPlanVerb(program);
+  addNewVerb(program);
   addSolveVerb(program);
   addRelightVerb(program);
   addEvaluateVerb(program);

@@ -13,6 +13,7 @@ void addEvaluateVerb(Program& program);
 void addStudioVerb(Program& program);
 void addBenchVerb(Program& program);
 void addPlanVerb(Program& program);
+void addNewVerb(Program& program);
 void addShadowsVerb(Program& program);
 void addBetaVerb(Program& program);
 

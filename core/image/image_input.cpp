@@ -59,8 +59,14 @@ ImageFileInfo infoOf(const OIIO::ImageSpec& spec, const std::string& format) {
   info.pixelType = type.c_str();
   info.isFloat = type.is_floating_point();
   info.bits = spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(type.size()) * 8);
-  for (const auto& attribute : spec.extra_attribs)
-    if (attribute.type() == OIIO::TypeString) info.text[attribute.name().string()] = attribute.get_string();
+  for (const auto& attribute : spec.extra_attribs) {
+    const std::string name = attribute.name().string();
+    if (attribute.type() == OIIO::TypeString)
+      info.text[name] = attribute.get_string();
+    else if (attribute.type().numelements() == 1 && attribute.type().aggregate == OIIO::TypeDesc::SCALAR)
+      info.numbers[name] = attribute.type().is_floating_point() ? double{attribute.get_float()}
+                                                                : double(attribute.get_int());
+  }
   return info;
 }
 

@@ -20,6 +20,7 @@ struct ImageFileInfo {
   bool isFloat = false;
   int parts = 1;
   std::map<std::string, std::string> text;  ///< text attributes of the header
+  std::map<std::string, double> numbers;    ///< single numbers of the header, as ExposureTime
   bool operator==(const ImageFileInfo&) const = default;
 };
 

@@ -113,17 +113,33 @@ void fitLightColors(const SolveOptions& options, const std::vector<int>& unknown
   ColorFitOptions fitOptions;
   fitOptions.rounds = refine ? 8 : 1;
   fitOptions.unknown = unknown;
-  const ColorFit fit = fitColors(context, signal, fitOptions);
+  ColorFit fit = fitColors(context, signal, fitOptions);
+  if (refine) {
+    // What was only a start says nothing of how well the colours are known: ask again with the found ones.
+    report.colorChange = fit.change;
+    report.refinedColors = fit.plan.colors;
+    context.plan = fit.plan;
+    fit = fitColors(context, signal);
+  }
   report.colorDisagreement = fit.disagreement;
   if (options.colorUncertainty < 0) {
     report.colorUncertainty = colorUncertaintyOf(fit);
     if (!report.noiseGiven)
       report.colorUncertainty = std::max(report.colorUncertainty, usualColorUncertainty(report.noise));
   }
-  if (!refine) return;
-  context.plan = fit.plan;
-  report.colorChange = fit.change;
-  report.refinedColors = fit.plan.colors;
+}
+
+/// In words, what the colours that nobody knew were found to be.
+std::vector<std::string> estimatedColors(const std::vector<int>& unknown, const LightPlan& plan) {
+  std::vector<std::string> words;
+  for (const int entry : unknown) {
+    const int shot = entry / plan.lights, light = entry % plan.lights;
+    const Rgb& color = plan.color(shot, light);
+    words.push_back(fmt::format(
+        "The colour of {} in shot {} was not known: estimated from the pictures as {:.3f}/{:.3f}/{:.3f}",
+        plan.names[size_t(light)], shot + 1, color.r, color.g, color.b));
+  }
+  return words;
 }
 
 /// Writes the flags; returns the pixels that nothing is known of (no shot has a finite value in some
@@ -228,6 +244,10 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
   if (!report.noiseGiven) context.noise = calibratedNoise(context, signal);
   report.colorUncertainty = options.colorUncertainty;
   fitLightColors(options, unknown, signal, context, report);
+  if (!unknown.empty()) {
+    report.estimated = estimatedColors(unknown, context.plan);
+    report.conditioning = conditioningOf(context.plan);
+  }
   context.noise.square += report.colorUncertainty * report.colorUncertainty;
 
   SolvedSet set = emptySet(capture, pixels);

@@ -50,6 +50,7 @@ void SolveReport::summarize(const SolvedSet& set) {
         " The pictures disagree with the light colours by {:.1f} times their noise: check the "
         "colours, and that nothing moved.",
         residualMedian);
+  for (const std::string& color : estimated) message += " " + color + ".";
   double farthest = 0;
   for (const ShotShift& shift : shifts) farthest = std::max(farthest, double(std::hypot(shift.x, shift.y)));
   if (farthest > 0) message += fmt::format(" Shots aligned; the farthest lay {:.2f} pixels off.", farthest);
@@ -90,6 +91,7 @@ Json jsonFromSolveReport(const SolveReport& report) {
           {"color_disagreement", report.colorDisagreement},
           {"color_change", report.colorChange},
           {"refined_colors", refined},
+          {"estimated", report.estimated},
           {"shifts", shifts},
           {"conditioning", jsonFromConditioning(report.conditioning)},
           {"residual_median", report.residualMedian},

@@ -21,6 +21,7 @@ struct SolveReport {
   double colorDisagreement = 0;    ///< what the matte model leaves in bright pixels, relative to the signal
   double colorChange = 0;          ///< RMS change of the colours that were refined, relative
   std::vector<Rgb> refinedColors;  ///< [shot * lights + light], exposure included; empty: as given
+  std::vector<std::string> estimated;  ///< colours that were not given, and what they were found to be
   Conditioning conditioning;
   std::vector<ShotShift> shifts;  ///< of each shot against the first; empty: not measured
   double residualMedian = 0;      ///< in units of the expected noise

@@ -1,0 +1,77 @@
+#include "core/intake/capture_draft.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/capture/light_name.h"
+#include "core/error.h"
+
+namespace swaplight {
+namespace {
+
+std::vector<Light> lightsOf(const CaptureDraft& draft) {
+  std::vector<Light> lights;
+  bool anyRole = false;
+  for (const std::string& name : draft.lights) {
+    Light light{name};
+    for (const Role role :
+         {Role::Key, Role::Fill, Role::Back, Role::Practical, Role::Kicker, Role::Background})
+      if (roleName(role) == name) light.role = role;
+    anyRole = anyRole || light.role != Role::Other;
+    lights.push_back(std::move(light));
+  }
+  if (anyRole) return lights;
+  const Role roles[] = {Role::Key, Role::Fill, Role::Back};
+  for (size_t i = 0; i < std::min<size_t>(lights.size(), 3); ++i) lights[i].role = roles[i];
+  return lights;
+}
+
+/// Over the first shot, in steps of a twentieth of a stop: files round their times.
+std::vector<float> exposuresOf(const ShotFolder& folder) {
+  std::vector<float> stops(folder.shots.size(), 0);
+  for (const FoundShot& shot : folder.shots)
+    if (!shot.exposureStops) return stops;
+  for (size_t k = 0; k < stops.size(); ++k)
+    stops[k] = static_cast<float>(
+        std::round(20 * (*folder.shots[k].exposureStops - *folder.shots[0].exposureStops)) / 20);
+  return stops;
+}
+
+}  // namespace
+
+CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& lights) {
+  checkLightNames(lights, "the lights");
+  if (lights.empty()) throw InputError("name at least one light");
+  CaptureDraft draft{folder, lights, {}, colorSpaceOf(folder)};
+  draft.colors.assign(folder.shots.size(), std::vector<ShotColor>(lights.size(), ShotColor{"unknown", {}}));
+  return draft;
+}
+
+Capture captureOf(const CaptureDraft& draft) {
+  Capture capture;
+  capture.folder = draft.folder.folder;
+  capture.name = capture.folder.filename().string();
+  capture.colorSpace = draft.colorSpace;
+  capture.lights = lightsOf(draft);
+  capture.ambient = draft.folder.ambient;
+  capture.dark = draft.folder.dark;
+  const std::vector<float> exposures = exposuresOf(draft.folder);
+  for (size_t k = 0; k < draft.folder.shots.size(); ++k) {
+    Shot shot;
+    shot.image = draft.folder.shots[k].file;
+    for (const ShotColor& color : draft.colors[k]) shot.lightColors.push_back(color.color);
+    shot.exposureStops = exposures[k];
+    capture.shots.push_back(std::move(shot));
+  }
+  return capture;
+}
+
+std::filesystem::path writeDraft(const CaptureDraft& draft, bool replace) {
+  std::filesystem::path file = draft.folder.folder / "capture.json";
+  if (!replace && std::filesystem::exists(file))
+    throw InputError("{}: is there already. Open it, or replace it with --force.", file.string());
+  writeCapture(captureOf(draft), file);
+  return file;
+}
+
+}  // namespace swaplight

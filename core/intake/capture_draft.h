@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/capture/capture_pixels.h"
+#include "core/intake/shot_color.h"
+#include "core/intake/shot_folder.h"
+
+namespace swaplight {
+
+/// A capture that is being described: photographs, lights, and which colour each light had in each shot.
+struct CaptureDraft {
+  ShotFolder folder;
+  std::vector<std::string> lights;             ///< names, see checkLightNames
+  std::vector<std::vector<ShotColor>> colors;  ///< [shot][light]
+  std::string colorSpace;                      ///< of the pictures
+};
+
+/// A draft in which every colour is unknown. Throws InputError: names that cannot be, colour spaces that
+/// differ.
+[[nodiscard]] CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& lights);
+
+/// The capture that it describes. Lights called after a role have it; otherwise, without any, the first is
+/// the key and the second the fill. Exposures are those of the files, where all say them.
+[[nodiscard]] Capture captureOf(const CaptureDraft& draft);
+
+/// What a person should know of the pictures, at once and in words: clipped areas, a moved camera, differing
+/// exposures.
+[[nodiscard]] std::vector<std::string> pictureWarnings(const CaptureDraft& draft,
+                                                       const CapturePixels& pixels);
+/// And of the colours: what cannot be told apart, or only with noise; which are unknown, and what they are
+/// assumed to be.
+[[nodiscard]] std::vector<std::string> colorWarnings(const CaptureDraft& draft);
+
+/// Writes capture.json beside the shots. Throws InputError where there is one already, unless it is to be
+/// replaced, and where it cannot be written. Returns its path.
+std::filesystem::path writeDraft(const CaptureDraft& draft, bool replace);
+
+}  // namespace swaplight

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/color/rgb.h"
+#include "core/image/image.h"
+
+namespace swaplight {
+
+/// The colour that a light had in a shot, as a person says it.
+struct ShotColor {
+  std::string text;          ///< as written: "L106", "0.9/0.2/0.1", "unknown"
+  std::optional<Rgb> color;  ///< linear; nothing: unknown
+  bool operator==(const ShotColor&) const = default;
+};
+
+/// A gel by its number (white through it), linear r/g/b, #rrggbb, 3200K, any other colour SETTING, off, or
+/// unknown. Throws InputError that quotes the text.
+[[nodiscard]] ShotColor shotColorFromText(const std::string& text);
+/// Several, apart by commas.
+[[nodiscard]] std::vector<ShotColor> shotColorsFromText(const std::string& text);
+
+/// A colour as linear r/g/b.
+[[nodiscard]] ShotColor shotColorFromRgb(const Rgb& color);
+
+/// The mean of a square of a shot, as of a white card that one light shines on: its light in linear R G B.
+/// The square lies around a pixel and inside of the picture. Throws InputError where the pixel is outside,
+/// where nothing is finite, and for black.
+[[nodiscard]] ShotColor colorOfCard(const Image& shot, int x, int y, int side = 9);
+
+}  // namespace swaplight

@@ -1,0 +1,162 @@
+#include "core/intake/shot_folder.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "core/error.h"
+#include "core/image/image_io.h"
+#include "core/solve/solved_file.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool isDigit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Names in the order in which a person counts.
+bool countsBefore(const std::string& a, const std::string& b) {
+  size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (!isDigit(a[i]) || !isDigit(b[j])) {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i, ++j;
+      continue;
+    }
+    while (i < a.size() && a[i] == '0') ++i;
+    while (j < b.size() && b[j] == '0') ++j;
+    const size_t beginA = i, beginB = j;
+    while (i < a.size() && isDigit(a[i])) ++i;
+    while (j < b.size() && isDigit(b[j])) ++j;
+    if (i - beginA != j - beginB) return i - beginA < j - beginB;
+    if (const int order = a.compare(beginA, i - beginA, b, beginB, j - beginB); order != 0) return order < 0;
+  }
+  return a.size() - i < b.size() - j;
+}
+
+std::string takenAt(const ImageFileInfo& info) {
+  for (const char* key : {"Exif:DateTimeOriginal", "Exif:DateTimeDigitized", "DateTime"})
+    if (const auto found = info.text.find(key); found != info.text.end() && !found->second.empty()) {
+      const auto part = info.text.find("Exif:SubsecTimeOriginal");
+      return found->second + (part != info.text.end() ? "." + part->second : "");
+    }
+  return {};
+}
+
+std::optional<double> exposureOf(const ImageFileInfo& info) {
+  const auto number = [&](std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (const auto found = info.numbers.find(key); found != info.numbers.end() && found->second > 0)
+        return found->second;
+    return 0.0;
+  };
+  const double seconds = number({"ExposureTime"}), stop = number({"FNumber"}),
+               iso = number({"Exif:ISOSpeedRatings", "Exif:PhotographicSensitivity"});
+  if (!(seconds > 0 && stop > 0 && iso > 0)) return std::nullopt;
+  return std::log2(seconds * iso / (stop * stop));
+}
+
+FoundShot describe(const fs::path& file) {
+  ImageFileInfo info;
+  const ImageSpec spec = readImageSpec(file, &info);
+  return {file.filename().string(), takenAt(info), spec.colorSpace, info.format, spec.width, spec.height,
+          exposureOf(info)};
+}
+
+bool looksLikePicture(const fs::path& file) {
+  static const std::set<std::string> others = {".json", ".txt",        ".csv", ".xmp", ".swaplight",
+                                               ".md",   ".swaplight~", ".thm", ".pp3", ".db"};
+  const std::string name = file.filename().string();
+  return fs::is_regular_file(file) && name.front() != '.' &&
+         others.count(lower(file.extension().string())) == 0;
+}
+
+/// Of a raw file and the camera's own JPEG of it, the raw file.
+void dropTwins(ShotFolder& found) {
+  std::set<std::string> raws;
+  for (const FoundShot& shot : found.shots)
+    if (shot.format == "raw") raws.insert(lower(fs::path(shot.file).stem().string()));
+  std::erase_if(found.shots, [&](const FoundShot& shot) {
+    const bool twin = shot.format == "jpeg" && raws.count(lower(fs::path(shot.file).stem().string())) > 0;
+    if (twin) found.notes.push_back(shot.file + " is left out: its raw file is there");
+    return twin;
+  });
+}
+
+void putInOrder(ShotFolder& found) {
+  std::stable_sort(found.shots.begin(), found.shots.end(),
+                   [](const FoundShot& a, const FoundShot& b) { return countsBefore(a.file, b.file); });
+  std::set<std::string> times;
+  for (const FoundShot& shot : found.shots) times.insert(shot.taken);
+  found.timed = found.shots.size() > 1 && times.size() == found.shots.size() && times.count("") == 0;
+  if (!found.timed) return;
+  std::stable_sort(found.shots.begin(), found.shots.end(),
+                   [](const FoundShot& a, const FoundShot& b) { return a.taken < b.taken; });
+}
+
+}  // namespace
+
+ShotFolder scanShotFolder(const fs::path& folder) {
+  if (!fs::is_directory(folder))
+    throw InputError("{}: is no folder, expected one with the photographs of a set", folder.string());
+  ShotFolder found;
+  found.folder = fs::absolute(folder).lexically_normal();
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (looksLikePicture(entry.path())) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    const std::string name = file.filename().string();
+    try {
+      FoundShot shot = describe(file);
+      if (shot.format == "openexr" && isSolvedSet(file))
+        found.notes.push_back(name + " is left out: it is a solved set");
+      else if (lower(name).starts_with("ambient"))
+        found.ambient = name;
+      else if (lower(name).starts_with("dark"))
+        found.dark = name;
+      else
+        found.shots.push_back(std::move(shot));
+    } catch (const InputError&) {
+      found.notes.push_back(name + " is left out: it is no picture that can be read");
+    }
+  }
+  dropTwins(found);
+  if (found.shots.empty())
+    throw InputError("{}: has no photographs (EXR, PNG, TIFF, JPEG, HDR or camera raw)", folder.string());
+  putInOrder(found);
+  return found;
+}
+
+ShotFolder withShots(ShotFolder folder, const std::vector<std::string>& files) {
+  std::vector<FoundShot> shots;
+  for (const std::string& file : files) {
+    if (!fs::exists(folder.folder / file))
+      throw InputError("{}: there is no such picture in {}", file, folder.folder.string());
+    shots.push_back(describe(folder.folder / file));
+    shots.back().file = file;
+  }
+  folder.shots = std::move(shots);
+  folder.timed = false;
+  return folder;
+}
+
+std::string colorSpaceOf(const ShotFolder& folder) {
+  const FoundShot& first = folder.shots.front();
+  for (const FoundShot& shot : folder.shots)
+    if (shot.colorSpace != first.colorSpace)
+      throw InputError("{} is in {}, {} is in {}. Export all shots in one colour space.", shot.file,
+                       shot.colorSpace, first.file, first.colorSpace);
+  // Raw files are developed to linear camera colours, which the manifest calls by the default name.
+  return first.colorSpace == "raw" ? "lin_rec709" : first.colorSpace;
+}
+
+}  // namespace swaplight

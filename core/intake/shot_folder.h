@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swaplight {
+
+/// A picture as its header describes it.
+struct FoundShot {
+  std::string file;   ///< name in the folder
+  std::string taken;  ///< date and time, "2026:11:21 10:00:00"; empty where the file does not say
+  std::string colorSpace;
+  std::string format;
+  int width = 0, height = 0;
+  /// log2 of exposure time x ISO / f-number squared; nothing where the file does not say all three.
+  std::optional<double> exposureStops;
+};
+
+/// The photographs of a set that lie in a folder, in order of time.
+struct ShotFolder {
+  std::filesystem::path folder;  ///< absolute
+  std::vector<FoundShot> shots;
+  std::optional<std::string> ambient;  ///< a picture whose name begins with "ambient"
+  std::optional<std::string> dark;     ///< one whose name begins with "dark"
+  bool timed = false;                  ///< in the order of the time they were taken at; else of their names
+  std::vector<std::string> notes;      ///< what was left out and why, in words
+};
+
+/// Looks at the pictures directly in a folder. Solved sets are left out, and of a camera's pair the JPEG
+/// beside its raw file. Numbers in names count as numbers: shot_10 comes after shot_9. Throws InputError
+/// where it is no folder or has no picture; a picture that cannot be read is left out with a note.
+[[nodiscard]] ShotFolder scanShotFolder(const std::filesystem::path& folder);
+
+/// The same with these files as its shots, in this order. Throws InputError for one that is not there.
+[[nodiscard]] ShotFolder withShots(ShotFolder folder, const std::vector<std::string>& files);
+
+/// The space of the shots, as a capture's file names it. Throws InputError where they differ.
+[[nodiscard]] std::string colorSpaceOf(const ShotFolder& folder);
+
+}  // namespace swaplight

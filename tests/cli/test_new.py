@@ -1,0 +1,163 @@
+"""swaplight new: a folder of photographs becomes a capture."""
+import json
+import os
+import shutil
+import unittest
+
+import numpy as np
+import swaplight_cli as cli
+
+RING = '0.9/0.2/0.15,0.15/0.8/0.25,0.2/0.25/0.9'
+
+
+class New(cli.CliTest):
+    def photographs(self, names=('key', 'fill', 'back'), order=None, **attributes):
+        """Photographs of a small set without a manifest; shot k of the file names is shot order[k] of the rotation."""
+        capture = cli.Capture(self.path('made'), names=names, height=48, width=64)
+        os.makedirs(self.path('plain'))
+        for k, source in enumerate(order or range(len(names))):
+            cli.write_image(self.path('plain', f'IMG_{k + 9}.exr'), capture.shots[source], **attributes)
+        return self.path('plain')
+
+    def manifest(self):
+        with open(self.path('plain', 'capture.json')) as file:
+            return json.load(file)
+
+    def test_the_rotation_is_guessed_and_said(self):
+        for order in ((0, 1, 2), (0, 2, 1)):
+            folder = self.photographs(order=order)
+            result = self.succeed_json('new', folder, '--lights', 'key,fill,back', '--colors', RING)
+            self.assertEqual([shot['image'] for shot in result['shots']], ['IMG_9.exr', 'IMG_10.exr', 'IMG_11.exr'])
+            self.assertIn('guessed from the pictures', result['colors'])
+            truth = cli.rotated(3)
+            for shot, source in zip(self.manifest()['shots'], order):
+                np.testing.assert_allclose(shot['light_colors'], truth[source], atol=1e-4)
+            self.assertEqual([light['role'] for light in self.manifest()['lights']], ['key', 'fill', 'back'])
+            shutil.rmtree(folder)
+
+    def test_what_it_writes_is_solved_like_the_manifest(self):
+        folder = self.photographs()
+        self.succeed('new', folder, '--lights', 'key,fill,back', '--colors', RING)
+        self.succeed('solve', folder, '-o', self.path('a.exr'))
+        self.succeed('solve', self.path('made'), '-o', self.path('b.exr'))
+        for light in ('key', 'fill', 'back'):
+            np.testing.assert_array_equal(cli.read_rgb(self.path('a.exr'), light), cli.read_rgb(self.path('b.exr'), light))
+
+    def test_gels_are_known_by_their_numbers(self):
+        folder = self.photographs(('key', 'fill'))
+        result = self.succeed_json('new', folder, '--lights', 'key,fill', '--gels', 'L106,L124')
+        self.assertEqual([shot['colors'] for shot in result['shots']], [['L106', 'L124'], ['L124', 'L106']])
+        self.fail('new', folder, '--lights', 'key,fill', '--gels', 'L106,L99999', '--force', naming='L99999')
+
+    def test_a_capture_that_is_there_is_not_replaced_unasked(self):
+        folder = self.photographs()
+        with open(os.path.join(folder, 'capture.json'), 'w') as file:
+            file.write('precious')
+        arguments = ['new', folder, '--lights', 'key,fill,back', '--colors', RING]
+        self.fail(*arguments, naming=['is there already', '--force'])
+        self.succeed(*arguments, '--force')
+        self.assertEqual(self.manifest()['format'], 'swaplight-capture')
+
+    def test_a_shot_is_told_by_itself_and_an_unknown_colour_is_said(self):
+        folder = self.photographs(('key', 'fill'))
+        result = self.succeed_json('new', folder, '--lights', 'key,fill', '--shot', 'IMG_9.exr=0.9/0.2/0.15,unknown',
+                                   '--shot', 'IMG_10.exr=0.15/0.8/0.25,0.9/0.2/0.15')
+        self.assertIsNone(self.manifest()['shots'][0]['light_colors'][1])
+        self.assertTrue(any('the colour of fill in IMG_9.exr is unknown' in w for w in result['warnings']), result)
+        report = self.succeed_json('solve', folder, '-o', self.path('solved.exr'))
+        self.assertIn('The colour of fill in shot 1 was not known: estimated', report['message'])
+
+    def test_a_white_card_tells_a_lights_colours(self):
+        folder = self.photographs(('key', 'fill'))
+        for k, color in enumerate(([.9, .2, .15], [.15, .8, .25])):
+            path = os.path.join(folder, f'IMG_{k + 9}.exr')
+            pixels = cli.read_rgb(path)
+            pixels[30:42, 40:52] = np.multiply(color, .9)
+            cli.write_image(path, pixels)
+        result = self.succeed_json('new', folder, '--lights', 'key,fill', '--card', 'key=45,36', '--colors',
+                                   '0.9/0.2/0.15,0.15/0.8/0.25')
+        np.testing.assert_allclose(self.manifest()['shots'][0]['light_colors'][0], np.multiply([.9, .2, .15], .9), atol=2e-3)
+        np.testing.assert_allclose(self.manifest()['shots'][1]['light_colors'][1], [.9, .2, .15], atol=1e-4)
+        self.assertEqual(result['lights'], ['key', 'fill'])
+
+    def test_one_light_at_a_time(self):
+        folder = self.photographs(('key', 'fill'))
+        self.succeed('new', folder, '--lights', 'key,fill', '--one-at-a-time')
+        self.assertEqual(self.manifest()['shots'][1]['light_colors'], [[0, 0, 0], [1, 1, 1]])
+
+    def test_exposures_and_clipping_are_said(self):
+        folder = self.photographs(('key', 'fill'))
+        for k, seconds in enumerate((.02, .01)):
+            path = os.path.join(folder, f'IMG_{k + 9}.exr')
+            pixels = cli.read_rgb(path)
+            pixels[:8, :8] = 1
+            cli.write_image(path, pixels, ExposureTime=seconds, FNumber=4.0, **{'Exif:ISOSpeedRatings': 100})
+        result = self.succeed_json('new', folder, '--lights', 'key,fill', '--gels', 'L106,L124')
+        warnings = ' | '.join(result['warnings'])
+        self.assertIn('-1.00 stops against IMG_9.exr', warnings)
+        self.assertIn('of the picture is clipped', warnings)
+        self.assertEqual(self.manifest()['shots'][1]['exposure_stops'], -1)
+
+    def test_what_is_missing_is_asked_for_in_one_line(self):
+        folder = self.photographs(('key', 'fill'))
+        self.fail('new', folder, '--lights', 'key,fill', naming='say which colours the lights had')
+        self.fail('new', folder, '--lights', 'key,fill', '--gels', 'L106', naming='1 colours for 2 lights')
+        self.fail('new', folder, '--lights', 'key,9', '--gels', 'L106,L124', naming='9')
+        self.fail('new', self.path('nowhere'), '--lights', 'key,fill', '--gels', 'L106,L124', naming='nowhere')
+        cli.write_image(os.path.join(folder, 'IMG_11.exr'), np.zeros((10, 10, 3)))
+        self.fail('new', folder, '--lights', 'key,fill', '--gels', 'L106,L124', naming='at one size')
+
+
+@unittest.skipUnless(os.path.isdir(os.path.join(cli.SHARED, 'captures', 'swapped_lion')), 'no real photographs here')
+class RealPhotographs(cli.CliTest):
+    """Two lamps whose gels were swapped, as a plain folder of two photographs."""
+
+    def setUp(self):
+        super().setUp()
+        self.source = os.path.join(cli.SHARED, 'captures', 'swapped_lion')
+        os.makedirs(self.path('lion'))
+        for name in ('photo_r_b.exr', 'photo_b_r.exr'):
+            shutil.copyfile(os.path.join(self.source, name), self.path('lion', name))
+        with open(os.path.join(self.source, 'capture_r_b.json')) as file:
+            self.shots = json.load(file)['shots']
+        # The gels of both lamps, measured, as a table of the person's own.
+        self.home = {'XDG_DATA_HOME': self.path('data')}
+        os.makedirs(self.path('data', 'swaplight'))
+        with open(self.path('data', 'swaplight', 'gels.csv'), 'w') as file:
+            file.write('brand,number,name,x,y,T\n')
+            for k, shot in enumerate(self.shots):
+                for i, color in enumerate(shot['light_colors']):
+                    x, y, z = np.array([[.4124564, .3575761, .1804375], [.2126729, .7151522, .0721750],
+                                        [.0193339, .1191920, .9503041]]) @ color
+                    file.write(f'S,{10 * (i + 1) + k + 1},lamp {i + 1},{x / (x + y + z):.8f},{y / (x + y + z):.8f},{y:.8f}\n')
+
+    def solved(self, *arguments):
+        result = self.succeed_json('new', self.path('lion'), '--lights', 'left,right', '--shots',
+                                   'photo_r_b.exr,photo_b_r.exr', *arguments, '--force', env=self.home)
+        self.succeed('solve', self.path('lion'), '-o', self.path('solved.exr'))
+        return result, [cli.read_rgb(self.path('solved.exr'), light) for light in ('left', 'right')]
+
+    def test_the_gels_named_give_the_same_solve_as_the_manifest(self):
+        self.succeed('solve', os.path.join(self.source, 'capture_r_b.json'), '-o', self.path('manifest.exr'))
+        manifest = [cli.read_rgb(self.path('manifest.exr'), light) for light in ('left', 'right')]
+        typed = ['--shot={}={}'.format(s['image'], ','.join('/'.join(map(str, c)) for c in s['light_colors']))
+                 for s in self.shots]
+        _, lights = self.solved(*typed)
+        for light, wanted in zip(lights, manifest):
+            np.testing.assert_array_equal(light, wanted)
+        _, lights = self.solved('--shot', 'photo_r_b.exr=S11,S21', '--shot', 'photo_b_r.exr=S12,S22')
+        for light, wanted in zip(lights, manifest):
+            np.testing.assert_allclose(light, wanted, atol=2e-3)
+
+    def test_two_gels_are_enough_to_be_named(self):
+        result, _ = self.solved('--gels', 'S11,S12')
+        self.assertEqual([shot['colors'] for shot in result['shots']], [['S11', 'S12'], ['S12', 'S11']])
+        self.assertNotIn('badly', result['colors'])
+
+    def test_an_unknown_colour_is_said(self):
+        result, _ = self.solved('--shot', 'photo_r_b.exr=S11,unknown', '--shot', 'photo_b_r.exr=S12,S22')
+        self.assertTrue(any('right in photo_r_b.exr is unknown' in w for w in result['warnings']))
+
+
+if __name__ == '__main__':
+    cli.main()
