@@ -64,8 +64,8 @@ ImageFileInfo infoOf(const OIIO::ImageSpec& spec, const std::string& format) {
     if (attribute.type() == OIIO::TypeString)
       info.text[name] = attribute.get_string();
     else if (attribute.type().numelements() == 1 && attribute.type().aggregate == OIIO::TypeDesc::SCALAR)
-      info.numbers[name] = attribute.type().is_floating_point() ? double{attribute.get_float()}
-                                                                : double(attribute.get_int());
+      info.numbers[name] =
+          attribute.type().is_floating_point() ? double{attribute.get_float()} : double(attribute.get_int());
   }
   return info;
 }

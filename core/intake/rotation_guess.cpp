@@ -14,7 +14,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kColorError = 0.03F;  ///< of gels; keeps noise-free pictures from dividing by nothing
-constexpr double kBad = 0.2;          ///< misfit
+constexpr double kBad = 0.15;         ///< misfit
 constexpr double kSure = 0.7;         ///< of the next best misfit
 
 /// Every way to go on from a first shot, shot by shot.

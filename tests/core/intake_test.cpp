@@ -129,7 +129,7 @@ TEST(RotationGuess, FindsHowTheColoursMoved) {
 TEST(RotationGuess, SaysWhenTheColoursDoNotFit) {
   Capture capture = rotatedCapture(2);
   const CapturePixels pixels = photograph(capture, SyntheticSet(2, 0));
-  const std::vector<ShotColor> wrong{shotColorFromText("0.5/0.5/0.5"), shotColorFromText("0.55/0.5/0.5")};
+  const std::vector<ShotColor> wrong{shotColorFromText("0.9/0.85/0.8"), shotColorFromText("0.5/0.55/0.6")};
   EXPECT_THAT(guessRotation(draftFor(capture), pixels, wrong).words, HasSubstr("fits badly"));
 }
 
