@@ -64,6 +64,8 @@ void SolveArguments::addTo(CLI::App& verb) {
                       "off or guided: smooth what noise left, by the sum's edges"))
       ->type_name("HOW")
       ->capture_default_str();
+  add(verb.add_flag("--solve-ambient", m_solve.solveAmbient,
+                    "Find light that is the same in every shot (takes more shots than lights)"));
   add(verb.add_option("--align", m_align, "off or on: register the shots to the first"))
       ->type_name("HOW")
       ->capture_default_str();

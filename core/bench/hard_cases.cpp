@@ -35,7 +35,8 @@ struct Recipe {
   float colorError = 0;  ///< of the colours that the solver is told, relative
   bool ambient = false;
   bool ambientPicture = false;
-  float shift = 0;  ///< pixels that the camera has moved before the second shot
+  bool ambientSolved = false;  ///< in one shot more, the lights dimmed
+  float shift = 0;             ///< pixels that the camera has moved before the second shot
   bool align = false;
   bool moved = false;   ///< an object has, before the second shot
   bool broken = false;  ///< some values are not finite, or negative
@@ -118,6 +119,10 @@ const std::vector<Recipe>& recipes() {
        .matte = true,
        .ambient = true,
        .ambientPicture = true},
+      {.name = "ambient light, solved from a third shot",
+       .group = "wrong",
+       .ambient = true,
+       .ambientSolved = true},
       {.name = "camera moved .5 pixels", .group = "moved", .shift = .5F},
       {.name = "camera moved .5 pixels, aligned", .group = "moved", .shift = .5F, .align = true},
       {.name = "camera moved 2 pixels", .group = "moved", .shift = 2},
@@ -226,6 +231,11 @@ HardCase makeHardCase(int index, unsigned seed, int width) {
   made.mixed = recipe.mixed;
   made.capture = captureOf(recipe);
   made.options.align = recipe.align;
+  made.options.solveAmbient = recipe.ambientSolved;
+  if (recipe.ambientSolved) {
+    made.capture.shots.push_back(made.capture.shots.front());
+    for (auto& color : made.capture.shots.back().lightColors) *color *= .2F;
+  }
   made.truth = recipe.random
                    ? randomTruth(recipe.picture.width, recipe.picture.height, recipe.picture.lights, 0)
                    : renderBenchPicture(recipe.picture);

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/solve/demultiplex.h"
+#include "core/solve/gloss_fit.h"
 #include "core/solve/matte_fit.h"
 #include "core/solve/single_light.h"
 #include "core/solve/two_lights.h"
@@ -25,6 +26,7 @@ constexpr std::array kEstimators = {
     EstimatorInfo{"single", Model::Single, "the one light that explains the pixel best", true},
     EstimatorInfo{"maximum-likelihood", Model::Lambert,
                   "proportions x reflectance, fitted to all shots by their noise", true},
+    EstimatorInfo{"dichromatic", Model::Gloss, "the same, and a highlight of each light's colour", true},
     EstimatorInfo{"demultiplex", Model::Transport, "pseudo-inverse a channel, negative values cut off",
                   false},
     EstimatorInfo{"nnls", Model::Transport, "least squares a channel over contributions >= 0", false},
@@ -69,6 +71,7 @@ const EstimatorInfo& estimatorFor(Model model) {
     case Model::Transport:
       return estimatorInfo("nnls");
     case Model::Gloss:
+      return estimatorInfo("dichromatic");
     case Model::Auto:
       break;
   }
@@ -84,6 +87,7 @@ std::unique_ptr<Estimator> makeEstimator(const std::string& name, const Estimato
   if (info.name == "closed-form")
     return std::make_unique<TwoLights>(context, BetaSearch::ClosedForm, Reflectance::BothShots);
   if (info.name == "single") return std::make_unique<SingleLight>(context);
+  if (info.name == "dichromatic") return std::make_unique<GlossFit>(context);
   if (info.name == "demultiplex") return std::make_unique<Demultiplex>(context, Demultiplex::Bound::Clamp);
   if (info.name == "nnls") return std::make_unique<Demultiplex>(context, Demultiplex::Bound::LeastSquares);
   return std::make_unique<Lambert>(context);

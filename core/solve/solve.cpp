@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/solve/align_shots.h"
+#include "core/solve/ambient_light.h"
 #include "core/solve/auto_solve.h"
 #include "core/solve/color_fit.h"
 #include "core/solve/denoise.h"
@@ -201,10 +202,11 @@ void fillDarkBeta(SolvedSet& set) {
 
 }  // namespace
 
-SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const SolveOptions& options,
+SolvedSet solve(const Capture& given, const CapturePixels& photographs, const SolveOptions& options,
                 const Progress& progress) {
   const auto started = std::chrono::steady_clock::now();
-  const std::string where = capture.file.empty() ? capture.name : capture.file.filename().string();
+  const std::string where = given.file.empty() ? given.name : given.file.filename().string();
+  const Capture capture = options.solveAmbient ? withAmbientLight(given, where) : given;
   progress.update(0, "Looking at the shots");
   SolveReport report;
   report.warnings = capture.warnings;
@@ -242,6 +244,11 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
   context.noise = noiseModel(report.noise, pixels, 0);
   const ShotSignal signal(pixels, context.plan, context.noise, exposure);
   if (!report.noiseGiven) context.noise = calibratedNoise(context, signal);
+  Rgb ambient(1);
+  if (options.solveAmbient) {
+    ambient = ambientColor(context, signal);
+    colorAmbient(context.plan, ambient);
+  }
   report.colorUncertainty = options.colorUncertainty;
   fitLightColors(options, unknown, signal, context, report);
   if (!unknown.empty()) {
@@ -277,6 +284,7 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
     fillDarkBeta(set);
   }
 
+  if (options.solveAmbient) takeAmbientOut(given, ambient, set);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   report.summarize(set);
   set.report = jsonFromSolveReport(report);

@@ -41,6 +41,7 @@ Json jsonFromSolveOptions(const SolveOptions& options) {
   if (options.noise) json["noise"] = {{"read", options.noise->read}, {"full_well", options.noise->fullWell}};
   if (options.colorUncertainty >= 0) json["color_uncertainty"] = jsonNumber(options.colorUncertainty);
   json["refine_colors"] = options.refineColors;
+  json["ambient"] = options.solveAmbient;
   json["align"] = options.align;
   json["denoise"] = options.denoise;
   json["guided_radius"] = options.guidedRadius;
@@ -60,6 +61,7 @@ SolveOptions solveOptionsFromJson(const Json& json, const std::string& where) {
   options.colorUncertainty =
       static_cast<float>(fields.number("color_uncertainty", 0, 1).value_or(options.colorUncertainty));
   options.refineColors = fields.boolean("refine_colors").value_or(options.refineColors);
+  options.solveAmbient = fields.boolean("ambient").value_or(options.solveAmbient);
   options.align = fields.boolean("align").value_or(options.align);
   options.denoise = fields.text("denoise").value_or(options.denoise);
   options.guidedRadius =

@@ -27,6 +27,7 @@ struct SolveOptions {
   /// Relative standard error of the light colours, 0..1: real gels are known to a few per cent. Negative:
   /// estimated from the shots.
   float colorUncertainty = -1;
+  bool solveAmbient = false;    ///< one more unknown light, the same in every shot (K > N)
   bool refineColors = false;    ///< estimate the light colours from the pictures, starting at the manifest's
   bool align = false;           ///< register the shots to the first (sub-pixel translation)
   std::string denoise = "off";  ///< off | guided

@@ -18,6 +18,20 @@ class SolveTest(cli.CliTest):
             for name, truth in zip(names, capture.truth):
                 np.testing.assert_allclose(cli.read_rgb(solved, name), truth, atol=2e-5, err_msg=name)
 
+    def test_ambient_light_that_has_no_picture_is_found_from_one_more_shot(self):
+        capture = cli.Capture(self.path('set'))
+        self.fail('solve', capture.path, '-o', self.path('no.exr'), '--solve-ambient',
+                  naming=['capture.json', 'more shots than lights'])
+        three = [[[.9, .2, .15], [.15, .8, .25]], [[.15, .8, .25], [.9, .2, .15]], [[0, 0, 0], [0, 0, 0]]]
+        capture = cli.Capture(self.path('three'), light_colors=three)
+        room = .05 * np.ones_like(capture.truth[0])
+        capture.shots = [shot + room for shot in capture.shots]
+        capture.save()
+        solved = self.solve(capture, '--solve-ambient', '--model', 'transport', '--float')
+        np.testing.assert_allclose(cli.read_rgb(solved, 'ambient'), room, atol=1e-3)
+        for name, truth in zip(('key', 'fill'), capture.truth):
+            np.testing.assert_allclose(cli.read_rgb(solved, name), truth, atol=1e-3)
+
     def test_writes_every_channel_that_is_promised(self):
         capture = cli.Capture(self.path('set'))
         channels = cli.read_image(self.solve(capture))
