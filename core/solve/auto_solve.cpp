@@ -15,8 +15,6 @@
 namespace swaplight {
 namespace {
 
-constexpr float kGuideStep = 0.1F;  // of the guide of a bright part of the set
-
 /// Pooling took away part of the variance of the shares, which is nearly all of the contributions'.
 SWAPLIGHT_SIMD void takeAway(const float* __restrict alone, const float* __restrict pooled,
                              float* __restrict variance, int count) {
@@ -41,16 +39,6 @@ SWAPLIGHT_SIMD void writeGuide(const float* __restrict red, const float* __restr
   for (int p = 0; p < count; ++p) guide[p] = std::sqrt((red[p] + green[p] + blue[p]) * (1.0F / 3));
 }
 
-float brightGuide(ImageView guide) {
-  std::vector<float> sample;
-  const size_t count = size_t(guide.width) * size_t(guide.height);
-  const size_t every = std::max<size_t>(1, count / 20000);
-  for (size_t p = 0; p < count; p += every) sample.push_back(guide.row(0, 0)[p]);
-  const auto bright = sample.begin() + long(sample.size() * 95 / 100);
-  std::nth_element(sample.begin(), bright, sample.end());
-  return *bright;
-}
-
 /// The shares in `beta`, their variance in `quality.sigma`, the guide in the second light's contribution:
 /// pooled with what is near, then with what is around that. In between they wait in planes of the
 /// contributions.
@@ -58,20 +46,13 @@ void poolTwice(const NoiseModel& noise, SolvedSet& set) {
   const ImageSpan variance = set.quality.span().channelRange(kSigma, 1);
   const ImageSpan left = set.contributions[0].span().channelRange(1, 1);
   const ImageSpan guide = set.contributions[1].span().channelRange(1, 1);
-  std::vector<ImageSpan> shares, near;
-  for (int i = 0; i < set.lightCount(); ++i) {
-    shares.push_back(set.beta.span().channelRange(i, 1));
-    near.push_back(set.contributions[size_t(i)].span().channelRange(0, 1));
-  }
-  const auto views = [](const std::vector<ImageSpan>& spans) {
-    return std::vector<ImageView>(spans.begin(), spans.end());
-  };
-  // The root of a signal has the same noise everywhere: a quarter of the slope of the variance.
-  const float step =
-      2 * std::sqrt(kGuideStep * kGuideStep * std::pow(brightGuide(guide), 2.0F) + noise.linear / 2);
-  poolShares(views(shares), variance, guide, {.step = 1, .cut = 9, .guideStep = step}, near, left);
-  poolShares(views(near), left, guide,
-             {.step = 2, .cut = 4, .guideStep = step, .overlap = 3.7F, .doubt = .4F}, shares, variance);
+  const std::vector<ImageSpan> shares = planesOf(set.beta);
+  std::vector<ImageSpan> near;
+  for (Image& contribution : set.contributions) near.push_back(contribution.span().channelRange(0, 1));
+  const float step = guideStep(guide, noise);
+  poolShares(shares, variance, guide, {.step = 1, .cut = 9, .guideStep = step}, near, left);
+  poolShares(near, left, guide, {.step = 2, .cut = 4, .guideStep = step, .overlap = 3.7F, .doubt = .4F},
+             shares, variance);
   cutShares(shares);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/parallel.h"
@@ -55,7 +56,7 @@ class Band {
     m_band.guide = plane(lights + 2, 0);
   }
 
-  void load(std::span<const ImageView> shares, ImageView variance, ImageView guide, int top) {
+  void load(std::span<const ImageSpan> shares, ImageView variance, ImageView guide, int top) {
     std::fill(m_data.begin(), m_data.end(), 0.0F);
     const int lights = m_band.lights;
     // Beyond the picture: no weight, but a variance that can be divided by.
@@ -92,7 +93,7 @@ class Band {
 
 }  // namespace
 
-void poolShares(std::span<const ImageView> shares, ImageView variance, ImageView guide,
+void poolShares(std::span<const ImageSpan> shares, ImageView variance, ImageView guide,
                 const SharePooling& options, std::span<const ImageSpan> pooled, ImageSpan left) {
   const int bands = (variance.height + kBand - 1) / kBand;
   parallelRows(bands, 1, [&](int begin, int end) {
@@ -104,6 +105,24 @@ void poolShares(std::span<const ImageView> shares, ImageView variance, ImageView
         band.pool(pooled, left, top, row);
     }
   });
+}
+
+std::vector<ImageSpan> planesOf(Image& shares) {
+  std::vector<ImageSpan> planes;
+  for (int i = 0; i < shares.channelCount(); ++i) planes.push_back(shares.span().channelRange(i, 1));
+  return planes;
+}
+
+float guideStep(ImageView guide, const NoiseModel& noise) {
+  constexpr float kStep = 0.1F;
+  std::vector<float> sample;
+  const size_t count = size_t(guide.width) * size_t(guide.height);
+  const size_t every = std::max<size_t>(1, count / 20000);
+  sample.reserve(count / every + 1);
+  for (size_t p = 0; p < count; p += every) sample.push_back(guide.row(0, 0)[p]);
+  const auto bright = sample.begin() + long(sample.size() * 95 / 100);
+  std::nth_element(sample.begin(), bright, sample.end());
+  return 2 * std::sqrt(kStep * kStep * *bright * *bright + noise.linear / 2);
 }
 
 void cutShares(std::span<const ImageSpan> shares) {

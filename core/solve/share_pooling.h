@@ -1,8 +1,10 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/image/image.h"
+#include "core/solve/noise_model.h"
 
 namespace swaplight {
 
@@ -24,8 +26,15 @@ struct SharePooling {
 /// `shares`: a plane a light, sum 1, signed (cut off at 0 they would have a mean above 0 in a shadow).
 /// `variance`: of beta, a plane, > 0. `guide`: a plane. `pooled` (a plane a light) receives the shares,
 /// signed still, `left` what is left of the variance; neither may be the same memory as the input.
-void poolShares(std::span<const ImageView> shares, ImageView variance, ImageView guide,
+void poolShares(std::span<const ImageSpan> shares, ImageView variance, ImageView guide,
                 const SharePooling& options, std::span<const ImageSpan> pooled, ImageSpan left);
+
+/// The planes of an image of shares.
+[[nodiscard]] std::vector<ImageSpan> planesOf(Image& shares);
+
+/// SharePooling::guideStep for a guide that is the root of the set's brightness (its noise is the same
+/// everywhere, a quarter of the slope of the variance): a tenth of a bright part of the set, and noise.
+[[nodiscard]] float guideStep(ImageView guide, const NoiseModel& noise);
 
 /// Signed shares to shares: >= 0, sum 1.
 void cutShares(std::span<const ImageSpan> shares);
