@@ -1,6 +1,8 @@
 #include "app/lighting_arguments.h"
 
 #include "core/error.h"
+#include "core/look/look.h"
+#include "core/look/rig_blend.h"
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
 
@@ -17,6 +19,16 @@ void saying(const std::string& where, const Work& work) {
   }
 }
 
+/// The rig under a look: one of the session's, else a preset, in part or whole.
+Rig withLook(const Rig& rig, const std::string& text, const std::optional<Session>& session,
+             const SolvedSet* set) {
+  const LookRequest request = lookRequestFromText(text);
+  const SavedLook* saved = session ? findSavedLook(session->document.looks, request.name) : nullptr;
+  const Rig lit =
+      saved ? saved->rig : applyLook(rig, findLook(request.name), set ? LightRatios(*set) : LightRatios());
+  return blendRigs(rig, lit, request.amount);
+}
+
 }  // namespace
 
 void LightingArguments::addTo(CLI::App& verb) {
@@ -30,6 +42,11 @@ void LightingArguments::addTo(CLI::App& verb) {
   verb.add_option("--rig", m_rig, "A rig of lights (JSON)")->type_name("FILE");
   verb.add_option("--session", m_session, "Take the rig, the view and, without SOURCE, the set of a session")
       ->type_name("FILE");
+  verb.add_option("--look", m_look,
+                  "A look: one that the session holds, or high-key, low-key, rembrandt, silhouette, "
+                  "day-for-night, cool-morning, golden-hour, moonlight, candle, neon; with an amount from 0 "
+                  "to 1 after a colon. Lights that --light names are set after it")
+      ->type_name("NAME[:AMOUNT]");
   m_edits.addTo(verb);
   verb.add_option("--ambient", m_ambient, "Factor on what no light explains (default: 1)")
       ->check(CLI::Range(0.0, 1e9).description(""))
@@ -49,10 +66,12 @@ std::filesystem::path LightingArguments::source(const std::optional<Session>& se
   throw InputError("say what to relight: a solved set, a capture, or a session that names one");
 }
 
-Rig LightingArguments::rig(const std::optional<Session>& session, const Capture& capture) const {
+Rig LightingArguments::rig(const std::optional<Session>& session, const Capture& capture,
+                           const SolvedSet* set) const {
   Rig rig = defaultRig(capture);
   if (session) saying("session", [&] { rig = rigFor(capture, session->document.rig); });
   if (!m_rig.empty()) saying(m_rig, [&] { rig = rigFor(capture, readRig(m_rig)); });
+  if (!m_look.empty()) saying("--look", [&] { rig = withLook(rig, m_look, session, set); });
   for (const std::string& text : m_lights) {
     const size_t equals = text.find('=');
     if (equals == std::string::npos)

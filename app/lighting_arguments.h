@@ -23,9 +23,11 @@ class LightingArguments {
   [[nodiscard]] std::optional<Session> session() const;
   /// The set's file. Throws InputError where nothing names one.
   [[nodiscard]] std::filesystem::path source(const std::optional<Session>& session) const;
-  /// The rig of the session, that of the rig file, and the command line's, one over the other. Throws
-  /// InputError that begins with where the mistake is.
-  [[nodiscard]] Rig rig(const std::optional<Session>& session, const Capture& capture) const;
+  /// The rig of the session, that of the rig file, the look, and the command line's lights, one over the
+  /// other. Without a solved set only what can be wrong is found out. Throws InputError that begins with
+  /// where the mistake is.
+  [[nodiscard]] Rig rig(const std::optional<Session>& session, const Capture& capture,
+                        const SolvedSet* set = nullptr) const;
   /// How a capture is solved: as the command line says, else as the session does.
   [[nodiscard]] SolveOptions solveOptions(const std::optional<Session>& session) const;
   /// Says what is wrong with the rig before a capture is solved, where that can be known.
@@ -38,6 +40,7 @@ class LightingArguments {
   std::vector<std::string> m_lights;
   std::string m_rig;
   std::string m_session;
+  std::string m_look;
   std::optional<float> m_ambient;
   EditArguments m_edits;
   SolveArguments m_solve;

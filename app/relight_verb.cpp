@@ -39,7 +39,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 
   const Progress progress = terminal.progress();
   const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.8F));
-  const Rig rig = arguments.lighting.rig(session, set.capture);
+  const Rig rig = arguments.lighting.rig(session, set.capture, &set);
   exportFrame(set, rig, arguments.frame, output, progress.part(0.9F, 1));
 
   const Json json{{"frame", arguments.frame}, {"source", source.string()},       {"width", set.width()},
