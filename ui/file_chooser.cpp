@@ -125,11 +125,17 @@ bool FileChooser::drawEntries(float height) {
   return done;
 }
 
+const char* FileChooser::fieldHint(const Question& question) {
+  if (question.forFolder) return "The folder above, or type another";
+  return question.saving ? "File name" : "File name or path";
+}
+
 void FileChooser::choose() {
   const fs::path typed = m_name;
   fs::path file = typed.is_absolute() ? typed : m_folder / typed;
   std::error_code ignored;
-  if (fs::is_directory(file, ignored)) {
+  if (m_question->forFolder && !fs::is_directory(file, ignored)) file = m_folder;
+  if (!m_question->forFolder && fs::is_directory(file, ignored)) {
     m_name.clear();
     goTo(file);
     return;
@@ -174,13 +180,14 @@ void FileChooser::draw() {
   const float button = px(110);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button + ImGui::GetStyle().ItemSpacing.x));
   if (!m_opened) ImGui::SetKeyboardFocusHere();
-  if (ImGui::InputTextWithHint("##name", m_question->saving ? "File name" : "File name or path", &m_name,
+  if (ImGui::InputTextWithHint("##name", fieldHint(*m_question), &m_name,
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll))
     done = true;
   markItem("chooser.name");
   m_opened = true;
   ImGui::SameLine();
-  ImGui::BeginDisabled(m_name.empty());
+  const bool complete = m_question->forFolder || !m_name.empty();
+  ImGui::BeginDisabled(!complete);
   if (ImGui::Button(m_question->button.c_str(), ImVec2(button, 0))) done = true;
   ImGui::EndDisabled();
   markItem("chooser.accept");
@@ -189,7 +196,7 @@ void FileChooser::draw() {
       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
     m_question.reset();
     ImGui::CloseCurrentPopup();
-  } else if (done && !m_name.empty()) {
+  } else if (done && complete) {
     choose();
   }
   ImGui::EndPopup();

@@ -19,6 +19,7 @@ class FileChooser {
     std::string name;                     ///< suggested, when saving
     std::filesystem::path folder;         ///< where to begin; empty: where the last question ended
     std::function<void(const std::filesystem::path&)> answer;
+    bool forFolder = false;  ///< the folder that is shown is the answer; files are only listed
   };
 
   void ask(Question question);
@@ -37,6 +38,7 @@ class FileChooser {
   void drawPath();
   bool drawEntries(float height);
   void choose();
+  static const char* fieldHint(const Question& question);
 
   std::optional<Question> m_question;
   bool m_opened = false;

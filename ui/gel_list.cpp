@@ -49,9 +49,7 @@ bool gelLine(const Gel& gel, bool current) {
 
 }  // namespace
 
-std::optional<std::string> gelCombo(const char* id, const std::string& current, std::string& filter,
-                                    const ActionTable& actions) {
-  if (!ImGui::BeginCombo(id, gelWords(current).c_str(), ImGuiComboFlags_HeightLarge)) return std::nullopt;
+std::optional<std::string> gelChoices(const std::string& current, std::string& filter) {
   std::optional<std::string> chosen;
   if (ImGui::IsWindowAppearing()) {
     filter.clear();
@@ -61,7 +59,6 @@ std::optional<std::string> gelCombo(const char* id, const std::string& current, 
   const bool entered = ImGui::InputTextWithHint("##filter", "Maker's letter and number, or name", &filter,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   markItem("gel.filter");
-  if (ImGui::Selectable("      none", current.empty())) chosen = "";
   try {
     for (const Gel& gel : allGels()) {
       if (!matches(gel, filter)) continue;
@@ -70,6 +67,15 @@ std::optional<std::string> gelCombo(const char* id, const std::string& current, 
   } catch (const InputError& error) {
     ImGui::TextWrapped("%s", error.what());
   }
+  return chosen;
+}
+
+std::optional<std::string> gelCombo(const char* id, const std::string& current, std::string& filter,
+                                    const ActionTable& actions) {
+  if (!ImGui::BeginCombo(id, gelWords(current).c_str(), ImGuiComboFlags_HeightLarge)) return std::nullopt;
+  std::optional<std::string> chosen;
+  if (ImGui::Selectable("      none", current.empty())) chosen = "";
+  if (const auto gel = gelChoices(current, filter)) chosen = gel;
   ImGui::Separator();
   actionMenuItem(actions, "mixer.import_gels");
   if (chosen) ImGui::CloseCurrentPopup();

@@ -218,21 +218,17 @@ class GlfwScreen : public Screen {
     m_keyboard.presses.push_back({name, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0,
                                   (mods & GLFW_MOD_ALT) != 0, action == GLFW_REPEAT});
     ImGui_ImplGlfw_KeyCallback(m_window, key, scancode, action, mods);
-    m_pressed.insert(key);
+    if (action == GLFW_PRESS) m_pressed = true;
   }
 
-  // Dear ImGui samples the keys once a frame: a key that went down and up in between would be missed, so a
-  // release waits until the press has been seen.
+  // Dear ImGui samples the keys once a frame: a key that went down and up in between would be missed, and so
+  // would the Ctrl that was let go before its A. What is released waits until what was pressed has been seen.
   void releaseKeys() {
-    std::vector<Release> later;
-    for (const Release& release : m_releases) {
-      if (m_pressed.count(release.key) > 0)
-        later.push_back(release);
-      else
+    if (!std::exchange(m_pressed, false)) {
+      for (const Release& release : m_releases)
         ImGui_ImplGlfw_KeyCallback(m_window, release.key, release.scancode, GLFW_RELEASE, release.mods);
+      m_releases.clear();
     }
-    m_releases = std::move(later);
-    m_pressed.clear();
   }
 
   struct Release {
@@ -242,7 +238,7 @@ class GlfwScreen : public Screen {
   GlfwWindow m_window;
   std::atomic<bool> m_woken{false};
   std::vector<Release> m_releases;
-  std::set<int> m_pressed;
+  bool m_pressed = false;  ///< a key, since the last frame
   int m_place[4] = {100, 100, 1280, 720};
   bool m_keepPixels = false;
   std::vector<uint8_t> m_pixels;

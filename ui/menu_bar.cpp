@@ -20,8 +20,8 @@ struct Menu {
 const std::vector<Menu>& menus() {
   static const std::vector<Menu> all = {
       {"File",
-       {"file.open", "recent", "-", "file.save", "file.save_as", "-", "file.export", "-", "file.close",
-        "file.quit"}},
+       {"file.new", "file.open", "recent", "-", "file.save", "file.save_as", "-", "file.export", "-",
+        "file.close", "file.quit"}},
       {"Edit", {"edit.undo", "edit.redo", "edit.history"}},
       {"Lights",
        {"light.solo",

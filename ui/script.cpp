@@ -45,7 +45,7 @@ void Script::step(StudioWindow& studio) {
       --m_frames;
       return;
     }
-    if (studio.context().sets.busy()) return;
+    if (studio.busy()) return;
     if (!m_mouse.empty()) {
       const MouseState mouse = m_mouse.front();
       m_mouse.pop_front();
@@ -103,7 +103,7 @@ bool Script::run(StudioWindow& studio, const Line& line) {
   std::getline(words >> std::ws, argument);
   StudioContext& context = studio.context();
   if (command == "open") {
-    context.session.open(argument);
+    studio.open(argument);
   } else if (command == "wait") {
     m_frames = kSettleFrames;
   } else if (command == "frames") {

@@ -43,7 +43,7 @@ void run(Screen& screen, StudioWindow& studio, const StudioOptions& options) {
     studio.update();
     const bool scripted = script && !script->done();
     if (scripted) script->step(studio);
-    const bool busy = studio.context().sets.busy();
+    const bool busy = studio.busy();
     if (!busy && (scripted || !options.screenshot.empty())) screen.requestFrames(1);
     if (screen.frameWanted()) studio.frame();
     if (options.screenshot.empty() || scripted || busy) continue;
@@ -67,7 +67,7 @@ void runStudio(const StudioOptions& options) {
   if (!options.layoutProbe.empty()) probeLayout(options.layoutProbe);
   if (!options.script.empty()) rememberLayout();
   StudioWindow studio(*screen, options);
-  if (!options.file.empty()) studio.context().session.open(options.file);
+  if (!options.file.empty()) studio.open(options.file);
   run(*screen, studio, options);
 }
 

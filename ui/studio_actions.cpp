@@ -14,6 +14,9 @@ void StudioWindow::addActions() {
 void StudioWindow::addFileActions() {
   const auto hasDocument = [this] { return m_session.hasDocument(); };
   const auto hasSet = [this] { return m_session.set() != nullptr; };
+  m_actions.add({"file.new", "New from photographs \u2026", "Ctrl+N",
+                 "Bring in a folder of photographs: say what the lights were, and solve it.",
+                 [this] { whenSaved([this] { askForPhotographs(); }); }});
   m_actions.add({"file.open", "Open …", "Ctrl+O", "Open a capture, a solved set or a session.",
                  [this] { whenSaved([this] { askForFile(); }); }});
   m_actions.add({"file.save", "Save", "Ctrl+S", "Save the session.",

@@ -43,6 +43,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
                 *m_pictures, m_actions, m_messages, m_screen.keyboard(), m_shown,
                 m_mixer,     m_tool,    m_viewer,   m_subjects,          m_table,
                 m_looks},
+      m_wizard([&screen] { screen.wake(); }),
       m_keys(configFolder() / "keys.txt") {
   addActions();
   try {
@@ -85,7 +86,25 @@ void StudioWindow::askForFile() {
                  false,
                  "",
                  m_session.hasDocument() ? m_editor.document().source.parent_path() : fs::path(),
-                 [this](const fs::path& file) { m_session.open(file); }});
+                 [this](const fs::path& file) { open(file); }});
+}
+
+void StudioWindow::askForPhotographs() {
+  FileChooser::Question question;
+  question.title = "The folder with the photographs of a set";
+  question.button = "Use folder";
+  question.extensions = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".hdr", ".dng", ".cr2",
+                         ".cr3", ".nef", ".arw", ".raf",  ".orf", ".rw2",  ".pef", ".x3f"};
+  question.forFolder = true;
+  question.answer = [this](const fs::path& folder) { m_wizard.start(folder); };
+  m_chooser.ask(std::move(question));
+}
+
+void StudioWindow::open(const fs::path& path) {
+  if (sourceKind(path) == SourceKind::Folder)
+    m_wizard.start(path);
+  else
+    m_session.open(path);
 }
 
 void StudioWindow::askForSaveName(const std::function<void()>& then) {
@@ -120,10 +139,10 @@ void StudioWindow::exportFrame(const fs::path& file) {
 void StudioWindow::update() {
   m_session.update();
   m_exports.update(m_messages);
+  m_wizard.update(m_messages);
   m_subjects.update(m_messages);
   if (m_messages.expire()) m_screen.requestFrames();
-  for (const fs::path& dropped : m_screen.takeDropped())
-    whenSaved([this, dropped] { m_session.open(dropped); });
+  for (const fs::path& dropped : m_screen.takeDropped()) whenSaved([this, dropped] { open(dropped); });
   if (m_screen.closeAsked()) askToQuit();
   const std::string title = m_session.title();
   if (title != m_title) m_screen.setTitle(title);
@@ -131,7 +150,8 @@ void StudioWindow::update() {
 }
 
 void StudioWindow::frame() {
-  const bool dialog = m_chooser.isOpen() || m_unsaved.isOpen() || m_palette.isOpen() || m_keys.isOpen();
+  const bool dialog =
+      m_chooser.isOpen() || m_wizard.isOpen() || m_unsaved.isOpen() || m_palette.isOpen() || m_keys.isOpen();
   if (!ImGui::GetIO().WantTextInput && !dialog) m_actions.runKeys(m_screen.keyboard());
   if (m_setShown != m_session.setRevision()) {
     m_subjects.forget();
@@ -158,6 +178,8 @@ void StudioWindow::frame() {
   ImGui::End();
 
   m_chooser.draw();
+  if (!m_chooser.isOpen())
+    m_wizard.draw(m_messages, [this](const fs::path& capture) { m_session.open(capture); });
   m_unsaved.draw();
   m_recovery.draw(m_session);
   m_palette.draw(m_actions);

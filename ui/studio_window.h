@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "ui/capture_wizard.h"
 #include "ui/command_palette.h"
 #include "ui/dialogs.h"
 #include "ui/export_controller.h"
@@ -28,6 +29,11 @@ class StudioWindow {
   /// What goes on between frames: threads, recovery, dropped files.
   void update();
 
+  /// Opens a capture, a solved set or a session; a folder of photographs is brought in.
+  void open(const std::filesystem::path& path);
+  /// Something is being read, solved or guessed.
+  [[nodiscard]] bool busy() const { return m_sets.busy() || m_wizard.busy(); }
+
   /// Ends the studio, after asking what to do with unsaved work.
   void askToQuit();
   /// Ends it without asking.
@@ -50,6 +56,7 @@ class StudioWindow {
   /// Does it at once, or after the person has decided about unsaved work.
   void whenSaved(const std::function<void()>& then);
   void askForFile();
+  void askForPhotographs();
   void askForSaveName(const std::function<void()>& then);
   void askForExport();
   void askForGels();
@@ -82,6 +89,7 @@ class StudioWindow {
   StudioContext m_context;
 
   FileChooser m_chooser;
+  CaptureWizard m_wizard;
   UnsavedDialog m_unsaved;
   RecoveryDialog m_recovery;
   CommandPalette m_palette;

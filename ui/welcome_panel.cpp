@@ -53,7 +53,7 @@ void drawWelcomePanel(StudioContext& studio, const std::vector<fs::path>& sample
   ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + room.x, at.y + room.y), kViewerGround);
   const float width = std::min(px(440), room.x - px(40));
   const float lines = static_cast<float>(std::min(studio.session.recent().files().size(), kRecentShown));
-  const float height = px(260) + 2 * px(46) + lines * px(26);
+  const float height = px(260) + 3 * px(46) + lines * px(26);
   ImGui::SetCursorPos(ImVec2((room.x - width) / 2, std::max(px(20), (room.y - height) / 2)));
   ImGui::BeginGroup();
   ImGui::PushFont(fonts().title);
@@ -69,6 +69,8 @@ void drawWelcomePanel(StudioContext& studio, const std::vector<fs::path>& sample
   if (wideButton(kIconOpen, "Open a capture, a solved set or a session …", width))
     studio.actions.run("file.open");
   markItem("welcome.open");
+  if (wideButton(kIconPhoto, "Bring in photographs of your own …", width)) studio.actions.run("file.new");
+  markItem("welcome.new");
   for (const fs::path& sample : samples) {
     const std::string name = sample.parent_path().filename().string();
     ImGui::PushID(name.c_str());

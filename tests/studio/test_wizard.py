@@ -1,0 +1,132 @@
+"""Bringing in a folder of photographs in a real window: dropped or chosen, colours typed, picked, guessed, unknown."""
+import json
+import os
+import shutil
+import unittest
+
+import numpy as np
+import OpenImageIO as oiio
+
+from drop_files import drop_files
+from studio_session import SAMPLES, StudioTest
+
+
+class Wizard(StudioTest):
+    def setUp(self):
+        super().setUp()
+        self.shots = self.path('shots')
+        os.makedirs(self.shots)
+
+    def photographs(self, sample):
+        with open(os.path.join(SAMPLES, sample, 'capture.json')) as file:
+            manifest = json.load(file)
+        for shot in manifest['shots']:
+            shutil.copy(os.path.join(SAMPLES, sample, shot['image']), self.shots)
+        return manifest
+
+    def drop(self):
+        drop_files(self.display.name, 'Swaplight', [self.shots], 500, 300)
+        self.studio.item('wizard.cell.0.0')
+        self.studio.settle()
+
+    def fill_in(self, shot, *texts):
+        for light, text in enumerate(texts):
+            self.studio.click(f'wizard.cell.{shot}.{light}', 0.3)
+            self.studio.key('ctrl+a')
+            self.studio.type(text)
+
+    def written(self):
+        with open(os.path.join(self.shots, 'capture.json')) as file:
+            return json.load(file)
+
+    def test_dropped_photographs_become_a_solved_picture(self):
+        manifest = self.photographs('three_point')
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        studio.screenshot('wizard_dropped')
+        self.fill_in(0, *('/'.join(map(str, color)) for color in manifest['shots'][0]['light_colors']))
+        studio.click('wizard.guess')
+        studio.wait(lambda layout: 'guessed from the pictures' in layout.get('wizard.guess_words', ''), 'the guess')
+        studio.screenshot('wizard_guessed')
+        studio.click('wizard.solve')
+        studio.wait_ready()
+        self.assertEqual([shot['light_colors'] for shot in self.written()['shots']],
+                         [shot['light_colors'] for shot in manifest['shots']])
+        studio.move(640, 15)
+        picture = studio.picture('wizard_solved')
+        studio.quit()
+        self.open_sample()
+        self.studio.move(640, 15)
+        self.assertLess(np.abs(self.studio.picture('wizard_sample') - picture).mean(), 0.5)
+
+    def test_a_chosen_folder_with_an_unknown_colour(self):
+        manifest = self.photographs('two_swapped')
+        studio = self.start()
+        studio.item('welcome.new')
+        studio.key('ctrl+n')
+        studio.item('chooser.name')
+        studio.type(self.shots)
+        studio.screenshot('wizard_chooser')
+        studio.key('Return')
+        studio.item('wizard.cell.0.0')
+        studio.settle()
+        before = int(studio.state('wizard.warnings'))
+        colors = [['/'.join(map(str, color)) for color in shot['light_colors']] for shot in manifest['shots']]
+        self.fill_in(0, colors[0][0])
+        studio.click('wizard.cell.0.1.list')
+        studio.click('wizard.choose.unknown')
+        self.fill_in(1, *colors[1])
+        studio.click('wizard.light.0')
+        studio.key('ctrl+a')
+        studio.type('lamp')
+        studio.wait(lambda layout: int(layout.get('wizard.warnings', 0)) > before, 'what is assumed is said')
+        studio.screenshot('wizard_unknown')
+        studio.click('wizard.solve')
+        studio.wait_ready()
+        capture = self.written()
+        self.assertEqual([light['name'] for light in capture['lights']], ['lamp', 'fill'])
+        self.assertIsNone(capture['shots'][0]['light_colors'][1])
+        self.assertGreater(studio.picture('wizard_unknown_solved').std(), 15)
+
+    def test_a_gel_from_the_list_and_a_colour_from_a_white_card(self):
+        rng = np.random.default_rng(5)
+        for k, color in enumerate(([.8, .3, .1], [.1, .3, .8])):
+            pixels = rng.uniform(.02, .2, (90, 160, 3)).astype(np.float32)
+            pixels[30:60, 60:100] = color
+            spec = oiio.ImageSpec(160, 90, 3, 'float')
+            output = oiio.ImageOutput.create(os.path.join(self.shots, f'{k + 1}.exr'))
+            self.assertTrue(output.open(os.path.join(self.shots, f'{k + 1}.exr'), spec) and output.write_image(pixels))
+            output.close()
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        for k in range(2):
+            studio.click(f'wizard.cell.{k}.0.pick')
+            studio.click(f'wizard.picture.{k}')
+        studio.click('wizard.cell.0.1.list')
+        studio.type('L201')
+        studio.click('gel.L201')
+        studio.screenshot('wizard_picked')
+        self.fill_in(1, '0.1/0.3/0.8', 'L9999')
+        studio.click('wizard.solve')
+        studio.screenshot('wizard_wrong_gel')
+        self.assertFalse(os.path.exists(os.path.join(self.shots, 'capture.json')), 'a gel that is not there')
+        self.fill_in(1, '0.1/0.3/0.8', 'L106')
+        studio.click('wizard.solve')
+        studio.wait_ready()
+        colors = [shot['light_colors'] for shot in self.written()['shots']]
+        np.testing.assert_allclose(colors[0][0], [.8, .3, .1], atol=1e-3)
+        self.assertGreater(colors[0][1][2], colors[0][1][0], 'L201 is blue')
+
+    def test_what_has_no_photographs_is_said(self):
+        studio = self.start()
+        studio.item('welcome.open')
+        drop_files(self.display.name, 'Swaplight', [self.shots], 500, 300)
+        studio.item('message.0')
+        studio.screenshot('wizard_nothing')
+        self.assertFalse(studio.has('wizard.cell.0.0'))
+
+
+if __name__ == '__main__':
+    unittest.main()
