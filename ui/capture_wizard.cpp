@@ -202,7 +202,7 @@ void CaptureWizard::drawWarnings(float height) {
 void CaptureWizard::drawFooter(Messages& messages, const std::function<void(const fs::path&)>& solve) {
   const std::string wrong = mistake();
   const bool exists = fs::exists(m_found->folder.folder / "capture.json");
-  if (exists) {
+  if (exists && wrong.empty()) {
     ImGui::Checkbox("Replace the capture.json that is there", &m_replace);
     markItem("wizard.replace");
   } else {

@@ -104,6 +104,8 @@ bool Script::run(StudioWindow& studio, const Line& line) {
   StudioContext& context = studio.context();
   if (command == "open") {
     studio.open(argument);
+  } else if (command == "bring_in") {
+    studio.bringIn(argument);
   } else if (command == "wait") {
     m_frames = kSettleFrames;
   } else if (command == "frames") {

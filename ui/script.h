@@ -10,7 +10,7 @@
 namespace swaplight {
 
 /// Commands for the studio, one a line, for demonstrations, screenshots and tests. `#` begins a comment.
-///   open FILE              wait                   frames N
+///   open FILE              bring_in FOLDER        wait                   frames N
 ///   action ID              light NAME SETTING     select NAME
 ///   save FILE              export FILE            screenshot FILE
 ///   sleep SECONDS          say TEXT               quit

@@ -156,6 +156,7 @@ void StudioWindow::frame() {
   if (m_setShown != m_session.setRevision()) {
     m_subjects.forget();
     m_viewer = {};
+    m_looks = {};
   }
   if (m_setShown != m_session.setRevision() || m_subjectsShown != m_subjects.revision()) m_pictures->forget();
   m_setShown = m_session.setRevision();

@@ -31,6 +31,8 @@ class StudioWindow {
 
   /// Opens a capture, a solved set or a session; a folder of photographs is brought in.
   void open(const std::filesystem::path& path);
+  /// Shows the wizard for a folder of photographs, whether or not there is a capture in it.
+  void bringIn(const std::filesystem::path& folder) { m_wizard.start(folder); }
   /// Something is being read, solved or guessed.
   [[nodiscard]] bool busy() const { return m_sets.busy() || m_wizard.busy(); }
 

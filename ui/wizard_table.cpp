@@ -101,10 +101,10 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
     m_picking = picking ? std::nullopt : std::optional(std::pair(shot, light));
   markItem(mark + ".pick");
   ImGui::SameLine(0, px(4));
-  if (toggleButton(kIconDown, false, kAccent, side, "Gels, off, unknown")) ImGui::OpenPopup("##gels");
+  if (toggleButton(kIconDown, false, kAccent, side, "Gels, white, off, unknown")) ImGui::OpenPopup("##gels");
   markItem(mark + ".list");
   if (ImGui::BeginPopup("##gels")) {
-    for (const char* word : {"off", "unknown"}) {
+    for (const char* word : {"white", "off", "unknown"}) {
       if (ImGui::Selectable(fmt::format("      {}", word).c_str(), cell.text == word)) cell = {word, false};
       markItem(std::string("wizard.choose.") + word);
     }

@@ -52,7 +52,7 @@ void setFactor(LightSetting& light, const Rgb& factor, const LightColor* color) 
 
 Rig blendRigs(const Rig& from, const Rig& to, float amount) {
   if (amount <= 0) return from;
-  const Rig end = endOf(from, to);
+  Rig end = endOf(from, to);
   if (amount >= 1) return end;
   const std::vector<Rgb> starts = rigFactors(from), ends = rigFactors(end);
   Rig blended = from;

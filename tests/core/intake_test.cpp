@@ -29,6 +29,7 @@ void writePicture(const std::filesystem::path& file, const std::map<std::string,
 
 std::vector<std::string> filesOf(const ShotFolder& folder) {
   std::vector<std::string> files;
+  files.reserve(folder.shots.size());
   for (const FoundShot& shot : folder.shots) files.push_back(shot.file);
   return files;
 }
@@ -101,12 +102,14 @@ CaptureDraft draftFor(const Capture& capture) {
   for (size_t k = 0; k < capture.shots.size(); ++k)
     folder.shots.push_back({fmt::format("{}.exr", k + 1), "", "lin_rec709", "openexr", 128, 64, {}});
   std::vector<std::string> names;
+  names.reserve(capture.lights.size());
   for (const Light& light : capture.lights) names.push_back(light.name);
   return draftOf(folder, names);
 }
 
 std::vector<ShotColor> ringOf(int lights) {
   std::vector<ShotColor> ring;
+  ring.reserve(static_cast<size_t>(lights));
   for (int i = 0; i < lights; ++i) ring.push_back(shotColorFromRgb(defaultColors()[static_cast<size_t>(i)]));
   return ring;
 }
