@@ -167,8 +167,8 @@ void GalleryPanel::drawLook(StudioContext& studio, size_t index, float height) {
   draw->AddRectFilled(at, high, kViewerGround);
   const ImVec2 corner(at.x + std::floor((size.x - static_cast<float>(width)) / 2),
                       at.y + std::floor((size.y - static_cast<float>(rows)) / 2));
-  draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)), corner,
-                 ImVec2(corner.x + static_cast<float>(width), corner.y + static_cast<float>(rows)));
+  drawTexture(texture, corner,
+              ImVec2(corner.x + static_cast<float>(width), corner.y + static_cast<float>(rows)));
   const bool current = blendRigs(studio.document().rig, look.rig, 1) == studio.document().rig;
   if (current || ImGui::IsItemHovered()) draw->AddRect(at, high, current ? kAccent : kText, 0, 0, px(2));
   const float side = px(kNameHeight);

@@ -33,12 +33,7 @@ class Plot {
   [[nodiscard]] ImVec2 at(float x, float y) const {
     return {m_low.x + x * (m_high.x - m_low.x), m_high.y - y * (m_high.y - m_low.y)};
   }
-  void image(unsigned texture) const {
-    if (texture != 0)
-      m_draw->AddImage(
-          reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)),  // NOLINT: as ImGui asks
-          m_low, m_high);
-  }
+  void image(unsigned texture) const { drawTexture(texture, m_low, m_high); }
   void line(float x0, float y0, float x1, float y1, ImU32 color = kGrid) const {
     m_draw->AddLine(at(x0, y0), at(x1, y1), color, std::max(1.0F, px(1)));
   }

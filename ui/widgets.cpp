@@ -84,6 +84,12 @@ ImU32 colorU32(const Rgb& codes, float alpha) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(codes.r, codes.g, codes.b, alpha));
 }
 
+void drawTexture(unsigned texture, ImVec2 low, ImVec2 high) {
+  if (texture == 0) return;
+  const auto id = reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture));  // NOLINT: as ImGui asks
+  ImGui::GetWindowDrawList()->AddImage(id, low, high);
+}
+
 void tooltip(const char* text) {
   if (text && *text && ImGui::IsItemHovered() && GImGui->HoveredIdTimer > kTooltipDelay) {
     ImGui::BeginTooltip();

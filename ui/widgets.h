@@ -43,6 +43,9 @@ void tooltip(const char* text);
 void splitter(const char* id, bool vertical, float thickness, float extent, float* length, float low,
               float high, float sign);
 
+/// A texture of OpenGL from corner to corner, where the panel is drawn now.
+void drawTexture(unsigned texture, ImVec2 low, ImVec2 high);
+
 [[nodiscard]] ImU32 colorU32(const Rgb& codes, float alpha = 1);
 
 }  // namespace swaplight

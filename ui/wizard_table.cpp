@@ -50,9 +50,7 @@ void CaptureWizard::drawThumbnail(size_t shot) {
   const bool clicked = ImGui::InvisibleButton("##picture", size);
   markItem(fmt::format("wizard.picture.{}", shot));
   const bool picking = m_picking && m_picking->first == shot;
-  ImGui::GetWindowDrawList()->AddImage(
-      reinterpret_cast<ImTextureID>(static_cast<intptr_t>(m_textures[shot].id())), at,
-      ImVec2(at.x + size.x, at.y + size.y));
+  drawTexture(m_textures[shot].id(), at, ImVec2(at.x + size.x, at.y + size.y));
   if (picking)
     ImGui::GetWindowDrawList()->AddRect(at, ImVec2(at.x + size.x, at.y + size.y), kAccent, 0, 0, px(2));
   if (!picking || !clicked) return;
