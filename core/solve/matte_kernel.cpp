@@ -160,6 +160,31 @@ SWAPLIGHT_LANES void curvature(const Normal<kN>& normal, const At<kN>& at, int n
   }
 }
 
+/// The Newton step at u, lights that stay at zero held.
+template <int kN>
+SWAPLIGHT_LANES void newtonStep(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u,
+                                Lanes* step) {
+  if constexpr (kN == 2) {
+    // Two shares have one direction to go: what one gains the other loses.
+    Lanes slope = splat(0);
+    Lanes bend = splat(kTiny);
+    for (int c = 0; c < 3; ++c) {
+      const Lanes along = at.qu[c][0] - at.qu[c][1];
+      slope += at.rho[c] * (normal.p[c][0] - normal.p[c][1] - at.rho[c] * along);
+      const Lanes power = at.rho[c] * at.rho[c];
+      bend += power * (normal.q[c][0] - 2 * normal.q[c][1] + normal.q[c][2] - at.inverse[c] * along * along);
+    }
+    const LaneMask held = ((u[0] <= 0) & (slope <= 0)) | ((u[1] <= 0) & (slope >= 0));
+    step[0] = select(held, splat(0), slope / bend);
+    step[1] = -step[0];
+  } else {
+    Lanes h[kN * (kN + 1) / 2];
+    curvature<kN>(normal, at, n, u, true, h, step);
+    factorCholesky<kN>(n, h);
+    solveCholesky<kN>(n, h, step);
+  }
+}
+
 /// The variances of MatteRun, from the factored curvature at the maximum.
 template <int kN>
 SWAPLIGHT_LANES void variances(const MattePlan& plan, const Normal<kN>& normal, const At<kN>& at, int n,
@@ -277,11 +302,8 @@ SWAPLIGHT_LANES void fitRun(const MattePlan& plan, const PixelRun& in, const Mat
       for (int i = 0; i < n; ++i) best[i] = select(better, next[i], best[i]);
       if (!moving || iteration == kSteps) break;
       // The next step; a shorter one where this did not help.
-      Lanes h[kN * (kN + 1) / 2];
       Lanes newton[kN];
-      curvature<kN>(normal, there, n, next, true, h, newton);
-      factorCholesky<kN>(n, h);
-      solveCholesky<kN>(n, h, newton);
+      newtonStep<kN>(normal, there, n, next, newton);
       for (int i = 0; i < n; ++i) step[i] = select(better, newton[i], 0.25F * step[i]);
     }
     writeFit<kN>(plan, normal, n, best, out, at);
