@@ -83,7 +83,7 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) 
     for (int m = 0; m < d; ++m) m_plan.greyPower[size_t(m)] += float(grey[m] * grey[m] / n);
   }
   const float freedom = float(std::max(m_matte.freedom(), 1));
-  m_gate = freedom + 0.5F * std::sqrt(2 * freedom);
+  m_gate = freedom + 1.5F * std::sqrt(2 * freedom);
 }
 
 void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
