@@ -33,6 +33,11 @@ SWAPLIGHT_SIMD void divide(const float* __restrict factor, float* __restrict val
   for (size_t p = 0; p < count; ++p) values[p] /= factor[p];
 }
 
+/// Nothing between 0 and 1 has a variance above 1/4 (Popoviciu).
+SWAPLIGHT_SIMD void writeVariance(const float* __restrict share, float* __restrict variance, int count) {
+  for (int p = 0; p < count; ++p) variance[p] = share[p] / (1 + 4 * share[p]);
+}
+
 /// The guide of pooling: the brightness of the set in steps that noise does not depend on.
 SWAPLIGHT_SIMD void writeGuide(const float* __restrict red, const float* __restrict green,
                                const float* __restrict blue, float* __restrict guide, int count) {
@@ -51,9 +56,9 @@ void poolTwice(const NoiseModel& noise, SolvedSet& set) {
   for (Image& contribution : set.contributions) near.push_back(contribution.span().channelRange(0, 1));
   const float step = guideStep(guide, noise);
   poolShares(shares, variance, guide, {.step = 1, .cut = 9, .guideStep = step}, near, left);
-  poolShares(near, left, guide, {.step = 2, .cut = 4, .guideStep = step, .overlap = 3.7F, .doubt = .4F},
+  poolShares(near, left, guide,
+             {.step = 2, .cut = 4, .guideStep = step, .overlap = 3.7F, .doubt = .4F, .cutAtZero = true},
              shares, variance);
-  cutShares(shares);
 }
 
 /// What a moved shot shows beyond its edge is made up: no evidence against the matte model.
@@ -97,7 +102,7 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
   eachRun(0.1F, 0.5F, [&](size_t first, const PixelRun& in, const MatteRun& fit) {
     shrinkage.matte().fit(in, fit);
     std::copy_n(fit.misfit, in.count, misfit + first);
-    std::copy_n(fit.shareVariance, in.count, variance + first);
+    writeVariance(fit.shareVariance, variance + first, in.count);
     for (int i = 0; i < lights; ++i) std::copy_n(fit.share[i], in.count, set.beta.plane(i) + first);
     if (guide)
       writeGuide(fit.reflectance[0], fit.reflectance[1], fit.reflectance[2], guide + first, in.count);

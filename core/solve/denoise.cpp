@@ -50,12 +50,12 @@ void denoiseGuided(SolvedSet& set, const EstimatorContext& context, int radius) 
   Image left = plane(set.beta.spec());
   const float step = guideStep(guide.view(), context.noise);
   for (int reach = 1; 2 * reach <= radius; reach *= 2) {
-    poolShares(planesOf(smooth), variance.view(), guide.view(), {.step = reach, .cut = 4, .guideStep = step},
-               planesOf(other), left.span());
+    poolShares(planesOf(smooth), variance.view(), guide.view(),
+               {.step = reach, .cut = 4, .guideStep = step, .cutAtZero = 4 * reach > radius}, planesOf(other),
+               left.span());
     std::swap(smooth, other);
     std::swap(variance, left);
   }
-  cutShares(planesOf(smooth));
 
   parallelRows(height, 32, [&](int begin, int end) {
     std::vector<float> after(static_cast<size_t>(lights));

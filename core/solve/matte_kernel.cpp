@@ -7,7 +7,7 @@ namespace swaplight::SWAPLIGHT_LEVEL {
 namespace {
 
 constexpr int kSteps = 5;          // Gauss-Newton steps; from the ridge guess, three are usually enough
-constexpr float kGain = 1e-2F;     // of chi-square: a step that gains less is the last
+constexpr float kGain = 2e-3F;     // of chi-square: a step that gains less is the last
 constexpr float kDamping = 1e-5F;  // relative to the mean curvature
 constexpr float kTiny = 1e-20F;
 constexpr float kWorst = 1e4F;  // a variance beyond which nothing is known at all

@@ -39,7 +39,9 @@ SWAPLIGHT_SIMD void cut(float* const* planes, int lights, int count) {
 class Band {
  public:
   Band(int lights, int width, const SharePooling& options)
-      : m_margin(kPoolRadius * options.step), m_width((width + kLanes - 1) / kLanes * kLanes) {
+      : m_margin(kPoolRadius * options.step),
+        m_width((width + kLanes - 1) / kLanes * kLanes),
+        m_cutAtZero(options.cutAtZero) {
     m_band.lights = lights;
     m_band.stride = m_width + 2 * m_margin;
     m_band.step = options.step;
@@ -54,19 +56,22 @@ class Band {
     m_band.variance = plane(lights, 0);
     m_band.precision = plane(lights + 1, 0);
     m_band.guide = plane(lights + 2, 0);
+    // Beyond the picture there is no weight, but a variance that can be divided by.
+    std::fill_n(plane(lights, -m_margin) - m_margin, size_t(m_rows) * size_t(m_band.stride), 1.0F);
   }
 
   void load(std::span<const ImageSpan> shares, ImageView variance, ImageView guide, int top) {
-    std::fill(m_data.begin(), m_data.end(), 0.0F);
     const int lights = m_band.lights;
-    // Beyond the picture: no weight, but a variance that can be divided by.
-    std::fill_n(plane(lights, -m_margin) - m_margin, size_t(m_rows) * size_t(m_band.stride), 1.0F);
-    const int last = std::min(top + kBand + m_margin, variance.height);
-    for (int y = std::max(top - m_margin, 0); y < last; ++y) {
+    for (int row = -m_margin; row < kBand + m_margin; ++row) {
+      const int y = top + row;
+      if (y < 0 || y >= variance.height) {
+        std::fill_n(plane(lights + 1, row), m_width, 0.0F);  // no weight beyond the picture
+        continue;
+      }
       for (int i = 0; i < lights; ++i)
-        std::copy_n(shares[size_t(i)].row(0, y), variance.width, plane(i, y - top));
-      invert(variance.row(0, y), plane(lights, y - top), plane(lights + 1, y - top), variance.width);
-      std::copy_n(guide.row(0, y), variance.width, plane(lights + 2, y - top));
+        std::copy_n(shares[size_t(i)].row(0, y), variance.width, plane(i, row));
+      invert(variance.row(0, y), plane(lights, row), plane(lights + 1, row), variance.width);
+      std::copy_n(guide.row(0, y), variance.width, plane(lights + 2, row));
     }
   }
 
@@ -75,6 +80,7 @@ class Band {
     for (int i = 0; i < m_band.lights; ++i) out[size_t(i)] = m_row.data() + size_t(i) * size_t(m_width);
     float* variance = m_row.data() + size_t(m_band.lights) * size_t(m_width);
     SWAPLIGHT_KERNEL(poolRow)(m_band, row, m_width, out.data(), variance);
+    if (m_cutAtZero) cut(out.data(), m_band.lights, left.width);
     for (int i = 0; i < m_band.lights; ++i)
       std::copy_n(out[size_t(i)], left.width, pooled[size_t(i)].row(0, top + row));
     std::copy_n(variance, left.width, left.row(0, top + row));
@@ -88,6 +94,7 @@ class Band {
 
   PoolBand m_band;
   int m_margin, m_width, m_rows = 0;
+  bool m_cutAtZero;
   std::vector<float> m_data, m_row;
 };
 
@@ -96,7 +103,7 @@ class Band {
 void poolShares(std::span<const ImageSpan> shares, ImageView variance, ImageView guide,
                 const SharePooling& options, std::span<const ImageSpan> pooled, ImageSpan left) {
   const int bands = (variance.height + kBand - 1) / kBand;
-  parallelRows(bands, 1, [&](int begin, int end) {
+  parallelRows(bands, 4, [&](int begin, int end) {
     Band band(int(shares.size()), variance.width, options);
     for (int b = begin; b < end; ++b) {
       const int top = b * kBand;
@@ -123,16 +130,6 @@ float guideStep(ImageView guide, const NoiseModel& noise) {
   const auto bright = sample.begin() + long(sample.size() * 95 / 100);
   std::nth_element(sample.begin(), bright, sample.end());
   return 2 * std::sqrt(kStep * kStep * *bright * *bright + noise.linear / 2);
-}
-
-void cutShares(std::span<const ImageSpan> shares) {
-  parallelRows(shares[0].height, 16, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      std::array<float*, kMaxLights> rows{};
-      for (size_t i = 0; i < shares.size(); ++i) rows[i] = shares[i].row(0, y);
-      cut(rows.data(), int(shares.size()), shares[0].width);
-    }
-  });
 }
 
 }  // namespace swaplight

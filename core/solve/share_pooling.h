@@ -15,6 +15,7 @@ struct SharePooling {
   float guideStep = .2F;  ///< difference of the guide; weights fall to nothing at both
   float overlap = 1;   ///< variance of a mean of neighbours over that of independent ones: they were pooled
   float doubt = .25F;  ///< fraction of the variance that differences too small to be seen may hide
+  bool cutAtZero = false;  ///< the pooled shares are >= 0, sum 1; else they stay signed
 };
 
 /// What a pixel's neighbours say of its proportions, where noise hides them: the mean of those that do not
@@ -25,7 +26,7 @@ struct SharePooling {
 ///
 /// `shares`: a plane a light, sum 1, signed (cut off at 0 they would have a mean above 0 in a shadow).
 /// `variance`: of beta, a plane, > 0. `guide`: a plane. `pooled` (a plane a light) receives the shares,
-/// signed still, `left` what is left of the variance; neither may be the same memory as the input.
+/// `left` what is left of the variance; neither may be the same memory as the input.
 void poolShares(std::span<const ImageSpan> shares, ImageView variance, ImageView guide,
                 const SharePooling& options, std::span<const ImageSpan> pooled, ImageSpan left);
 
@@ -35,8 +36,5 @@ void poolShares(std::span<const ImageSpan> shares, ImageView variance, ImageView
 /// SharePooling::guideStep for a guide that is the root of the set's brightness (its noise is the same
 /// everywhere, a quarter of the slope of the variance): a tenth of a bright part of the set, and noise.
 [[nodiscard]] float guideStep(ImageView guide, const NoiseModel& noise);
-
-/// Signed shares to shares: >= 0, sum 1.
-void cutShares(std::span<const ImageSpan> shares);
 
 }  // namespace swaplight

@@ -110,8 +110,7 @@ TEST(SharePooling, IsTheSameForLightsInAnotherOrder) {
 
 TEST(SharePooling, CutSharesAreSharesAgain) {
   Scene scene;
-  scene.pool();
-  cutShares(planesOf(scene.pooled));
+  scene.pool({.cutAtZero = true});
   for (size_t p = 0; p < scene.pooled.pixelCount(); ++p) {
     EXPECT_GE(scene.pooled.plane(0)[p], 0);
     EXPECT_NEAR(scene.pooled.plane(0)[p] + scene.pooled.plane(1)[p], 1, 1e-5F);
