@@ -57,6 +57,7 @@ void CaptureWizard::close() {
   m_guess.clear();
   m_picking.reset();
   m_replace = false;
+  m_solve = {};
 }
 
 void CaptureWizard::update(Messages& messages) {
@@ -154,6 +155,11 @@ void CaptureWizard::drawLights() {
   if (more) setLights(m_lights.size() + 1);
   ImGui::SameLine(0, px(16));
   hint("A colour: a gel's number, linear r/g/b, #rrggbb, 3200K, off, unknown, or picked from a white card.");
+  const float align = ImGui::CalcTextSize("Align the shots").x + 2 * side;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - align);
+  ImGui::Checkbox("Align the shots", &m_solve.align);
+  markItem("wizard.align");
+  tooltip("Where the camera moved between the shots: they are put onto the first before they are solved.");
 }
 
 void CaptureWizard::drawGuess() {
@@ -199,7 +205,7 @@ void CaptureWizard::drawWarnings(float height) {
   markState("wizard.warnings", fmt::format("{}", warnings.size()));
 }
 
-void CaptureWizard::drawFooter(Messages& messages, const std::function<void(const fs::path&)>& solve) {
+void CaptureWizard::drawFooter(Messages& messages, const Solve& solve) {
   const std::string wrong = mistake();
   const bool exists = fs::exists(m_found->folder.folder / "capture.json");
   if (exists && wrong.empty()) {
@@ -222,14 +228,15 @@ void CaptureWizard::drawFooter(Messages& messages, const std::function<void(cons
   if (!go) return;
   try {
     const fs::path written = writeDraft(draft(), m_replace);
+    const SolveOptions options = m_solve;
     close();
-    solve(written);
+    solve(written, options);
   } catch (const std::exception& error) {
     messages.error(error.what());
   }
 }
 
-void CaptureWizard::draw(Messages& messages, const std::function<void(const fs::path&)>& solve) {
+void CaptureWizard::draw(Messages& messages, const Solve& solve) {
   if (!m_folder) return;
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;

@@ -10,6 +10,7 @@
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
 #include "core/intake/shot_thumbnail.h"
+#include "core/solve/solve_options.h"
 #include "render/screen.h"
 #include "ui/job.h"
 #include "ui/messages.h"
@@ -28,8 +29,10 @@ class CaptureWizard {
   [[nodiscard]] bool busy() const { return m_reading.running() || m_guessing.running(); }
   /// To be called often: takes what the threads have finished.
   void update(Messages& messages);
-  /// Draws the dialog. `solve` is called with the capture that was written.
-  void draw(Messages& messages, const std::function<void(const std::filesystem::path&)>& solve);
+  /// Opens the capture that was written.
+  using Solve = std::function<void(const std::filesystem::path&, const SolveOptions&)>;
+  /// Draws the dialog.
+  void draw(Messages& messages, const Solve& solve);
 
  private:
   /// What was found in the folder.
@@ -59,7 +62,7 @@ class CaptureWizard {
   void drawCell(size_t shot, size_t light);
   void drawGuess();
   void drawWarnings(float height);
-  void drawFooter(Messages& messages, const std::function<void(const std::filesystem::path&)>& solve);
+  void drawFooter(Messages& messages, const Solve& solve);
 
   std::function<void()> m_wake;
   std::optional<std::filesystem::path> m_folder;
@@ -73,6 +76,7 @@ class CaptureWizard {
   std::string m_filter;                                ///< typed into the list of gels
   std::optional<std::pair<size_t, size_t>> m_picking;  ///< the cell whose colour a click takes from its shot
   bool m_replace = false;
+  SolveOptions m_solve;
 };
 
 }  // namespace swaplight

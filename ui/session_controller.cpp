@@ -44,9 +44,11 @@ SessionController::Pending SessionController::pendingFor(const fs::path& path) c
   return pending;
 }
 
-void SessionController::open(const fs::path& path) {
+void SessionController::open(const fs::path& path, const SolveOptions& solve) {
   try {
-    begin(pendingFor(path));
+    Pending pending = pendingFor(path);
+    if (pending.file.empty()) pending.session.document.solve = solve;
+    begin(std::move(pending));
   } catch (const std::exception& error) {
     m_messages.error(error.what());
   }

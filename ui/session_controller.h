@@ -23,8 +23,9 @@ class SessionController {
   SessionController(DocumentEditor& editor, ViewState& view, SetController& sets, Messages& messages,
                     const std::filesystem::path& stateFolder);
 
-  /// A capture, a solved set or a session. What goes wrong becomes a message.
-  void open(const std::filesystem::path& path);
+  /// A capture, a solved set or a session. What goes wrong becomes a message. `solve`: how a capture is
+  /// solved; a session says so itself.
+  void open(const std::filesystem::path& path, const SolveOptions& solve = {});
   /// The same without solving or reading the pictures, for a file that stopped us before.
   void openWithoutPictures(const std::filesystem::path& path);
   /// Shows a set that is there already as that of a file.

@@ -180,7 +180,9 @@ void StudioWindow::frame() {
 
   m_chooser.draw();
   if (!m_chooser.isOpen())
-    m_wizard.draw(m_messages, [this](const fs::path& capture) { m_session.open(capture); });
+    m_wizard.draw(m_messages, [this](const fs::path& capture, const SolveOptions& solve) {
+      m_session.open(capture, solve);
+    });
   m_unsaved.draw();
   m_recovery.draw(m_session);
   m_palette.draw(m_actions);

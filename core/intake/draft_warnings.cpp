@@ -50,9 +50,9 @@ std::vector<std::string> pictureWarnings(const CaptureDraft& draft, const Captur
   const std::vector<ShotShift> shifts = measureShifts(pixels);
   for (size_t k = 0; k < shifts.size(); ++k)
     if (worthMoving(shifts[k]))
-      warnings.push_back(
-          fmt::format("{}: the camera moved by {:.1f}, {:.1f} pixels against {}: solve with --align on",
-                      shots[k].file, shifts[k].x, shifts[k].y, shots[0].file));
+      warnings.push_back(fmt::format(
+          "{}: the camera moved by {:.1f}, {:.1f} pixels against {}: align the shots when they are solved",
+          shots[k].file, shifts[k].x, shifts[k].y, shots[0].file));
   for (std::string& warning : shiftWarnings(shifts)) warnings.push_back(std::move(warning));
   exposureWarnings(draft, warnings);
   return warnings;

@@ -77,6 +77,7 @@ class Wizard(StudioTest):
         studio.click('wizard.cell.0.1.list')
         studio.click('wizard.choose.unknown')
         self.fill_in(1, *colors[1])
+        studio.click('wizard.align', 0.1)
         studio.click('wizard.light.0')
         studio.key('ctrl+a')
         studio.type('lamp')
@@ -88,6 +89,15 @@ class Wizard(StudioTest):
         self.assertEqual([light['name'] for light in capture['lights']], ['lamp', 'fill'])
         self.assertIsNone(capture['shots'][0]['light_colors'][1])
         self.assertGreater(studio.picture('wizard_unknown_solved').std(), 15)
+        studio.key('ctrl+s')
+        studio.item('chooser.name')
+        studio.settle()
+        studio.key('ctrl+a')
+        studio.type(self.path('brought.swaplight'))
+        studio.key('Return')
+        studio.wait(lambda layout: layout.get('title', '').startswith('brought'), 'the session has a name')
+        with open(self.path('brought.swaplight')) as file:
+            self.assertTrue(json.load(file)['solve']['align'])
 
     def test_a_gel_from_the_list_and_a_colour_from_a_white_card(self):
         rng = np.random.default_rng(5)
