@@ -8,6 +8,7 @@ int main(int argc, char** argv) {
   addNewVerb(program);
   addSolveVerb(program);
   addRelightVerb(program);
+  addExportVerb(program);
   addEvaluateVerb(program);
   addStudioVerb(program);
   addBenchVerb(program);

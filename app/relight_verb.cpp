@@ -2,6 +2,7 @@
 #include "app/verbs.h"
 #include "core/error.h"
 #include "core/export/frame_export.h"
+#include "core/export/provenance.h"
 #include "core/file/atomic_file.h"
 #include "core/relight/setting.h"
 
@@ -30,7 +31,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   if (session)
     for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
   const std::filesystem::path source = arguments.lighting.source(session);
-  const FrameOptions output = outputOf(arguments, session);
+  FrameOptions output = outputOf(arguments, session);
 
   // Say what is wrong before the work, not after it.
   checkFrame(arguments.frame, output);
@@ -40,6 +41,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
   const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.8F));
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
+  if (isSceneLinear(arguments.frame)) output.write.text = provenanceOf(set, rig, source);
   exportFrame(set, rig, arguments.frame, output, progress.part(0.9F, 1));
 
   const Json json{{"frame", arguments.frame}, {"source", source.string()},       {"width", set.width()},

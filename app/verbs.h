@@ -9,6 +9,7 @@ namespace swaplight {
 void addInfoVerb(Program& program);
 void addSolveVerb(Program& program);
 void addRelightVerb(Program& program);
+void addExportVerb(Program& program);
 void addEvaluateVerb(Program& program);
 void addStudioVerb(Program& program);
 void addBenchVerb(Program& program);

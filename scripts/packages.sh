@@ -1,7 +1,7 @@
 # Installs the Debian packages named by its arguments, if any is missing. Sourced by scripts/demo and scripts/test.
 
 build_packages=(g++ cmake ninja-build pkg-config ccache
-  libopenimageio-dev libopencolorio-dev libopencv-dev libopencv-contrib-dev libtbb-dev libeigen3-dev zlib1g-dev libdeflate-dev libopenexr-dev
+  libopenimageio-dev libopencolorio-dev libopencv-dev libopencv-contrib-dev libtbb-dev libeigen3-dev zlib1g-dev libdeflate-dev libopenexr-dev liblcms2-dev libssl-dev
   libfmt-dev nlohmann-json3-dev libcli11-dev libglm-dev
   libglfw3-dev libimgui-dev libstb-dev libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl1 libfreetype-dev
   fonts-inter fonts-material-design-icons-iconfont)

@@ -26,6 +26,7 @@ struct Picture {
   PixelCounts counts;
   float clip = kNoClip;  ///< of integer files
   float quantum = 0;
+  std::shared_ptr<const CarriedData> carried;
   std::vector<std::string> warnings;
 };
 
@@ -77,6 +78,7 @@ Picture readPicture(const Capture& capture, const std::string& path) {
   picture.file = capture.folder / path;
   ImageFile file = readImage(picture.file);
   picture.info = std::move(file.info);
+  picture.carried = carriedData(file.image, picture.info, rgbChannels(file.image, picture.file));
   picture.image = rgbImage(std::move(file.image), picture.file);
   const std::string to = linearSpaceOf(capture.colorSpace);
   std::string from = capture.colorSpace;
@@ -155,6 +157,7 @@ CapturePixels loadCapturePixels(const Capture& capture, const Progress& progress
   checkSizes(pictures);
 
   CapturePixels pixels;
+  pixels.carried = pictures.front().carried;
   std::vector<PixelCounts> counts;
   const size_t shotCount = capture.shots.size();
   for (size_t k = 0; k < shotCount; ++k) {

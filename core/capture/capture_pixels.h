@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/capture/capture.h"
+#include "core/image/carried_data.h"
 #include "core/image/image.h"
 #include "core/progress.h"
 
@@ -24,6 +26,8 @@ struct CapturePixels {
   std::vector<float> quantum;
   /// True where the files were sRGB-encoded: the step in linear light then grows with the signal.
   bool encoded = false;
+  /// What the first shot's file holds beside its colour; may be nothing.
+  std::shared_ptr<const CarriedData> carried;
   std::vector<std::string> warnings;  ///< such as pixels that are not finite, with their number
 
   [[nodiscard]] int width() const { return shots.empty() ? 0 : shots.front().width(); }

@@ -27,6 +27,7 @@ SolvedSet emptyResult(const SolvedSet& set, const EditedLights& lights) {
   SolvedSet result;
   result.capture = set.capture;
   result.report = set.report;
+  result.carried = set.carried;
   if (set.ambient) result.ambient = set.ambient->clone();
   ImageSpec beta{lights.width, lights.height, {}, "data"};
   for (size_t i = 0; i < lights.names.size(); ++i) {

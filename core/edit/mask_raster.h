@@ -5,19 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "core/image/pixel_rect.h"
+
 namespace swaplight {
 
 constexpr int kTileSize = 256;
 
-/// A rectangle of pixels: [x, x + width) x [y, y + height).
-struct PixelRect {
-  int x = 0, y = 0, width = 0, height = 0;
-  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
-  [[nodiscard]] int right() const { return x + width; }
-  [[nodiscard]] int bottom() const { return y + height; }
-  [[nodiscard]] PixelRect grown(int by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
-  bool operator==(const PixelRect&) const = default;
-};
 [[nodiscard]] PixelRect intersection(const PixelRect& a, const PixelRect& b);
 /// The smallest rectangle that holds both; an empty one counts for nothing.
 [[nodiscard]] PixelRect enclosing(const PixelRect& a, const PixelRect& b);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/color/color_config.h"
+#include "core/color/icc_profile.h"
 #include "core/error.h"
 #include "core/image/image_format.h"
 
@@ -41,7 +42,7 @@ void checkFrame(const std::filesystem::path& file, const FrameOptions& options) 
                      fmt::join(config.views(display), ", "));
 }
 
-void writeFrame(Image frame, const std::filesystem::path& file, const FrameOptions& options) {
+void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions options) {
   checkFrame(file, options);
   const std::string space = frame.spec().colorSpace;
   const ColorConfig& config = ColorConfig::current();
@@ -50,9 +51,11 @@ void writeFrame(Image frame, const std::filesystem::path& file, const FrameOptio
     const std::string view = options.view.empty() ? config.defaultView(display) : options.view;
     config.applyView(frame.span(), space, display, view);
     frame.setColorSpace("data");
+    options.write.iccProfile = iccProfileOf(display, view);
   } else if (!options.linear && !isSceneLinear(file)) {
     config.convert(frame.span(), space, "srgb");
     frame.setColorSpace("srgb");
+    options.write.iccProfile = iccProfileOf("sRGB", "");
   }
   writeImage(frame, file, options.write);
 }

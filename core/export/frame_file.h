@@ -28,6 +28,6 @@ void checkFrame(const std::filesystem::path& file, const FrameOptions& options);
 
 /// Writes R G B of a scene-linear frame, in its colour space's primaries, to a temporary name that is then
 /// renamed. Throws InputError as checkFrame and writeImage do.
-void writeFrame(Image frame, const std::filesystem::path& file, const FrameOptions& options);
+void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions options);
 
 }  // namespace swaplight

@@ -1,11 +1,11 @@
 #include <tbb/parallel_pipeline.h>
 
 #include <algorithm>
-#include <map>
 
 #include "core/error.h"
 #include "core/image/exr_context.h"
 #include "core/image/exr_file.h"
+#include "core/image/exr_header.h"
 #include "core/image/exr_zip.h"
 #include "core/parallel.h"
 
@@ -20,13 +20,6 @@ void check(exr_result_t result, const AtomicFile& file) {
 
 exr_compression_t compressionOf(const FileToWrite& contents) {
   return contents.compression == "zips" ? EXR_COMPRESSION_ZIPS : EXR_COMPRESSION_ZIP;
-}
-
-void setText(exr_context_t exr, int part, const FileToWrite& contents, const AtomicFile& file) {
-  std::map<std::string, std::string> text = contents.text;
-  text.emplace("Software", "swaplight " SWAPLIGHT_VERSION);
-  for (const auto& [name, value] : text)
-    check(exr_attr_set_string(exr, part, name.c_str(), value.c_str()), file);
 }
 
 void setChromaticities(exr_context_t exr, int part, const FileToWrite& contents, const AtomicFile& file) {
@@ -50,16 +43,14 @@ void writeHeader(exr_context_t exr, const FileToWrite& contents, const AtomicFil
     int index = 0;
     const char* name = part.name.empty() ? nullptr : part.name.c_str();
     check(exr_add_part(exr, name, EXR_STORAGE_SCANLINE, &index), file);
-    check(exr_initialize_required_attr_simple(exr, index, contents.width, contents.height,
-                                              compressionOf(contents)),
-          file);
+    check(setExrWindows(exr, index, contents, compressionOf(contents)), file);
     for (const ChannelToWrite& channel : part.channels) {
       const exr_pixel_type_t type = channel.type == PixelType::Half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT;
       check(exr_add_channel(exr, index, channel.name.c_str(), type, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1),
             file);
     }
     setChromaticities(exr, index, contents, file);
-    if (index == 0) setText(exr, index, contents, file);
+    if (index == 0) check(setExrValues(exr, index, contents), file);
   }
   check(exr_write_header(exr), file);
 }
@@ -78,39 +69,40 @@ struct Chunk {
   std::vector<std::byte> packed;  ///< empty: stored raw
 };
 
-/// Lines of a chunk: for each line the channels' rows one after the other.
-void gather(Chunk& chunk, const std::vector<ChannelToWrite>& channels, int width) {
+/// Lines of a chunk: for each line the channels' rows one after the other. `pitch` is the planes' width.
+void gather(Chunk& chunk, const std::vector<ChannelToWrite>& channels, const PixelRect& window, int pitch) {
   size_t pixelBytes = 0;
   for (const ChannelToWrite& channel : channels) pixelBytes += bytesOf(channel.type);
-  chunk.raw.resize(pixelBytes * static_cast<size_t>(width) * static_cast<size_t>(chunk.rows));
+  chunk.raw.resize(pixelBytes * static_cast<size_t>(window.width) * static_cast<size_t>(chunk.rows));
   std::byte* to = chunk.raw.data();
   for (int y = chunk.y; y < chunk.y + chunk.rows; ++y)
     for (const ChannelToWrite& channel : channels) {
-      packRow(channel.plane + ptrdiff_t{y} * width, channel.type, to, width);
-      to += bytesOf(channel.type) * static_cast<size_t>(width);
+      packRow(channel.plane + ptrdiff_t{y} * pitch + window.x, channel.type, to, window.width);
+      to += bytesOf(channel.type) * static_cast<size_t>(window.width);
     }
 }
 
 void writePart(exr_context_t exr, int index, const FileToWrite& contents, const AtomicFile& file,
                const std::function<void(int rows)>& done) {
   const std::vector<ChannelToWrite> channels = sorted(contents.parts[static_cast<size_t>(index)].channels);
+  const PixelRect window = contents.dataWindow.value_or(PixelRect{0, 0, contents.width, contents.height});
   const int lines = compressionOf(contents) == EXR_COMPRESSION_ZIPS ? 1 : 16;
   // As many chunks as may be on their way; the one that is written last is free when the next one begins.
   std::vector<Chunk> ring(static_cast<size_t>(threadCount()) * 4);
   size_t count = 0;
   const auto begin = [&](tbb::flow_control& control) -> Chunk* {
-    const int y = static_cast<int>(count) * lines;
-    if (y >= contents.height) {
+    const int y = window.y + static_cast<int>(count) * lines;
+    if (y >= window.bottom()) {
       control.stop();
       return nullptr;
     }
     Chunk& chunk = ring[count++ % ring.size()];
     chunk.y = y;
-    chunk.rows = std::min(lines, contents.height - y);
+    chunk.rows = std::min(lines, window.bottom() - y);
     return &chunk;
   };
   const auto pack = [&](Chunk* chunk) {
-    gather(*chunk, channels, contents.width);
+    gather(*chunk, channels, window, contents.width);
     packExrZip(chunk->raw, chunk->packed);
     return chunk;
   };

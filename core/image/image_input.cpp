@@ -5,6 +5,7 @@
 
 #include "core/color/chromaticities.h"
 #include "core/error.h"
+#include "core/image/header_oiio.h"
 #include "core/image/image_format.h"
 
 namespace swaplight {
@@ -59,6 +60,8 @@ ImageFileInfo infoOf(const OIIO::ImageSpec& spec, const std::string& format) {
   info.pixelType = type.c_str();
   info.isFloat = type.is_floating_point();
   info.bits = spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(type.size()) * 8);
+  info.header = headerValuesOf(spec);
+  info.pixelAspect = spec.get_float_attribute("PixelAspectRatio", 1);
   for (const auto& attribute : spec.extra_attribs) {
     const std::string name = attribute.name().string();
     if (attribute.type() == OIIO::TypeString)
@@ -68,6 +71,31 @@ ImageFileInfo infoOf(const OIIO::ImageSpec& spec, const std::string& format) {
           attribute.type().is_floating_point() ? double{attribute.get_float()} : double(attribute.get_int());
   }
   return info;
+}
+
+PixelType storedType(const OIIO::ImageSpec& spec, int channel) {
+  switch (spec.channelformat(channel).basetype) {
+    case OIIO::TypeDesc::HALF:
+      return PixelType::Half;
+    case OIIO::TypeDesc::UINT8:
+      return PixelType::UInt8;
+    case OIIO::TypeDesc::UINT16:
+      return PixelType::UInt16;
+    case OIIO::TypeDesc::UINT32:
+      return PixelType::UInt32;
+    default:
+      return PixelType::Float;
+  }
+}
+
+/// A part's data window within the picture, where it leaves something out.
+std::optional<PixelRect> smallerWindow(const ImagePart& part, const ImageSpec& picture) {
+  const int left = std::max(part.x, 0);
+  const int top = std::max(part.y, 0);
+  const PixelRect window{left, top, std::min(part.x + part.spec.width, picture.width) - left,
+                         std::min(part.y + part.spec.height, picture.height) - top};
+  const bool whole = window == PixelRect{0, 0, picture.width, picture.height};
+  return whole || window.empty() ? std::nullopt : std::optional(window);
 }
 
 /// Puts the data window of a part into the image's display window.
@@ -106,6 +134,8 @@ ImageContents contentsOf(ImageInput& input) {
     contents.spec.channels.insert(contents.spec.channels.end(), part.channels.begin(), part.channels.end());
     checkImageFits(input.name(), contents.spec.width, contents.spec.height, contents.spec.channelCount());
     place(part, contents.parts.empty() ? spec : contents.parts.front().spec, input);
+    for (int c = 0; c < spec.nchannels; ++c) contents.info.channelTypes.push_back(storedType(spec, c));
+    if (index == 0) contents.info.dataWindow = smallerWindow(part, contents.spec);
     contents.parts.push_back(std::move(part));
   }
   (void)input->geterror();  // of the part behind the last

@@ -4,10 +4,15 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/image/header_values.h"
 #include "core/image/image.h"
+#include "core/image/pixel_pack.h"
+#include "core/image/pixel_rect.h"
 #include "core/progress.h"
 
 namespace swaplight {
@@ -21,6 +26,10 @@ struct ImageFileInfo {
   int parts = 1;
   std::map<std::string, std::string> text;  ///< text attributes of the header
   std::map<std::string, double> numbers;    ///< single numbers of the header, as ExposureTime
+  HeaderValues header;                      ///< of all kinds, those that are about the picture, not the file
+  float pixelAspect = 1;                    ///< width over height of a pixel
+  std::optional<PixelRect> dataWindow;      ///< EXR: where it leaves out something of the picture
+  std::vector<PixelType> channelTypes;      ///< of every channel as stored
   bool operator==(const ImageFileInfo&) const = default;
 };
 
@@ -46,6 +55,8 @@ void readChannels(const std::filesystem::path& file,
 /// Header only: channel names and size.
 [[nodiscard]] ImageSpec readImageSpec(const std::filesystem::path& file, ImageFileInfo* info = nullptr);
 
+struct CarriedData;
+
 struct WriteOptions {
   /// half | float | uint8 | uint16; empty: half for EXR, float for HDR, uint8 for JPEG and PNG, uint16 for
   /// TIFF. What a type cannot hold is clamped: half to +-65504, integers to 0..1 (NaN becomes 0 there).
@@ -54,6 +65,8 @@ struct WriteOptions {
   std::string compression;                  ///< empty: the format's own (EXR, TIFF: zip)
   std::map<std::string, std::string> text;  ///< attributes to put into the header
   int jpegQuality = 95;
+  std::shared_ptr<const CarriedData> carried;  ///< from the photographs, handed on
+  std::vector<unsigned char> iccProfile = {};  ///< PNG, TIFF, JPEG: embedded
 };
 
 /// Writes to a temporary name beside the file, then renames. The format follows the extension. Pixels are

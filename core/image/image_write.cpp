@@ -9,8 +9,10 @@
 
 #include "core/error.h"
 #include "core/file/atomic_file.h"
+#include "core/image/carried_data.h"
 #include "core/image/exr_file.h"
 #include "core/image/file_proxy.h"
+#include "core/image/header_oiio.h"
 #include "core/image/image_format.h"
 #include "core/image/image_io.h"
 
@@ -27,6 +29,22 @@ std::vector<PixelType> typesOf(const PartToWrite& part) {
   std::vector<PixelType> types;
   for (const ChannelToWrite& channel : part.channels) types.push_back(channel.type);
   return types;
+}
+
+/// What is written of the picture.
+PixelRect windowOf(const FileToWrite& contents) {
+  return contents.dataWindow.value_or(PixelRect{0, 0, contents.width, contents.height});
+}
+
+void setWindows(OIIO::ImageSpec& spec, const FileToWrite& contents) {
+  const PixelRect window = windowOf(contents);
+  spec.full_x = spec.full_y = 0;
+  spec.full_width = contents.width;
+  spec.full_height = contents.height;
+  spec.x = window.x;
+  spec.y = window.y;
+  spec.width = window.width;
+  spec.height = window.height;
 }
 
 OIIO::ImageSpec specOf(const FileToWrite& contents, const PartToWrite& part, const std::string& format) {
@@ -59,6 +77,13 @@ OIIO::ImageSpec specOf(const FileToWrite& contents, const PartToWrite& part, con
   spec.attribute("Software", "swaplight " SWAPLIGHT_VERSION);
   if (&part == contents.parts.data())
     for (const auto& [name, value] : contents.text) spec.attribute(name, value);
+  addHeaderValues(spec, contents.header);
+  if (contents.pixelAspect != 1) spec.attribute("PixelAspectRatio", contents.pixelAspect);
+  if (!contents.iccProfile.empty() && format != "openexr")
+    spec.attribute("ICCProfile",
+                   OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(contents.iccProfile.size())),
+                   contents.iccProfile.data());
+  if (format == "openexr") setWindows(spec, contents);
   return spec;
 }
 
@@ -138,15 +163,16 @@ class Output {
 void writePart(Output& output, const FileToWrite& contents, const PartToWrite& part,
                std::vector<std::byte>& band, const std::function<void(int rows)>& done) {
   const PackedLayout layout(typesOf(part));
-  const size_t rowBytes = layout.pixelBytes * static_cast<size_t>(contents.width);
+  const PixelRect window = windowOf(contents);
+  const size_t rowBytes = layout.pixelBytes * static_cast<size_t>(window.width);
   const int bandRows = std::max(1, static_cast<int>(kBandBytes / (rowBytes * 64))) * 64;
-  band.resize(rowBytes * static_cast<size_t>(std::min(bandRows, contents.height)));
+  band.resize(rowBytes * static_cast<size_t>(std::min(bandRows, window.height)));
   std::vector<const float*> planes(part.channels.size());
-  for (int y = 0; y < contents.height; y += bandRows) {
-    const int rows = std::min(bandRows, contents.height - y);
+  for (int y = window.y; y < window.bottom(); y += bandRows) {
+    const int rows = std::min(bandRows, window.bottom() - y);
     for (size_t c = 0; c < planes.size(); ++c)
-      planes[c] = part.channels[c].plane + static_cast<ptrdiff_t>(y) * contents.width;
-    packPixels(planes, contents.width, rows, layout, band.data());
+      planes[c] = part.channels[c].plane + static_cast<ptrdiff_t>(y) * contents.width + window.x;
+    packPixels({planes, contents.width, window.width, rows}, layout, band.data());
     if (!output->write_scanlines(y, y + rows, 0, OIIO::TypeUnknown, band.data())) output.fail();
     output.check();
     done(rows);
@@ -168,8 +194,9 @@ void writeByOpenImageIO(const FileToWrite& contents, const std::string& format, 
     if (i > 0 && !output->open(temporary, specs[i], OIIO::ImageOutput::AppendSubimage)) output.fail();
     writePart(output, contents, contents.parts[i], band, [&](int rows) {
       written += rows;
-      progress.update(static_cast<float>(written) / static_cast<float>(int64_t{contents.height} * count),
-                      "writing");
+      progress.update(
+          static_cast<float>(written) / static_cast<float>(int64_t{windowOf(contents).height} * count),
+          "writing");
     });
   }
   output.close();
@@ -193,8 +220,8 @@ void writeImage(const Image& image, const std::filesystem::path& file, const Wri
   const std::map<std::string, std::string> usual = {
       {"openexr", "half"}, {"hdr", "float"}, {"jpeg", "uint8"}, {"png", "uint8"}, {"tiff", "uint16"}};
   const std::string common = options.pixelType.empty() ? usual.at(format) : options.pixelType;
-  FileToWrite contents{image.width(), image.height(),     {}, image.spec().colorSpace, options.compression,
-                       options.text,  options.jpegQuality};
+  FileToWrite contents{image.width(), image.height(),      {}, image.spec().colorSpace, options.compression,
+                       options.text,  options.jpegQuality, {}};
   PartToWrite part;
   for (int c = 0; c < image.channelCount(); ++c) {
     const auto index = static_cast<size_t>(c);
@@ -202,6 +229,8 @@ void writeImage(const Image& image, const std::filesystem::path& file, const Wri
     part.channels.push_back({image.spec().channels[index], image.plane(c), pixelTypeFromName(type)});
   }
   contents.parts.push_back(std::move(part));
+  contents.iccProfile = options.iccProfile;
+  if (options.carried) addCarried(contents, *options.carried, format == "openexr");
   writeChannels(contents, file);
 }
 

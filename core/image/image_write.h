@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "core/color/chromaticities.h"
+#include "core/image/header_values.h"
 #include "core/image/pixel_pack.h"
+#include "core/image/pixel_rect.h"
 #include "core/progress.h"
 
 namespace swaplight {
@@ -34,6 +36,10 @@ struct FileToWrite {
   std::string compression;                  ///< empty: zip for EXR and TIFF
   std::map<std::string, std::string> text;  ///< attributes for the header, the first part's
   int jpegQuality = 95;
+  HeaderValues header = {};                    ///< more of them; where `text` has the name, that one holds
+  float pixelAspect = 1;                       ///< width over height of a pixel
+  std::optional<PixelRect> dataWindow;         ///< EXR: the part of the picture that is written, inside of it
+  std::vector<unsigned char> iccProfile = {};  ///< PNG, TIFF, JPEG: embedded
 };
 
 /// Writes to a temporary name, then renames. Throws InputError where it cannot be written.

@@ -157,15 +157,14 @@ void unpackPixels(const std::byte* rows, const PackedLayout& layout, int packedW
   });
 }
 
-void packPixels(std::span<const float* const> planes, int width, int height, const PackedLayout& layout,
-                std::byte* rows) {
-  const size_t rowBytes = layout.pixelBytes * static_cast<size_t>(width);
-  parallelRows(height, kGrain, [&](int begin, int end) {
+void packPixels(const PackSource& source, const PackedLayout& layout, std::byte* rows) {
+  const size_t rowBytes = layout.pixelBytes * static_cast<size_t>(source.width);
+  parallelRows(source.height, kGrain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
-      for (size_t c = 0; c < planes.size(); ++c) {
-        const float* row = planes[c] + static_cast<ptrdiff_t>(y) * width;
+      for (size_t c = 0; c < source.planes.size(); ++c) {
+        const float* row = source.planes[c] + y * source.rowStride;
         std::byte* packed = rows + static_cast<size_t>(y) * rowBytes + layout.offsets[c];
-        packRow(row, layout.types[c], packed, layout.pixelBytes, width);
+        packRow(row, layout.types[c], packed, layout.pixelBytes, source.width);
       }
   });
 }

@@ -40,9 +40,16 @@ void unpackPixels(const std::byte* rows, const PackedLayout& layout, int packedW
 void unpackRow(const std::byte* in, PixelType type, float* out, int width);
 void packRow(const float* in, PixelType type, std::byte* out, int width);
 
-/// Planes (row y at planes[c] + y * width) to packed rows, in parallel. What a type cannot hold is clamped:
-/// half to +-65504, integers to 0..1 and NaN to 0.
-void packPixels(std::span<const float* const> planes, int width, int height, const PackedLayout& layout,
-                std::byte* rows);
+/// Where pixels to be packed come from: a pointer a channel to the first pixel, rows rowStride apart.
+struct PackSource {
+  std::span<const float* const> planes;
+  ptrdiff_t rowStride = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// Planes to packed rows, in parallel. What a type cannot hold is clamped: half to +-65504, integers to 0..1
+/// and NaN to 0.
+void packPixels(const PackSource& source, const PackedLayout& layout, std::byte* rows);
 
 }  // namespace swaplight

@@ -43,8 +43,7 @@ std::optional<Triple> grey(const Image& image) {
 
 }  // namespace
 
-Image rgbImage(Image&& image, const std::filesystem::path& file) {
-  if (image.spec().channels == std::vector<std::string>{"R", "G", "B"}) return std::move(image);
+std::array<int, 3> rgbChannels(const Image& image, const std::filesystem::path& file) {
   std::optional<Triple> from = named(image, "R", "G", "B");
   if (!from) from = named(image, "r", "g", "b");
   if (!from) from = ofOnlyLayer(image);
@@ -52,11 +51,17 @@ Image rgbImage(Image&& image, const std::filesystem::path& file) {
   if (!from)
     throw InputError("{}: has the channels {}, expected R, G, B or grey. Export the picture's colour.",
                      file.string(), fmt::join(image.spec().channels, ", "));
+  return *from;
+}
+
+Image rgbImage(Image&& image, const std::filesystem::path& file) {
+  if (image.spec().channels == std::vector<std::string>{"R", "G", "B"}) return std::move(image);
+  const Triple from = rgbChannels(image, file);
   ImageSpec spec = ImageSpec::rgb(image.width(), image.height());
   spec.colorSpace = image.spec().colorSpace;
   Image rgb(std::move(spec));
   for (int c = 0; c < 3; ++c)
-    std::copy_n(image.plane((*from)[static_cast<size_t>(c)]), image.pixelCount(), rgb.plane(c));
+    std::copy_n(image.plane(from[static_cast<size_t>(c)]), image.pixelCount(), rgb.plane(c));
   return rgb;
 }
 

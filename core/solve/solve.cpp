@@ -258,6 +258,7 @@ SolvedSet solve(const Capture& given, const CapturePixels& photographs, const So
   context.noise.square += report.colorUncertainty * report.colorUncertainty;
 
   SolvedSet set = emptySet(capture, pixels);
+  set.carried = photographs.carried;
   if (info.name == "auto") {
     if (solveAuto(context, signal, report.shifts, set, progress) > 0)
       report.warnings.emplace_back(

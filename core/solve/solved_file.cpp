@@ -170,6 +170,24 @@ class PlaneFinder {
   Image wantColor(const std::string& layer) {
     return want({layer + ".R", layer + ".G", layer + ".B"}, {"R", "G", "B"}, m_spec.colorSpace);
   }
+  /// A channel that follows from others.
+  void passOver(const std::string& channel) {
+    if (has(channel)) m_passedOver.push_back(indexOf(channel));
+  }
+  /// The header and the channels that nobody has asked for.
+  void wantRest(const ImageFileInfo& info, CarriedData& carried) {
+    carried.header = info.header;
+    carried.pixelAspect = info.pixelAspect;
+    carried.dataWindow = info.dataWindow;
+    std::vector<std::string> names;
+    for (size_t c = 0; c < m_planes.size(); ++c) {
+      if (m_planes[c] || std::find(m_passedOver.begin(), m_passedOver.end(), c) != m_passedOver.end())
+        continue;
+      names.push_back(m_spec.channels[c]);
+      carried.types.push_back(info.channelTypes[c] == PixelType::Half ? PixelType::Half : PixelType::Float);
+    }
+    if (!names.empty()) carried.channels = want(names, names, "data");
+  }
   [[nodiscard]] const std::vector<float*>& planes() const { return m_planes; }
 
  private:
@@ -180,6 +198,7 @@ class PlaneFinder {
   const ImageSpec& m_spec;
   std::string m_file;
   std::vector<float*> m_planes;
+  std::vector<size_t> m_passedOver;
 };
 
 std::vector<std::string> inLayer(const std::string& layer, const std::vector<std::string>& names) {
@@ -200,9 +219,10 @@ void writeSolvedSet(const SolvedSet& set, const fs::path& file, const SolvedFile
   const Image sum = sumAsWritten(set, pictures == PixelType::Half);
   std::vector<PartToWrite> parts = partsOf(set, sum, pictures);
   if (!options.multipart) parts = {merged(parts)};
-  writeChannels({set.width(), set.height(), std::move(parts), set.colorSpace(), options.compression,
-                 headerOf(set, file)},
-                file, progress);
+  FileToWrite contents{set.width(),      set.height(),        std::move(parts),
+                       set.colorSpace(), options.compression, headerOf(set, file)};
+  if (set.carried) addCarried(contents, *set.carried);
+  writeChannels(contents, file, progress);
 }
 
 SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
@@ -221,6 +241,10 @@ SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
     if (finder.has("ambient.R")) set.ambient = finder.wantColor("ambient");
     set.beta = finder.want(inLayer("beta", lights), inLayer("beta", lights), "data");
     set.quality = finder.want(inLayer("quality", quality), quality, "data");
+    for (const char* color : kColors) finder.passOver(color);
+    auto carried = std::make_shared<CarriedData>();
+    finder.wantRest(info, *carried);
+    set.carried = carried;
     return finder.planes();
   };
   readChannels(file, planes, progress);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/capture/capture.h"
+#include "core/image/carried_data.h"
 #include "core/image/image.h"
 #include "core/json.h"
 
@@ -31,7 +33,8 @@ struct SolvedSet {
   std::optional<Image> ambient;  ///< R G B; what no controlled light explains
   Image quality;  ///< residual, sigma, flags (a bit field stored as float), model (0: the matte model was
                   ///< enough, 1: the full contribution was needed)
-  Json report = Json::object();  ///< how it was solved: see SolveReport
+  std::shared_ptr<const CarriedData> carried;  ///< what the photographs' files hold beside their colour
+  Json report = Json::object();                ///< how it was solved: see SolveReport
 
   [[nodiscard]] int lightCount() const { return static_cast<int>(contributions.size()); }
   [[nodiscard]] int width() const { return beta.width(); }

@@ -1,0 +1,138 @@
+#include <fmt/ranges.h>
+
+#include <cstdio>
+
+#include "app/lighting_arguments.h"
+#include "app/verbs.h"
+#include "core/error.h"
+#include "core/export/frame_file.h"
+#include "core/export/layer_export.h"
+#include "core/export/look_export.h"
+#include "core/export/provenance.h"
+#include "core/file/atomic_file.h"
+
+namespace swaplight {
+namespace {
+
+struct Arguments {
+  LightingArguments lighting;
+  std::string file;
+  std::string naming = "layers";
+  std::string pictures = "half";
+  std::string data = "float";
+  std::string window;
+  DisplayChoice display;
+  LayerOptions options;
+};
+
+PixelType floatTypeOf(const std::string& option, const std::string& name) {
+  if (name == "half") return PixelType::Half;
+  if (name == "float") return PixelType::Float;
+  throw InputError("{} {}: give half or float", option, name);
+}
+
+/// "shots", "full" or "X,Y,W,H".
+std::optional<PixelRect> windowOf(const std::string& text, const SolvedSet& set) {
+  if (text.empty() || text == "shots") return std::nullopt;
+  PixelRect rect{0, 0, set.width(), set.height()};
+  char end = 0;
+  if (text != "full" && std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &rect.x, &rect.y, &rect.width,
+                                    &rect.height,  // NOLINT(cert-err34-c)
+                                    &end) != 4)
+    throw InputError("--data-window {}: give shots, full or X,Y,WIDTH,HEIGHT in pixels", text);
+  return rect;
+}
+
+LayerOptions optionsOf(const Arguments& arguments) {
+  LayerOptions options = arguments.options;
+  if (arguments.naming != "layers" && arguments.naming != "blender")
+    throw InputError("--naming {}: give layers or blender", arguments.naming);
+  options.naming = arguments.naming == "blender" ? LayerNaming::Blender : LayerNaming::Layers;
+  options.pictures = floatTypeOf("--type", arguments.pictures);
+  options.data = floatTypeOf("--data-type", arguments.data);
+  return options;
+}
+
+int exportLook(const Arguments& arguments, const std::optional<Session>& session, const SolvedSet& set,
+               const Rig& rig, Terminal& terminal) {
+  DisplayChoice display = arguments.display;
+  if (session && display.display.empty() && display.view.empty()) display = session->document.display;
+  const GlobalLook look = globalLook(set, rig);
+  writeLook(look, display, arguments.file);
+  terminal.say(
+      "wrote {}: the global part of the look, {:.1f} % of the relit picture; what each light does on its "
+      "own is spatial and not in it",
+      arguments.file, 100 * look.explained);
+  terminal.result("", {{"file", arguments.file},
+                       {"gain", {look.gain.x, look.gain.y, look.gain.z}},
+                       {"explained", look.explained}});
+  return 0;
+}
+
+int run(const Arguments& arguments, Terminal& terminal) {
+  const std::optional<Session> session = arguments.lighting.session();
+  if (session)
+    for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
+  LayerOptions options = optionsOf(arguments);
+  const bool look = isLookFile(arguments.file);
+  if (look) checkFrame("look.png", {false, arguments.display.display, arguments.display.view, {}});
+  checkWritable(arguments.file);
+  arguments.lighting.check(session);
+
+  const Progress progress = terminal.progress();
+  const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.6F));
+  const Rig rig = arguments.lighting.rig(session, set.capture, &set);
+  if (look) return exportLook(arguments, session, set, rig, terminal);
+  options.dataWindow = windowOf(arguments.window, set);
+  options.text = provenanceOf(set, rig, arguments.lighting.source(session));
+  exportLayers(set, rig, arguments.file, options, progress.part(0.6F, 1));
+  const std::vector<std::string> layers = exportedLayers(set, options);
+  terminal.say("wrote {}, {} x {} pixels; the layers {} add up to the picture", arguments.file, set.width(),
+               set.height(), fmt::join(layers, ", "));
+  terminal.result("", {{"file", arguments.file},
+                       {"layers", layers},
+                       {"width", set.width()},
+                       {"height", set.height()},
+                       {"color_space", set.colorSpace()},
+                       {"rig", jsonFromRig(rig)}});
+  return 0;
+}
+
+}  // namespace
+
+void addExportVerb(Program& program) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App& verb =
+      program.addVerb("export", "Write every light as a layer for a compositor, or a look's global part",
+                      [a](Terminal& terminal) { return run(*a, terminal); });
+  a->lighting.addTo(verb);
+  verb.add_option(
+          "-o,--output", a->file,
+          "LAYERS.exr: every light as it shines under the rig, and their sum. LOOK.cube, .ccc or .cc: what "
+          "of the look is the same for every pixel")
+      ->required()
+      ->type_name("FILE");
+  verb.add_option("--naming", a->naming, "layers (LIGHT.R) or blender (ViewLayer.Combined_LIGHT.R)")
+      ->type_name("HOW")
+      ->capture_default_str();
+  verb.add_flag("--multipart", a->options.multipart, "One EXR part a layer");
+  verb.add_option("--compression", a->options.compression,
+                  "none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab")
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb.add_option("--type", a->pictures, "half or float: the colour layers")
+      ->type_name("TYPE")
+      ->capture_default_str();
+  verb.add_flag("--beta", a->options.beta, "The proportions of the lights too (beta.LIGHT)");
+  verb.add_flag("--quality", a->options.quality, "The solver's residual, sigma and flags too");
+  verb.add_option("--data-type", a->data, "half or float: beta and quality")
+      ->type_name("TYPE")
+      ->capture_default_str();
+  verb.add_option("--data-window", a->window, "shots (as the photographs have it), full, or X,Y,WIDTH,HEIGHT")
+      ->type_name("WINDOW");
+  verb.add_option("--display", a->display.display, "For .cube: a display of the colour configuration")
+      ->type_name("NAME");
+  verb.add_option("--view", a->display.view, "For .cube: a view of the display")->type_name("NAME");
+}
+
+}  // namespace swaplight

@@ -1,0 +1,152 @@
+#include "core/export/layer_export.h"
+
+#include <array>
+
+#include "core/error.h"
+#include "core/export/layer_names.h"
+#include "core/image/half.h"
+#include "core/image/image_write.h"
+#include "core/parallel.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kGrain = 64;  // rows
+constexpr const char* kViewLayer = "ViewLayer";
+constexpr std::array<const char*, 3> kColors = {"R", "G", "B"};
+
+/// Every layer as it will be read, and their sum.
+struct Layers {
+  std::vector<Image> pictures;
+  Image sum;
+};
+
+struct Source {
+  const Image* picture;
+  Rgb factor;
+};
+
+std::vector<Source> sourcesOf(const SolvedSet& set, const Rig& rig) {
+  const std::vector<Rgb> factors = rigFactors(rig, set.colorSpace());
+  std::vector<Source> sources;
+  for (size_t i = 0; i < set.contributions.size(); ++i)
+    sources.push_back({&set.contributions[i], factors.at(i)});
+  if (set.ambient) sources.push_back({&*set.ambient, Rgb(rig.ambient)});
+  return sources;
+}
+
+Layers layersOf(const SolvedSet& set, const Rig& rig, PixelType type) {
+  const std::vector<Source> sources = sourcesOf(set, rig);
+  const ImageSpec spec = ImageSpec::rgb(set.width(), set.height());
+  Layers layers{{}, Image(spec)};
+  for (size_t i = 0; i < sources.size(); ++i) layers.pictures.emplace_back(spec);
+  parallelRows(set.height(), kGrain, [&](int begin, int end) {
+    const ptrdiff_t first = ptrdiff_t{begin} * set.width();
+    const ptrdiff_t last = ptrdiff_t{end} * set.width();
+    for (int c = 0; c < 3; ++c) {
+      float* sum = layers.sum.plane(c);
+      std::fill(sum + first, sum + last, 0.0F);
+      for (size_t i = 0; i < sources.size(); ++i) {
+        const float* in = sources[i].picture->plane(c);
+        float* out = layers.pictures[i].plane(c);
+        const float factor = sources[i].factor[c];
+        for (ptrdiff_t p = first; p < last; ++p) {
+          const float value = factor * in[p];
+          out[p] = type == PixelType::Half ? roundedToHalf(value) : value;
+          sum[p] += out[p];
+        }
+      }
+    }
+  });
+  return layers;
+}
+
+PartToWrite colorPart(const std::string& name, const Image& picture, PixelType type) {
+  PartToWrite part{name, {}};
+  for (size_t c = 0; c < kColors.size(); ++c)
+    part.channels.push_back({kColors[c], picture.plane(static_cast<int>(c)), type});
+  return part;
+}
+
+PartToWrite dataPart(const std::string& name, const Image& image, const std::vector<std::string>& channels,
+                     PixelType type) {
+  PartToWrite part{name, {}};
+  for (size_t c = 0; c < channels.size(); ++c)
+    part.channels.push_back({channels[c], image.plane(static_cast<int>(c)), type});
+  return part;
+}
+
+std::vector<std::string> lightLayers(const SolvedSet& set) {
+  std::vector<std::string> lights;
+  for (const Light& light : set.capture.lights) lights.push_back(light.name);
+  return layerNames(lights);
+}
+
+/// A layer a part; the first is the sum.
+std::vector<PartToWrite> partsOf(const SolvedSet& set, const Layers& layers, const LayerOptions& options) {
+  const bool blender = options.naming == LayerNaming::Blender;
+  const std::vector<std::string> names = exportedLayers(set, options);
+  std::vector<PartToWrite> parts = {
+      colorPart(blender ? std::string(kViewLayer) + ".Combined" : "rgb", layers.sum, options.pictures)};
+  for (size_t i = 0; i < names.size(); ++i)
+    parts.push_back(colorPart(names[i], layers.pictures[i], options.pictures));
+  const std::string prefix = blender ? std::string(kViewLayer) + "." : "";
+  if (options.beta) parts.push_back(dataPart(prefix + "beta", set.beta, lightLayers(set), options.data));
+  if (options.quality && !set.quality.empty())
+    parts.push_back(dataPart(prefix + "quality", set.quality, {"residual", "sigma", "flags"}, options.data));
+  return parts;
+}
+
+/// One part; the parts' names become layers. The first one's are plain where it is called rgb.
+PartToWrite merged(const std::vector<PartToWrite>& parts) {
+  PartToWrite all;
+  for (const PartToWrite& part : parts)
+    for (ChannelToWrite channel : part.channels) {
+      if (part.name != "rgb") channel.name = part.name + "." + channel.name;
+      all.channels.push_back(std::move(channel));
+    }
+  return all;
+}
+
+void check(const LayerOptions& options, const std::filesystem::path& file, const PixelRect& window,
+           const SolvedSet& set) {
+  if (file.extension() != ".exr")
+    throw InputError("{}: layers are written as OpenEXR. Name it {}.", file.string(),
+                     std::filesystem::path(file).replace_extension(".exr").string());
+  if (options.multipart && options.naming == LayerNaming::Blender)
+    throw InputError(
+        "{}: Blender reads its light groups from one part: ask for multi-part or Blender's names.",
+        file.string());
+  const bool inside = !window.empty() && window.x >= 0 && window.y >= 0 && window.right() <= set.width() &&
+                      window.bottom() <= set.height();
+  if (!inside)
+    throw InputError("{}: the data window {},{},{},{} does not lie within the picture of {} x {} pixels.",
+                     file.string(), window.x, window.y, window.width, window.height, set.width(),
+                     set.height());
+}
+
+}  // namespace
+
+std::vector<std::string> exportedLayers(const SolvedSet& set, const LayerOptions& options) {
+  std::vector<std::string> names = lightLayers(set);
+  if (set.ambient) names.emplace_back("ambient");
+  if (options.naming == LayerNaming::Blender)
+    for (std::string& name : names) name = std::string(kViewLayer) + ".Combined_" + name;
+  return names;
+}
+
+void exportLayers(const SolvedSet& set, const Rig& rig, const std::filesystem::path& file,
+                  const LayerOptions& options, const Progress& progress) {
+  check(options, file, options.dataWindow.value_or(PixelRect{0, 0, set.width(), set.height()}), set);
+  progress.update(0, "relighting");
+  const Layers layers = layersOf(set, rig, options.pictures);
+  std::vector<PartToWrite> parts = partsOf(set, layers, options);
+  if (!options.multipart) parts = {merged(parts)};
+  FileToWrite contents{set.width(),      set.height(),        std::move(parts),
+                       set.colorSpace(), options.compression, options.text};
+  contents.dataWindow = options.dataWindow;
+  if (set.carried) addCarried(contents, *set.carried);
+  writeChannels(contents, file, progress.part(0.3F, 1));
+}
+
+}  // namespace swaplight

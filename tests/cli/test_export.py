@@ -1,0 +1,249 @@
+"""swaplight export: layers for compositors"""
+import glob
+import json
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+import OpenImageIO as oiio
+import swaplight_cli as cli
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TIMECODE = oiio.TypeDesc(oiio.BASETYPE.UINT, oiio.AGGREGATE.SCALAR, oiio.VECSEMANTICS.TIMECODE, 2)
+
+
+def spec_of(path, part=0):
+    source = oiio.ImageInput.open(path)
+    assert source, oiio.geterror()
+    source.seek_subimage(part, 0)
+    spec = source.spec()
+    source.close()
+    return spec
+
+
+def shot(path, pixels):
+    """A photograph as a camera department delivers it: alpha, depth, a matte, timecode, lens."""
+    height, width, _ = pixels.shape
+    extra = np.stack([np.linspace(0, 1, height * width).reshape(height, width),
+                      np.linspace(1, 1000, height * width).reshape(height, width),
+                      (np.arange(height * width).reshape(height, width) % 2)], -1)
+    spec = oiio.ImageSpec(width, height, 6, 'float')
+    spec.channelnames = ('R', 'G', 'B', 'A', 'Z', 'matte.hero')
+    spec.attribute('PixelAspectRatio', 2.0)
+    spec.attribute('smpte:TimeCode', TIMECODE, (0x01020304, 7))
+    spec.attribute('ExposureTime', 0.02)
+    spec.attribute('FNumber', 2.8)
+    spec.attribute('studio/slate', '12A take 3')
+    spec.attribute('studio/reel', 7)
+    spec.attribute('DateTime', '2026:01:02 03:04:05')
+    output = oiio.ImageOutput.create(path)
+    assert output.open(path, spec)
+    assert output.write_image(np.concatenate([pixels, extra], -1).astype(np.float32))
+    output.close()
+    return extra.astype(np.float32)
+
+
+class ExportTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.capture = cli.Capture(self.path('set'), names=('key', 'fill', 'back'), height=24, width=33)
+        self.solved = self.path('solved.exr')
+
+    def solve(self):
+        self.succeed('solve', self.capture.path, '-o', self.solved, '--model', 'transport', '--float', '-q')
+
+    def export(self, *arguments, name='layers.exr', source=None):
+        self.result = self.succeed_json('export', source or self.solved, *arguments, '-o', self.path(name))
+        return cli.read_image(self.path(name))
+
+    def summed(self, channels, color):
+        total = np.zeros(1, np.float32)
+        for layer in self.result['layers']:
+            total = total + channels[f'{layer}.{color}']
+        return total
+
+    def test_float_layers_add_up_to_the_picture_to_the_bit(self):
+        self.solve()
+        for more in ([], ['--multipart'], ['--compression', 'piz'], ['--light', 'key=3200K,+1.3st', '--light', 'back=#4060ff']):
+            channels = self.export('--type', 'float', *more)
+            for color in 'RGB':
+                np.testing.assert_array_equal(self.summed(channels, color), channels[color], str(more))
+
+    def test_half_layers_add_up_within_half_a_step(self):
+        self.solve()
+        channels = self.export('--light', 'key=+2st')
+        for color in 'RGB':
+            np.testing.assert_array_equal(self.summed(channels, color).astype(np.float16), channels[color].astype(np.float16))
+
+    def test_layers_are_the_lights_under_the_rig(self):
+        self.solve()
+        channels = self.export('--type', 'float', '--light', 'key=rgb:2/1/0', '--light', 'fill=off')
+        key = np.stack([channels['key.' + c] for c in 'RGB'], -1)
+        np.testing.assert_allclose(key, self.capture.truth[0] * [2, 1, 0], atol=2e-5)
+        self.assertFalse(channels['fill.G'].any())
+
+    def test_oiiotool_adds_them_up(self):
+        self.solve()
+        self.export('--type', 'float')
+        layers = [f'{self.path("layers.exr")} --ch {light}.R,{light}.G,{light}.B' for light in self.result['layers']]
+        command = f'oiiotool {layers[0]} {layers[1]} --add {layers[2]} --add {self.path("layers.exr")} --ch R,G,B ' \
+                  '--fail 0 --warn 0 --diff'
+        outcome = subprocess.run(command.split(), capture_output=True, text=True)
+        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+
+    def test_types_compressions_and_beta_as_chosen(self):
+        self.solve()
+        for name in ('none', 'rle', 'zips', 'zip', 'piz', 'pxr24', 'b44', 'dwaa'):
+            self.export('--compression', name)
+            self.assertTrue(spec_of(self.path('layers.exr')).getattribute('compression').startswith(name), name)
+        channels = self.export('--beta', '--quality', '--data-type', 'half')
+        self.assertTrue({'beta.key', 'quality.residual', 'quality.flags'} <= set(channels))
+        spec = spec_of(self.path('layers.exr'))
+        self.assertEqual({str(spec.channelformat(i)) for i in range(spec.nchannels)}, {'half'})
+        self.export('--multipart')
+        self.assertEqual([spec_of(self.path('layers.exr'), i).getattribute('name') for i in range(4)],
+                         ['rgb', 'key', 'fill', 'back'])
+
+    def test_header_tells_where_it_comes_from(self):
+        self.solve()
+        self.export('--light', 'key=3200K')
+        spec = spec_of(self.path('layers.exr'))
+        self.assertEqual(json.loads(spec.getattribute('swaplight/capture'))['name'], 'small')
+        self.assertEqual(json.loads(spec.getattribute('swaplight/rig'))['lights'][0]['color'], '3200K')
+        self.assertIn('message', json.loads(spec.getattribute('swaplight/solver')))
+        source = json.loads(spec.getattribute('swaplight/source'))[0]
+        expected = subprocess.run(['sha256sum', self.solved], capture_output=True, text=True).stdout.split()[0]
+        self.assertEqual((source['file'], source['sha256']), ('solved.exr', expected))
+        np.testing.assert_allclose(spec.getattribute('chromaticities'), [.64, .33, .3, .6, .15, .06, .3127, .329], atol=1e-6)
+
+    def carried(self, path, extra, tolerance=0):
+        spec, channels = spec_of(path), cli.read_image(path)
+        self.assertEqual(spec.getattribute('PixelAspectRatio'), 2)
+        self.assertEqual(spec.getattribute('studio/slate'), '12A take 3')
+        self.assertEqual(spec.getattribute('studio/reel'), 7)
+        self.assertAlmostEqual(spec.getattribute('ExposureTime'), .02)
+        self.assertAlmostEqual(spec.getattribute('FNumber'), 2.8, places=6)
+        self.assertEqual(spec.getattribute('DateTime'), '2026:01:02 03:04:05')
+        self.assertEqual(tuple(np.uint32(v) for v in spec.getattribute('smpte:TimeCode', TIMECODE) or ()) or
+                         spec.getattribute('smpte:TimeCode'), tuple(np.uint32(v) for v in (0x01020304, 7)))
+        for name, pixels in zip(('A', 'Z', 'matte.hero'), np.moveaxis(extra, -1, 0)):
+            np.testing.assert_array_equal(channels[name], pixels, name)
+
+    def test_metadata_and_unknown_channels_go_from_shot_to_solved_set_session_frame_and_layers(self):
+        folder = self.capture.folder
+        extra = [shot(os.path.join(folder, s['image']), pixels)
+                 for s, pixels in zip(self.capture.manifest['shots'], self.capture.shots)][0]
+        self.solve()
+        self.carried(self.solved, extra)
+        session = self.path('look.swaplight')
+        with open(session, 'w') as file:
+            json.dump({'format': 'swaplight-session', 'version': 1, 'source': 'solved.exr'}, file)
+        for verb in ('export', 'relight'):
+            for source in (self.capture.path, self.solved, session):
+                for more in ([], ['--multipart'], ['--compression', 'piz']) if verb == 'export' else [[]]:
+                    out = self.path('out.exr')
+                    self.succeed(verb, source, '-o', out, *more)
+                    self.carried(out, extra)
+
+    def test_a_smaller_data_window_stays_and_can_be_chosen(self):
+        for s, pixels in zip(self.capture.manifest['shots'], self.capture.shots):
+            spec = oiio.ImageSpec(20, 10, 3, 'float')
+            spec.x, spec.y, spec.full_width, spec.full_height = 5, 6, 33, 24
+            path = os.path.join(self.capture.folder, s['image'])
+            output = oiio.ImageOutput.create(path)
+            assert output.open(path, spec)
+            assert output.write_image(np.ascontiguousarray(pixels[6:16, 5:25].astype(np.float32)))
+            output.close()
+        self.solve()
+
+        def window(path):
+            spec = spec_of(path)
+            return spec.x, spec.y, spec.width, spec.height, spec.full_width, spec.full_height
+
+        for compression in ('zip', 'zips', 'piz'):
+            self.export('--compression', compression)
+            self.assertEqual(window(self.path('layers.exr')), (5, 6, 20, 10, 33, 24))
+            self.export('--compression', compression, '--data-window', '2,3,4,5', '--type', 'float')
+            self.assertEqual(window(self.path('layers.exr')), (2, 3, 4, 5, 33, 24))
+        self.export('--data-window', 'full')
+        self.assertEqual(window(self.path('layers.exr')), (0, 0, 33, 24, 33, 24))
+        out = ('-o', self.path('no.exr'))
+        self.fail('export', self.solved, '--data-window', '30,0,20,10', *out, naming='data window')
+        self.fail('export', self.solved, '--data-window', 'lots', *out, naming='lots')
+
+    def test_names_survive_nuke(self):
+        capture = cli.Capture(self.path('names'), names=('depth', 'Alpha', 'key_2'))
+        self.succeed('solve', capture.path, '-o', self.path('names.exr'), '-q')
+        self.export(source=self.path('names.exr'))
+        self.assertEqual(self.result['layers'], ['light_depth', 'light_Alpha', 'key_2'])
+
+    def test_png_tiff_and_jpeg_embed_the_displays_profile(self):
+        self.solve()
+        for name, arguments, word in (('a.png', [], 'sRGB'), ('a.tif', ['--display', 'P3-D65', '--view', 'P3-D65'], 'P3'),
+                                      ('a.jpg', ['--display', 'Rec.709', '--view', 'ACES SDR'], '709')):
+            self.succeed('relight', self.solved, *arguments, '-o', self.path(name))
+            spec = spec_of(self.path(name))
+            self.assertIn(word, spec.getattribute('ICCProfile:profile_description') or '', name)
+        self.succeed('relight', self.solved, '--view', 'Log', '-o', self.path('log.png'))
+        self.assertIsNone(spec_of(self.path('log.png')).getattribute('ICCProfile:profile_description'))
+
+    def test_the_global_part_of_a_look_is_a_cube_or_a_correction_and_says_so(self):
+        self.solve()
+        lights = [f'--light={name}=rgb:0.5/1/2' for name in ('key', 'fill', 'back')]
+        result = self.succeed_json('export', self.solved, *lights, '-o', self.path('look.ccc'))
+        np.testing.assert_allclose(result['gain'], [.5, 1, 2], rtol=1e-5)
+        self.assertAlmostEqual(result['explained'], 1, places=5)
+        with open(self.path('look.ccc')) as file:
+            self.assertIn('not in this file', file.read())
+        result = self.succeed_json('export', self.solved, '--light', 'key=off', '-o', self.path('look.cube'), '--view', 'ACES SDR')
+        self.assertLess(result['explained'], .9999)
+        with open(self.path('look.cube')) as file:
+            lines = file.read().splitlines()
+        rows = [line for line in lines if line[0].isdigit()]
+        self.assertEqual(len(rows), 33 ** 3)
+        self.assertIn('not in this file', lines[0])
+        # The table gives what the view gives, at its own points: ACEScct 0.5 is one of them.
+        grey = 2 ** (.5 * 17.52 - 9.72)
+        index = 16 + 33 * 16 + 33 * 33 * 16
+        found = np.array(rows[index].split(), float)
+        self.assertTrue((0 < found).all() and (found < 1).all())
+        plain = self.succeed_json('export', self.solved, '-o', self.path('plain.cube'), '--display', 'sRGB', '--view', 'sRGB')
+        np.testing.assert_allclose(plain['gain'], 1, rtol=1e-5)
+        with open(self.path('plain.cube')) as file:
+            rows = [line for line in file.read().splitlines() if line[0].isdigit()]
+        encoded = 1.055 * grey ** (1 / 2.4) - .055
+        np.testing.assert_allclose(np.array(rows[index].split(), float), encoded, atol=2e-5)
+
+    def test_bad_input_is_one_line(self):
+        self.solve()
+        out = ('-o', self.path('x.exr'))
+        self.fail('export', self.solved, '--naming', 'maya', *out, naming=['maya', 'blender'])
+        self.fail('export', self.solved, '--type', 'uint8', *out, naming=['uint8', 'half'])
+        self.fail('export', self.solved, '--compression', 'best', *out, naming=['best', 'zip'])
+        self.fail('export', self.solved, '--naming', 'blender', '--multipart', *out, naming='multi-part')
+        self.fail('export', self.solved, '-o', self.path('x.png'), naming='x.exr')
+        self.fail('export', self.solved, '-o', self.path('x.cube'), '--view', 'None', naming='None')
+
+    def test_blender_adds_its_light_groups_up(self):
+        if not shutil.which('blender'):
+            print('SKIPPED: blender is not installed (apt install blender)', file=sys.stderr)
+            self.skipTest('blender is not installed')
+        self.solve()
+        self.succeed('export', self.solved, '--naming', 'blender', '--type', 'float', '--light', 'key=3200K',
+                     '-o', self.path('b.exr'))
+        out = subprocess.run(['blender', '--background', '--factory-startup', '--python-exit-code', '3', '--python',
+                              os.path.join(HERE, 'blender_sum.py'), '--', self.path('b.exr'), self.path('out'),
+                              '33', '24', 'key', 'fill', 'back'], capture_output=True, text=True, timeout=300)
+        self.assertEqual(out.returncode, 0, out.stdout + out.stderr)
+        expected = cli.read_image(self.path('b.exr'))
+        total = cli.read_rgb(glob.glob(self.path('out', 'sum*.exr'))[0])
+        difference = cli.read_rgb(glob.glob(self.path('out', 'difference*.exr'))[0])
+        np.testing.assert_allclose(total, np.stack([expected[f'ViewLayer.Combined.{c}'] for c in 'RGB'], -1), atol=1e-6)
+        self.assertLess(np.abs(difference).max(), 1e-6)
+
+
+if __name__ == '__main__':
+    cli.main()
