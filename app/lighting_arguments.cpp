@@ -1,6 +1,7 @@
 #include "app/lighting_arguments.h"
 
 #include "core/error.h"
+#include "core/file/json_file.h"
 #include "core/look/look.h"
 #include "core/look/rig_blend.h"
 #include "core/relight/setting.h"
@@ -29,6 +30,23 @@ Rig withLook(const Rig& rig, const std::string& text, const std::optional<Sessio
   return blendRigs(rig, lit, request.amount);
 }
 
+constexpr const char* kAnimation = "animation";
+
+struct RigKey {
+  std::string light;
+  RigAnimation::Key key;
+};
+
+RigKey keyFromText(const std::string& text) {
+  const size_t at = text.find('@');
+  const size_t equals = text.find('=');
+  int frame = 0;
+  if (at == std::string::npos || equals == std::string::npos || equals < at ||
+      !CLI::detail::lexical_cast(text.substr(at + 1, equals - at - 1), frame))
+    throw InputError("--key {}: write NAME@FRAME=SETTING, as key@24=3200K,+1st", text);
+  return {text.substr(0, at), {frame, text.substr(equals + 1)}};
+}
+
 }  // namespace
 
 void LightingArguments::addTo(CLI::App& verb) {
@@ -47,6 +65,11 @@ void LightingArguments::addTo(CLI::App& verb) {
                   "day-for-night, cool-morning, golden-hour, moonlight, candle, neon; with an amount from 0 "
                   "to 1 after a colon. Lights that --light names are set after it")
       ->type_name("NAME[:AMOUNT]");
+  verb.add_option("--key", m_keys,
+                  "A light's setting at a frame of a sequence, more than once if need be: key@1=-2st")
+      ->type_name("NAME@FRAME=SETTING")
+      ->allow_extra_args(false);
+  verb.add_option("--between", m_between, "From key to key: linear (default) or smooth")->type_name("HOW");
   m_edits.addTo(verb);
   verb.add_option("--ambient", m_ambient, "Factor on what no light explains (default: 1)")
       ->check(CLI::Range(0.0, 1e9).description(""))
@@ -94,7 +117,28 @@ void LightingArguments::check(const std::optional<Session>& session) const {
 }
 
 SolvedSet LightingArguments::open(const std::optional<Session>& session, const Progress& progress) const {
-  return m_edits.applyTo(openSource(source(session), solveOptions(session), progress));
+  return openFile(source(session), session, progress);
+}
+
+SolvedSet LightingArguments::openFile(const std::filesystem::path& file,
+                                      const std::optional<Session>& session, const Progress& progress) const {
+  return m_edits.applyTo(openSource(file, solveOptions(session), progress));
+}
+
+RigAnimation LightingArguments::animation(const std::optional<Session>& session) const {
+  RigAnimation animation;
+  if (session && session->unknown.contains(kAnimation))
+    animation = animationFromJson(session->unknown[kAnimation], "session: animation");
+  if (!m_rig.empty()) {
+    const Json json = readJson(m_rig);
+    if (json.contains(kAnimation)) animation = animationFromJson(json[kAnimation], m_rig + ": animation");
+  }
+  for (const std::string& text : m_keys) {
+    const RigKey key = keyFromText(text);
+    animation.add(key.light, key.key);
+  }
+  if (!m_between.empty()) saying("--between", [&] { animation.between = betweenFromName(m_between); });
+  return animation;
 }
 
 }  // namespace swaplight

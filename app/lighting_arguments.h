@@ -9,6 +9,7 @@
 #include "app/program.h"
 #include "app/solve_arguments.h"
 #include "core/relight/rig.h"
+#include "core/relight/rig_animation.h"
 #include "core/session/session_file.h"
 
 namespace swaplight {
@@ -32,8 +33,14 @@ class LightingArguments {
   [[nodiscard]] SolveOptions solveOptions(const std::optional<Session>& session) const;
   /// Says what is wrong with the rig before a capture is solved, where that can be known.
   void check(const std::optional<Session>& session) const;
+  /// How lights change over the frames of a sequence: of the session, the rig file, and the command line's
+  /// keys, one over the other. Throws InputError.
+  [[nodiscard]] RigAnimation animation(const std::optional<Session>& session) const;
   /// The set, edited.
   [[nodiscard]] SolvedSet open(const std::optional<Session>& session, const Progress& progress) const;
+  /// The same from another file: a frame of a sequence.
+  [[nodiscard]] SolvedSet openFile(const std::filesystem::path& file, const std::optional<Session>& session,
+                                   const Progress& progress) const;
 
  private:
   std::string m_source;
@@ -41,6 +48,8 @@ class LightingArguments {
   std::string m_rig;
   std::string m_session;
   std::string m_look;
+  std::vector<std::string> m_keys;
+  std::string m_between;
   std::optional<float> m_ambient;
   EditArguments m_edits;
   SolveArguments m_solve;

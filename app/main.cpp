@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   addSolveVerb(program);
   addRelightVerb(program);
   addExportVerb(program);
+  addReportVerb(program);
   addEvaluateVerb(program);
   addStudioVerb(program);
   addBenchVerb(program);

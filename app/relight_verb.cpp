@@ -1,4 +1,5 @@
 #include "app/lighting_arguments.h"
+#include "app/sequence_arguments.h"
 #include "app/verbs.h"
 #include "core/error.h"
 #include "core/export/frame_export.h"
@@ -11,6 +12,7 @@ namespace {
 
 struct Arguments {
   LightingArguments lighting;
+  SequenceArguments sequence;
   std::string frame;
   FrameOptions output;
 };
@@ -35,6 +37,8 @@ int run(const Arguments& arguments, Terminal& terminal) {
 
   // Say what is wrong before the work, not after it.
   checkFrame(arguments.frame, output);
+  if (arguments.sequence.given())
+    return arguments.sequence.run(arguments.lighting, session, arguments.frame, output, terminal);
   checkWritable(arguments.frame);
   arguments.lighting.check(session);
 
@@ -60,6 +64,7 @@ void addRelightVerb(Program& program) {
   CLI::App& verb = program.addVerb("relight", "Make a frame of a set under new lights",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   a->lighting.addTo(verb);
+  a->sequence.addTo(verb);
   verb.add_option("-o,--output", a->frame, "The frame: EXR, HDR, PNG, TIFF or JPEG")
       ->required()
       ->type_name("FRAME");

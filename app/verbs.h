@@ -10,6 +10,7 @@ void addInfoVerb(Program& program);
 void addSolveVerb(Program& program);
 void addRelightVerb(Program& program);
 void addExportVerb(Program& program);
+void addReportVerb(Program& program);
 void addEvaluateVerb(Program& program);
 void addStudioVerb(Program& program);
 void addBenchVerb(Program& program);

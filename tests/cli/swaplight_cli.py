@@ -1,5 +1,6 @@
 """What the tests of the command line share: calling the program as a user does, and making small captures."""
 import copy
+import hashlib
 import json
 import os
 import shutil
@@ -62,6 +63,11 @@ def read_rgb(path, layer=''):
     channels = read_image(path)
     prefix = layer + '.' if layer else ''
     return np.stack([channels[prefix + c] for c in 'RGB'], -1)
+
+
+def sha256(path):
+    with open(path, 'rb') as file:
+        return hashlib.sha256(file.read()).hexdigest()
 
 
 def smooth(random, height, width, low, high):

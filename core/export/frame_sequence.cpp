@@ -1,0 +1,133 @@
+#include "core/export/frame_sequence.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/error.h"
+#include "core/file/frame_range.h"
+
+namespace swaplight {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The workers of a sequence and what they share.
+class SequenceRun {
+ public:
+  SequenceRun(const SequenceOptions& options, const std::function<FrameInput(int)>& input,
+              const std::function<void(const FrameOutcome&)>& done, const Progress& progress)
+      : m_options(options),
+        m_input(input),
+        m_done(done),
+        m_progress(progress),
+        m_outcomes(options.frames.size()) {}
+
+  SequenceSummary run() {
+    const auto started = Clock::now();
+    const int workers = std::clamp(m_options.workers, 1, std::max(1, static_cast<int>(m_outcomes.size())));
+    std::vector<std::thread> threads;
+    for (int i = 1; i < workers; ++i) threads.emplace_back([this] { work(); });
+    work();
+    for (std::thread& thread : threads) thread.join();
+    if (m_thrown) std::rethrow_exception(m_thrown);
+    SequenceSummary summary;
+    for (std::optional<FrameOutcome>& outcome : m_outcomes)
+      if (outcome) summary.outcomes.push_back(std::move(*outcome));
+    summary.seconds = secondsSince(started);
+    const double all = std::max(1e-9, m_workSeconds);
+    summary.inputShare = m_inputSeconds / all;
+    summary.writeShare = m_writeSeconds / all;
+    return summary;
+  }
+
+ private:
+  void work() {
+    for (size_t i = m_next++; i < m_outcomes.size() && !m_end; i = m_next++) {
+      try {
+        finish(i, make(m_options.frames[i]));
+      } catch (...) {  // stopped, or out of memory: nothing that another frame would survive
+        const std::lock_guard lock(m_mutex);
+        if (!m_thrown) m_thrown = std::current_exception();
+        m_end = true;
+      }
+    }
+  }
+
+  FrameOutcome make(int frame) {
+    FrameOutcome outcome{frame, frameName(m_options.output, frame), FrameOutcome::State::Written, {}};
+    if (m_options.skipExisting && std::filesystem::exists(outcome.file)) {
+      outcome.state = FrameOutcome::State::Skipped;
+      return outcome;
+    }
+    try {
+      write(frame, outcome.file);
+    } catch (const InputError& error) {
+      outcome.state = FrameOutcome::State::Failed;
+      outcome.error = error.what();
+    }
+    return outcome;
+  }
+
+  void write(int frame, const std::filesystem::path& file) {
+    const auto started = Clock::now();
+    const FrameInput input = m_input(frame);
+    const double read = secondsSince(started);
+    FrameOptions options = m_options.frame;
+    options.write.text = input.text;
+    auto writing = started;
+    Progress progress;
+    progress.stop = m_progress.stop;
+    progress.report = [&](float, std::string_view what) {
+      if (what == "writing" && writing == started) writing = Clock::now();
+    };
+    exportFrame(*input.set, input.rig, file, options, progress);
+    const std::lock_guard lock(m_mutex);
+    m_inputSeconds += read;
+    m_writeSeconds += secondsSince(writing);
+    m_workSeconds += secondsSince(started);
+  }
+
+  void finish(size_t index, FrameOutcome outcome) {
+    const std::lock_guard lock(m_mutex);
+    m_done(outcome);
+    if (outcome.state == FrameOutcome::State::Failed && !m_options.goOn) m_end = true;
+    m_outcomes[index] = std::move(outcome);
+    m_progress.update(static_cast<float>(++m_finished) / static_cast<float>(m_outcomes.size()), "frames");
+  }
+
+  const SequenceOptions& m_options;
+  const std::function<FrameInput(int)>& m_input;
+  const std::function<void(const FrameOutcome&)>& m_done;
+  const Progress& m_progress;
+  std::vector<std::optional<FrameOutcome>> m_outcomes;
+  std::atomic<size_t> m_next = 0;
+  std::atomic<bool> m_end = false;
+  std::mutex m_mutex;
+  size_t m_finished = 0;
+  double m_inputSeconds = 0, m_writeSeconds = 0, m_workSeconds = 0;
+  std::exception_ptr m_thrown;
+};
+
+}  // namespace
+
+int SequenceSummary::count(FrameOutcome::State state) const {
+  return static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(),
+                                        [&](const FrameOutcome& outcome) { return outcome.state == state; }));
+}
+
+SequenceSummary exportSequence(const SequenceOptions& options, const std::function<FrameInput(int)>& input,
+                               const std::function<void(const FrameOutcome&)>& done,
+                               const Progress& progress) {
+  return SequenceRun(options, input, done, progress).run();
+}
+
+}  // namespace swaplight

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/export/frame_export.h"
+#include "core/progress.h"
+#include "core/relight/rig.h"
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// What is needed to make one frame.
+struct FrameInput {
+  std::shared_ptr<const SolvedSet> set;
+  Rig rig;
+  std::map<std::string, std::string> text;  ///< for the header
+};
+
+struct SequenceOptions {
+  std::vector<int> frames;
+  std::string output;  ///< a pattern: see frameName
+  FrameOptions frame;
+  int workers = 2;            ///< frames made at a time
+  bool skipExisting = false;  ///< a frame whose file is there is left as it is
+  bool goOn = false;          ///< after a frame that failed; else no further frame is begun
+};
+
+struct FrameOutcome {
+  enum class State { Written, Skipped, Failed };
+  int frame = 0;
+  std::filesystem::path file;
+  State state = State::Written;
+  std::string error;  ///< why it failed
+};
+
+struct SequenceSummary {
+  std::vector<FrameOutcome> outcomes;  ///< by the order of the frames; those never begun are not there
+  double seconds = 0;
+  double inputShare = 0;  ///< of the workers' time: reading and solving
+  double writeShare = 0;  ///< compressing and writing
+  [[nodiscard]] int count(FrameOutcome::State state) const;
+};
+
+/// Makes the frames, several at a time; each is the same whatever the number of workers, and is there whole
+/// or not at all. `input` is called from several threads. `done` is told of each frame, one call at a time.
+/// Throws Stopped when asked to; what fails a frame is kept in its outcome.
+[[nodiscard]] SequenceSummary exportSequence(const SequenceOptions& options,
+                                             const std::function<FrameInput(int frame)>& input,
+                                             const std::function<void(const FrameOutcome&)>& done,
+                                             const Progress& progress = {});
+
+}  // namespace swaplight

@@ -1,0 +1,91 @@
+#include "core/file/frame_range.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "core/error.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kMostFrames = 1000000;
+
+struct Place {
+  size_t at = 0;
+  size_t length = 0;
+  int digits = 0;
+};
+
+std::optional<Place> placeIn(const std::string& pattern) {
+  static const std::regex kPlace("%(0?)([0-9]?)d|#+|@+");
+  // Only the file's own name: folders may be called anything.
+  const size_t slash = pattern.find_last_of('/');
+  const auto first = pattern.begin() + static_cast<ptrdiff_t>(slash == std::string::npos ? 0 : slash + 1);
+  std::optional<Place> found;
+  for (auto match = std::sregex_iterator(first, pattern.end(), kPlace); match != std::sregex_iterator();
+       ++match) {
+    const std::string text = match->str();
+    int digits = static_cast<int>(text.size());
+    if (text == "#") digits = 4;
+    if (text.front() == '%') digits = (*match)[2].length() > 0 ? std::atoi((*match)[2].str().c_str()) : 1;
+    found = Place{static_cast<size_t>(first - pattern.begin() + match->position()), text.size(), digits};
+  }
+  return found;
+}
+
+void addRange(const std::string& part, std::vector<int>& frames, std::set<int>& seen) {
+  static const std::regex kRange("(-?[0-9]{1,9})(?:-(-?[0-9]{1,9})(?:x([0-9]{1,9}))?)?");
+  std::smatch match;
+  if (!std::regex_match(part, match, kRange))
+    throw InputError("frames '{}': write 7, 1-100, 1-100x5, or several with commas", part);
+  const int first = std::stoi(match[1]);
+  const int last = match[2].matched ? std::stoi(match[2]) : first;
+  const int step = match[3].matched ? std::stoi(match[3]) : 1;
+  if (step == 0) throw InputError("frames '{}': the step is 0; write 1 or more", part);
+  const int64_t direction = last < first ? -1 : 1;
+  for (int64_t frame = first; direction * (last - frame) >= 0; frame += direction * step) {
+    if (seen.insert(static_cast<int>(frame)).second) frames.push_back(static_cast<int>(frame));
+    if (frames.size() > kMostFrames) throw InputError("frames '{}': more than a million", part);
+  }
+}
+
+}  // namespace
+
+std::vector<int> framesFromRange(const std::string& text) {
+  std::string spaced = text;
+  std::replace(spaced.begin(), spaced.end(), ',', ' ');
+  std::istringstream parts(spaced);
+  std::vector<int> frames;
+  std::set<int> seen;
+  std::string part;
+  while (parts >> part) addRange(part, frames, seen);
+  if (frames.empty()) throw InputError("frames '{}': there are none; write 7, 1-100 or 1-100x5", text);
+  return frames;
+}
+
+bool hasFrameNumber(const std::string& pattern) {
+  return placeIn(pattern).has_value();
+}
+
+std::string frameName(const std::string& pattern, int frame) {
+  const std::optional<Place> place = placeIn(pattern);
+  if (!place) return pattern;
+  const std::string number =
+      fmt::format("{}{:0{}}", frame < 0 ? "-" : "", std::abs(static_cast<int64_t>(frame)), place->digits);
+  return pattern.substr(0, place->at) + number + pattern.substr(place->at + place->length);
+}
+
+std::vector<int> shareOfFrames(const std::vector<int>& frames, int index, int count) {
+  if (count < 1 || index < 0 || index >= count)
+    throw InputError("part {} of {}: the parts are counted 0 to {}", index, count, std::max(count - 1, 0));
+  const auto at = [&](int i) { return frames.begin() + static_cast<ptrdiff_t>(frames.size()) * i / count; };
+  return {at(index), at(index + 1)};
+}
+
+}  // namespace swaplight

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// How far a light can be raised or lowered before noise or clipping shows.
+struct LightRange {
+  std::string light;
+  double peak = 0;  ///< luminance under unit white, 99.9th percentile
+  double floor =
+      0;  ///< its standard error where the picture is dark: the tenth percentile of sigma times the sum
+  double stops = 0;  ///< log2(peak / floor); 0 where the light gives nothing
+};
+
+/// For each light of a solved set; empty where the set has no quality. Throws InputError on an unknown colour
+/// space.
+[[nodiscard]] std::vector<LightRange> dynamicRange(const SolvedSet& set);
+
+}  // namespace swaplight
