@@ -108,7 +108,11 @@ std::string mapFigure(const SolvedSet& set, int channel, const std::string& capt
   Image plane(spec);
   std::copy_n(set.quality.plane(channel), plane.pixelCount(), plane.plane(0));
   const Image small = shrunk(plane, kMapWidth);
-  const double top = std::max(1e-6, percentile(small.plane(0), small.pixelCount(), 0.99));
+  // Pixels that are nearly black have huge values: the scale is made for the others.
+  constexpr double kTopOverMedian = 4;
+  const double median = percentile(plane.plane(0), plane.pixelCount(), 0.5);
+  const double high = percentile(small.plane(0), small.pixelCount(), 0.99);
+  const double top = std::max(1e-6, median > 0 ? std::min(high, kTopOverMedian * median) : high);
   Image colors(ImageSpec::rgb(small.width(), small.height()));
   for (size_t p = 0; p < small.pixelCount(); ++p) {
     const Rgb color = viridis(static_cast<float>(small.plane(0)[p] / top));
@@ -122,9 +126,8 @@ std::string mapFigure(const SolvedSet& set, int channel, const std::string& capt
   return fmt::format(
       "<figure><img src=\"{}\" alt=\"{}\"><div class=\"scale\" "
       "style=\"background:linear-gradient(90deg{})\"></div>"
-      "<figcaption>{}: 0 to {:.3g} (99th percentile); median {:.3g}</figcaption></figure>\n",
-      inlineImage(pngBytes(colors), "png"), escaped(caption), gradient, escaped(caption), top,
-      percentile(set.quality.plane(channel), set.beta.pixelCount(), 0.5));
+      "<figcaption>{}: 0 to {:.3g} and above; median {:.3g}</figcaption></figure>\n",
+      inlineImage(pngBytes(colors), "png"), escaped(caption), gradient, escaped(caption), top, median);
 }
 
 /// Why a light gives nothing, or "on".
