@@ -1,9 +1,8 @@
 #include "app/edit_arguments.h"
 
 #include "core/edit/edit_file.h"
-#include "core/edit/edited_set.h"
 #include "core/error.h"
-#include "core/shadow/detect_shadows.h"
+#include "core/session/open_source.h"
 
 namespace swaplight {
 
@@ -11,14 +10,19 @@ void EditArguments::addTo(CLI::App& verb) {
   verb.add_option("--edits", file, "Edit the lights first: a file of edits (JSON)")->type_name("FILE");
 }
 
-SolvedSet EditArguments::applyTo(SolvedSet set) const {
-  if (file.empty()) return set;
+SolvedSet EditArguments::applyTo(SolvedSet set, const EditStack& session) const {
+  if (file.empty() && session == EditStack{}) return set;
   const auto original = std::make_shared<const SolvedSet>(std::move(set));
-  const EditStack stack = readEdits(file, original->width(), original->height());
+  EditStack stack = session;
+  if (!file.empty()) {
+    const EditStack added = readEdits(file, original->width(), original->height());
+    stack.edits.insert(stack.edits.end(), added.edits.begin(), added.edits.end());
+    stack.newLights.insert(stack.newLights.end(), added.newLights.begin(), added.newLights.end());
+  }
   try {
-    return applyEdits(*original, stack, shadowSource(original));
+    return withEdits(original, stack);
   } catch (const InputError& error) {
-    throw InputError("{}: {}", file, error.what());
+    throw InputError("{}: {}", file.empty() ? "session" : file, error.what());
   }
 }
 

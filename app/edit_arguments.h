@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/program.h"
+#include "core/edit/edit.h"
 #include "core/solve/solved_set.h"
 
 namespace swaplight {
@@ -12,8 +13,8 @@ struct EditArguments {
   std::string file;
 
   void addTo(CLI::App& verb);
-  /// The set with the edits; as it is without any. Throws InputError.
-  [[nodiscard]] SolvedSet applyTo(SolvedSet set) const;
+  /// The set with a session's edits, if it has any, and the file's after them. Throws InputError.
+  [[nodiscard]] SolvedSet applyTo(SolvedSet set, const EditStack& session = {}) const;
 };
 
 }  // namespace swaplight

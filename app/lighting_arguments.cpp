@@ -58,7 +58,8 @@ void LightingArguments::addTo(CLI::App& verb) {
       ->type_name("NAME=SETTING")
       ->allow_extra_args(false);
   verb.add_option("--rig", m_rig, "A rig of lights (JSON)")->type_name("FILE");
-  verb.add_option("--session", m_session, "Take the rig, the view and, without SOURCE, the set of a session")
+  verb.add_option("--session", m_session,
+                  "Take the edits, the rig, the view and, without SOURCE, the set of a session")
       ->type_name("FILE");
   verb.add_option("--look", m_look,
                   "A look: one that the session holds, or high-key, low-key, rembrandt, silhouette, "
@@ -112,7 +113,8 @@ SolveOptions LightingArguments::solveOptions(const std::optional<Session>& sessi
 
 void LightingArguments::check(const std::optional<Session>& session) const {
   const std::filesystem::path set = source(session);
-  if (sourceKind(set) == SourceKind::Capture && m_edits.file.empty())
+  const bool moreLights = !m_edits.file.empty() || (session && !session->document.edits.newLights.empty());
+  if (sourceKind(set) == SourceKind::Capture && !moreLights)
     static_cast<void>(rig(session, readCapture(sourceFile(set))));
 }
 
@@ -122,7 +124,8 @@ SolvedSet LightingArguments::open(const std::optional<Session>& session, const P
 
 SolvedSet LightingArguments::openFile(const std::filesystem::path& file,
                                       const std::optional<Session>& session, const Progress& progress) const {
-  return m_edits.applyTo(openSource(file, solveOptions(session), progress));
+  return m_edits.applyTo(openSource(file, solveOptions(session), progress),
+                         session ? session->document.edits : EditStack{});
 }
 
 RigAnimation LightingArguments::animation(const std::optional<Session>& session) const {

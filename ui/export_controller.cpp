@@ -1,6 +1,7 @@
 #include "ui/export_controller.h"
 
 #include "core/export/frame_export.h"
+#include "core/session/open_source.h"
 
 namespace swaplight {
 
@@ -8,7 +9,10 @@ void ExportController::exportFrame(std::shared_ptr<const SolvedSet> set, const D
                                    const std::filesystem::path& file) {
   m_job.start(
       [set = std::move(set), document, file](const Progress& progress) {
-        swaplight::exportFrame(*set, document.rig, file, frameOptionsFor(document.display, file), progress);
+        const bool edited = document.edits != EditStack{};
+        const SolvedSet shown = edited ? withEdits(set, document.edits) : SolvedSet();
+        swaplight::exportFrame(edited ? shown : *set, document.rig, file,
+                               frameOptionsFor(document.display, file), progress);
         return file;
       },
       m_wake);

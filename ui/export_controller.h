@@ -16,6 +16,7 @@ class ExportController {
  public:
   explicit ExportController(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
+  /// `set` without edits: they are the document's.
   void exportFrame(std::shared_ptr<const SolvedSet> set, const Document& document,
                    const std::filesystem::path& file);
   [[nodiscard]] bool busy() const { return m_job.running(); }

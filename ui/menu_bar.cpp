@@ -22,7 +22,7 @@ const std::vector<Menu>& menus() {
       {"File",
        {"file.new", "file.open", "recent", "-", "file.save", "file.save_as", "-", "file.export", "-",
         "file.close", "file.quit"}},
-      {"Edit", {"edit.undo", "edit.redo", "edit.history"}},
+      {"Edit", {"edit.undo", "edit.redo", "edit.history", "-", "brush.take", "view.edits"}},
       {"Lights",
        {"light.solo",
         "light.solo_alone",
@@ -70,8 +70,8 @@ const std::vector<Menu>& menus() {
        {"compare.off", "compare.wipe", "compare.split", "compare.difference", "compare.toggle", "-",
         "compare.keep", "side_b", "compare.center_line"}},
       {"Window",
-       {"view.mixer", "view.three_point", "view.scopes", "view.gallery", "view.tools", "scopes.region", "-",
-        "view.hide_panels", "view.full_screen", "window.reset"}},
+       {"view.mixer", "view.three_point", "view.scopes", "view.gallery", "view.edits", "view.tools",
+        "scopes.region", "-", "view.hide_panels", "view.full_screen", "window.reset"}},
       {"Help", {"help.palette", "help.keys", "help.about"}},
   };
   return all;

@@ -46,6 +46,7 @@ PanelLayout readPanelLayout(const std::filesystem::path& file) {
     layout.mixer = json.value("mixer", layout.mixer);
     layout.scopes = json.value("scopes", layout.scopes);
     layout.tools = json.value("tools", layout.tools);
+    layout.edits = json.value("edits", layout.edits);
     layout.gallery = json.value("gallery", layout.gallery);
     layout.threePoint = json.value("three_point", layout.threePoint);
     if (json.contains("scope_options")) layout.scopeOptions = scopeOptionsFromJson(json["scope_options"]);
@@ -63,6 +64,7 @@ void writePanelLayout(const PanelLayout& layout, const std::filesystem::path& fi
     writeJson(Json{{"mixer", layout.mixer},
                    {"scopes", layout.scopes},
                    {"tools", layout.tools},
+                   {"edits", layout.edits},
                    {"gallery", layout.gallery},
                    {"three_point", layout.threePoint},
                    {"scope_options", jsonFromScopeOptions(layout.scopeOptions)},

@@ -20,6 +20,7 @@ struct PanelLayout {
   bool mixer = true;
   bool scopes = false;
   bool tools = true;
+  bool edits = false;
   bool gallery = false;
   bool threePoint = false;  ///< in the place of the light's colour
   bool hidden = false;      ///< everything but the viewer

@@ -1,5 +1,7 @@
 #include "ui/scopes_controller.h"
 
+#include <shared_mutex>
+
 #include "core/error.h"
 
 namespace swaplight {
@@ -28,6 +30,7 @@ ScopesController::Request ScopesController::requestOf(const StudioContext& studi
   request.display = studio.document().display;
   request.pixels = studio.editor.inGesture() ? kPixelsInGesture : kPixels;
   request.set = studio.session.setRevision();
+  request.edits = studio.edits.revision();
   return request;
 }
 
@@ -49,6 +52,7 @@ void ScopesController::update(StudioContext& studio) {
   m_job.start(
       [pictures = studio.set()->pictures, request = std::move(request), table,
        toXyz = studio.table.xyzFromRgb(), weights = studio.table.luminanceWeights()](const Progress&) {
+        const std::shared_lock lock(pictures->pixels());
         const ScopeSample sample = scopeSample(pictures->layers({}, request.factors, request.ambient),
                                                request.region, *table, request.pixels);
         return scopePictures(sample, toXyz, weights);

@@ -31,6 +31,7 @@ class ScopesController {
     DisplayChoice display;
     int pixels = 0;
     uint64_t set = 0;
+    uint64_t edits = 0;
     bool operator==(const Request&) const = default;
   };
   [[nodiscard]] static Request requestOf(const StudioContext& studio);

@@ -116,7 +116,9 @@ void SessionController::takeSet() {
 void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   Document& document = pending.session.document;
   if (set) {
-    document.rig = fitRig(document.rig, set->solved->capture);
+    set->original = set->solved;
+    document.edits = fitEdits(document.edits, set->solved->width(), set->solved->height());
+    document.rig = fitRig(document.rig, withNewLights(set->solved->capture, document.edits));
     for (const std::string& warning : set->solved->capture.warnings) m_messages.warn(warning);
   }
   for (const std::string& warning : pending.session.warnings) m_messages.warn(warning);
@@ -133,6 +135,12 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   m_autosaved = m_editor.revision();
   if (pending.unsaved) m_autosaved = kNothingAutosaved;
   m_recent.add(m_file.empty() ? m_editor.document().source : m_file);
+}
+
+void SessionController::showEdited(std::shared_ptr<const SolvedSet> solved,
+                                   std::shared_ptr<const ViewPictures> pictures) {
+  m_set->solved = std::move(solved);
+  m_set->pictures = std::move(pictures);
 }
 
 void SessionController::close() {

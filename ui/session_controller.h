@@ -43,6 +43,11 @@ class SessionController {
   /// To be called often: takes what threads have finished, saves for recovery.
   void update();
 
+  /// Shows the open set with edits from now on.
+  void showEdited(std::shared_ptr<const SolvedSet> solved, std::shared_ptr<const ViewPictures> pictures);
+  /// The edits have added or removed lights: to everybody it is another set.
+  void lightsChanged() { ++m_setRevision; }
+
   /// The set that is open, or nullptr.
   [[nodiscard]] const OpenSet* set() const { return m_set ? &*m_set : nullptr; }
   /// Counts up with every set; for those who cache what they make of it.

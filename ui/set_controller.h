@@ -16,8 +16,9 @@ namespace swaplight {
 /// A set that is open, and what the viewer needs to show it quickly.
 struct OpenSet {
   std::filesystem::path source;
-  std::shared_ptr<const SolvedSet> solved;
-  std::shared_ptr<const ViewPictures> pictures;
+  std::shared_ptr<const SolvedSet> solved;       ///< with the document's edits, where there are any
+  std::shared_ptr<const ViewPictures> pictures;  ///< of `solved`
+  std::shared_ptr<const SolvedSet> original;     ///< without edits
 };
 
 /// Reads or solves the set that the person has chosen, in a thread. The set that was open stays until the new

@@ -4,6 +4,7 @@ namespace swaplight {
 
 void StudioWindow::addActions() {
   addFileActions();
+  addBrushActions();  // before the viewer's: while the brush is in the hand digits are its opacity
   addLightActions();
   addViewActions();
   addCompareActions();

@@ -3,6 +3,8 @@
 #include "core/session/document_editor.h"
 #include "render/picture_screen.h"
 #include "ui/action_table.h"
+#include "ui/edit_controller.h"
+#include "ui/edits_state.h"
 #include "ui/look_state.h"
 #include "ui/messages.h"
 #include "ui/mixer_state.h"
@@ -45,6 +47,8 @@ struct StudioContext {
   SubjectPictures& subjects;
   ViewTable& table;
   LookState& looks;
+  EditController& edits;
+  EditsState& editing;
 
   [[nodiscard]] const Document& document() const { return editor.document(); }
   [[nodiscard]] const OpenSet* set() const { return session.set(); }

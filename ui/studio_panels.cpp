@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/edits_panel.h"
 #include "ui/icons.h"
 #include "ui/layout_probe.h"
 #include "ui/menu_bar.h"
@@ -17,6 +18,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kToolbarWidth = 46;
+constexpr float kEditsWidth = 236;
 constexpr float kSplitter = 4;
 constexpr float kLeastViewer = 160;  ///< height that the viewer keeps, however small the window
 
@@ -49,6 +51,8 @@ void StudioWindow::drawToolbar() {
   actionButton(m_actions, "view.fit", kIconFit, side);
   actionButton(m_actions, "view.one_to_one", "1:1", side);
   gap();
+  actionButton(m_actions, "brush.take", kIconBrush, side);
+  actionButton(m_actions, "view.edits", kIconLayers, side);
   actionButton(m_actions, "light.neutral", kIconPicker, side);
   actionButton(m_actions, "view.probe", kIconInfo, side);
   actionButton(m_actions, "compare.wipe", kIconCompare, side);
@@ -71,7 +75,9 @@ void StudioWindow::drawPanels() {
   const float splitterWidth = px(kSplitter);
   const float status = panels ? ImGui::GetFrameHeight() + px(2) : 0;
   const float height = room.y - status;
-  const float tools = panels && m_layout.tools ? px(kToolbarWidth) : 0;
+  const float buttons = panels && m_layout.tools ? px(kToolbarWidth) : 0;
+  const float edits = panels && m_layout.edits && m_session.set() && hasLights ? px(kEditsWidth) : 0;
+  const float tools = buttons + edits;  // at the left of the viewer
   const float mixerWidth = mixer ? std::min(px(m_layout.mixerWidth), room.x * 0.6F) : 0;
   const float viewerWidth = room.x - tools - mixerWidth - (mixer ? splitterWidth : 0);
   const float galleryHeight = gallery ? px(GalleryPanel::kHeight) : 0;
@@ -81,8 +87,8 @@ void StudioWindow::drawPanels() {
   const float viewerHeight = height - galleryHeight - scopesHeight - (scopes ? splitterWidth : 0);
 
   const auto place = [&](float x, float y) { ImGui::SetCursorScreenPos(ImVec2(at.x + x, at.y + y)); };
-  if (tools > 0)
-    panel("##tools", ImVec2(tools, height), ImVec2(px(6), px(8)), ImGuiWindowFlags_NoScrollbar,
+  if (buttons > 0)
+    panel("##tools", ImVec2(buttons, height), ImVec2(px(6), px(8)), ImGuiWindowFlags_NoScrollbar,
           [&] { drawToolbar(); });
   // The lights come before the picture, so that it shows in the same frame what is done to them.
   if (mixer) {
@@ -92,6 +98,10 @@ void StudioWindow::drawPanels() {
     place(tools + viewerWidth + splitterWidth, 0);
     panel("##mixer", ImVec2(mixerWidth, height), ImVec2(px(10), px(10)), 0,
           [&] { drawMixerPanel(m_context); });
+  }
+  if (edits > 0) {
+    place(buttons, 0);
+    panel("##edits", ImVec2(edits, height), ImVec2(px(10), px(10)), 0, [&] { drawEditsPanel(m_context); });
   }
   place(tools, 0);
   panel("##viewer", ImVec2(viewerWidth, viewerHeight), ImVec2(0, 0),

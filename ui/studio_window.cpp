@@ -11,6 +11,7 @@
 #include "ui/key_file.h"
 #include "ui/layout_probe.h"
 #include "ui/menu_bar.h"
+#include "ui/viewer_request.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;
@@ -38,11 +39,12 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_pictures(makePictureScreen(options.engine, ColorConfig::current())),
       m_exports([&screen] { screen.wake(); }),
       m_subjects([&screen] { screen.wake(); }),
+      m_edits([&screen] { screen.wake(); }),
       m_scopes([&screen] { screen.wake(); }),
       m_context{m_editor,    m_view,    m_layout,   m_session,           m_sets,
                 *m_pictures, m_actions, m_messages, m_screen.keyboard(), m_shown,
                 m_mixer,     m_tool,    m_viewer,   m_subjects,          m_table,
-                m_looks},
+                m_looks,     m_edits,   m_editing},
       m_wizard([&screen] { screen.wake(); }),
       m_keys(configFolder() / "keys.txt") {
   addActions();
@@ -133,7 +135,7 @@ void StudioWindow::askForExport() {
 }
 
 void StudioWindow::exportFrame(const fs::path& file) {
-  if (const OpenSet* set = m_session.set()) m_exports.exportFrame(set->solved, m_editor.document(), file);
+  if (const OpenSet* set = m_session.set()) m_exports.exportFrame(set->original, m_editor.document(), file);
 }
 
 void StudioWindow::update() {
@@ -157,6 +159,8 @@ void StudioWindow::frame() {
     m_subjects.forget();
     m_viewer = {};
     m_looks = {};
+    m_editing.brush.last.reset();
+    m_editing.chosen = -1;
   }
   if (m_setShown != m_session.setRevision() || m_subjectsShown != m_subjects.revision()) m_pictures->forget();
   m_setShown = m_session.setRevision();
@@ -175,6 +179,7 @@ void StudioWindow::frame() {
   ImGui::Begin("##studio", nullptr, flags);
   ImGui::PopStyleVar(3);
   if (!m_layout.hidden) drawMenuBar(m_context);
+  m_edits.show(m_context, visiblePart(m_shown.window));
   drawPanels();
   ImGui::End();
 

@@ -34,7 +34,7 @@ class StudioWindow {
   /// Shows the wizard for a folder of photographs, whether or not there is a capture in it.
   void bringIn(const std::filesystem::path& folder) { m_wizard.start(folder); }
   /// Something is being read, solved or guessed.
-  [[nodiscard]] bool busy() const { return m_sets.busy() || m_wizard.busy(); }
+  [[nodiscard]] bool busy() const { return m_sets.busy() || m_wizard.busy() || m_edits.busy(); }
 
   /// Ends the studio, after asking what to do with unsaved work.
   void askToQuit();
@@ -53,6 +53,7 @@ class StudioWindow {
   void addCompareActions();
   void addWindowActions();
   void addLookActions();
+  void addBrushActions();
   void drawToolbar();
   void drawPanels();
   /// Does it at once, or after the person has decided about unsaved work.
@@ -86,6 +87,8 @@ class StudioWindow {
   uint64_t m_subjectsShown = 0;
   ViewTable m_table;
   LookState m_looks;
+  EditController m_edits;
+  EditsState m_editing;
   ScopesPanel m_scopes;
   GalleryPanel m_gallery;
   StudioContext m_context;

@@ -31,8 +31,11 @@ const SubjectPictures::Shown* SubjectPictures::picture(const OpenSet& set, const
     m_shown.splice(m_shown.end(), m_shown, found);
     return &m_shown.back();
   }
+  // The quality is that of the solve: edits have none.
+  const bool edited =
+      subject.kind == ViewSubject::Kind::Beta || subject.kind == ViewSubject::Kind::Reflectance;
   if (subject.kind != ViewSubject::Kind::Photograph)
-    return &keep(subject, subjectImage(*set.solved, subject));
+    return &keep(subject, subjectImage(edited ? *set.solved : *set.original, subject));
   const bool failed = std::find(m_failed.begin(), m_failed.end(), subject) != m_failed.end();
   if (failed || m_job.running()) return nullptr;
   m_reading = subject;
@@ -55,6 +58,15 @@ void SubjectPictures::update(Messages& messages) {
     m_failed.push_back(m_reading);
     messages.error(error.what());
   }
+}
+
+bool SubjectPictures::editsChanged() {
+  const size_t before = m_shown.size();
+  m_shown.remove_if([](const Shown& shown) {
+    return shown.subject.kind == ViewSubject::Kind::Beta ||
+           shown.subject.kind == ViewSubject::Kind::Reflectance;
+  });
+  return m_shown.size() != before;
 }
 
 void SubjectPictures::forget() {

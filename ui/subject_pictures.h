@@ -27,6 +27,8 @@ class SubjectPictures {
   const Shown* picture(const OpenSet& set, const ViewSubject& subject);
   /// To be called often: takes what was read.
   void update(Messages& messages);
+  /// Pixels of the set have changed: forgets what was made of them. True where there was any.
+  bool editsChanged();
   /// Another set is open.
   void forget();
   [[nodiscard]] bool busy() const { return m_job.running(); }

@@ -7,6 +7,7 @@ enum class Tool {
   Look,     ///< moves the picture
   Neutral,  ///< the pixel under it becomes neutral
   Match,    ///< the chosen light takes the colour of the pixel under it
+  Brush,    ///< paints with the chosen light
   Region,   ///< draws the rectangle that scopes look at
 };
 

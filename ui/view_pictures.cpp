@@ -8,6 +8,11 @@ ViewPictures::ViewPictures(std::shared_ptr<const SolvedSet> set) : m_set(std::mo
   if (m_set->ambient) m_ambient.emplace(m_set->ambient->view());
 }
 
+void ViewPictures::refresh(const std::vector<PixelRect>& changed) {
+  for (Pyramid& contribution : m_contributions)
+    for (const PixelRect& rect : changed) contribution.refresh(rect.x, rect.y, rect.width, rect.height);
+}
+
 std::vector<ViewLayer> ViewPictures::layers(const ViewSubject& subject, std::span<const Rgb> factors,
                                             float ambientFactor) const {
   std::vector<ViewLayer> layers;
@@ -15,7 +20,8 @@ std::vector<ViewLayer> ViewPictures::layers(const ViewSubject& subject, std::spa
     layers.push_back({&m_contributions.at(static_cast<size_t>(subject.index)), Rgb(1)});
     return layers;
   }
-  for (size_t i = 0; i < m_contributions.size(); ++i) layers.push_back({&m_contributions[i], factors[i]});
+  for (size_t i = 0; i < m_contributions.size(); ++i)
+    layers.push_back({&m_contributions[i], i < factors.size() ? factors[i] : Rgb(0)});
   if (m_ambient) layers.push_back({&*m_ambient, Rgb(ambientFactor)});
   return layers;
 }

@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <optional>
+#include <shared_mutex>
 #include <span>
 #include <vector>
 
+#include "core/edit/mask_raster.h"
 #include "core/solve/solved_set.h"
 #include "core/view/view_subject.h"
 #include "core/view/window_pixels.h"
@@ -19,7 +21,14 @@ class ViewPictures {
   [[nodiscard]] int width() const { return m_set->width(); }
   [[nodiscard]] int height() const { return m_set->height(); }
 
-  /// What has to be added up to show a subject; `factors` are the rig's.
+  /// To be called when pixels of the contributions have changed, alone with pixels().
+  void refresh(const std::vector<PixelRect>& changed);
+  [[nodiscard]] const std::vector<Pyramid>& contributions() const { return m_contributions; }
+  /// Shared by other threads than the interface's while they read; held alone while pixels change.
+  [[nodiscard]] std::shared_mutex& pixels() const { return m_pixels; }
+
+  /// What has to be added up to show a subject; `factors` are the rig's; a light that it lacks
+  /// is dark.
   [[nodiscard]] std::vector<ViewLayer> layers(const ViewSubject& subject, std::span<const Rgb> factors,
                                               float ambientFactor) const;
 
@@ -27,6 +36,7 @@ class ViewPictures {
   std::shared_ptr<const SolvedSet> m_set;
   std::vector<Pyramid> m_contributions;
   std::optional<Pyramid> m_ambient;
+  mutable std::shared_mutex m_pixels;
 };
 
 }  // namespace swaplight

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/brush_tool.h"
 #include "ui/pick_tool.h"
 #include "ui/theme.h"
 #include "ui/viewer_request.h"
@@ -113,14 +114,18 @@ WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2
 void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
-  if (hovered && io.MouseWheel != 0)
+  const bool paints = studio.tool == Tool::Brush && !io.KeyAlt && !studio.keyboard.isHeld("E") &&
+                      !studio.keyboard.isHeld("Space");
+  if (hovered && io.MouseWheel != 0 && !(paints && io.KeyCtrl))
     studio.view.zoomAt(window, io.MousePos.x - origin.x, io.MousePos.y - origin.y,
                        std::pow(kWheelStep, io.MouseWheel));
   const Tool tool = io.KeyAlt ? Tool::Match : studio.tool;
   const bool picks = tool == Tool::Neutral || tool == Tool::Match;
   Grab& grab = studio.viewer.grab;
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) grab = Grab::Pan;
-  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+  if (paints || studio.editing.brush.going) {
+    handleBrush(studio, window, origin);
+  } else if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     if (picks) {
       if (const auto pixel = pixelAt(studio, window, origin)) pickPixel(studio, tool, pixel->x, pixel->y);
     } else {
@@ -130,7 +135,7 @@ void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 o
   }
   if (!io.MouseDown[ImGuiMouseButton_Left] && !io.MouseDown[ImGuiMouseButton_Middle]) grab = Grab::None;
   drag(studio, window, origin);
-  if (!hovered) return;
+  if (!hovered || paints) return;
   const Grab over = grab == Grab::None ? grabbed(studio, window, origin) : grab;
   if (picks || over == Grab::WipeMove || over == Grab::WipeTurn)
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

@@ -8,6 +8,7 @@
 #include "core/measure/color_map.h"
 #include "core/view/false_color.h"
 #include "core/view/subject_image.h"
+#include "ui/brush_tool.h"
 #include "ui/layout_probe.h"
 #include "ui/theme.h"
 #include "ui/viewer_mouse.h"
@@ -170,6 +171,7 @@ void drawViewerOverlay(StudioContext& studio, const ViewWindow& window, ImVec2 o
     markRect("viewer.badge", at.x, at.y, at.x + words.x, at.y + words.y);
   }
   drawLegends(studio, origin, size);
+  if (studio.tool == Tool::Brush) drawBrushRing(studio, window, origin);
 }
 
 }  // namespace swaplight

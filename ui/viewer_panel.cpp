@@ -141,6 +141,7 @@ void drawViewerPanel(StudioContext& studio) {
   handleViewerMouse(studio, seen(), under);
   const ViewWindow window = seen();
   studio.shown = {true, window, under.x, under.y, ImGui::IsItemHovered(), studio.editor.revision()};
+  studio.edits.show(studio, visiblePart(window));
   drawPanes(studio, window, origin);
   drawViewerOverlay(studio, window, origin, size);
   drawProbeCard(studio, origin, size);

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "core/relight/rig.h"
 #include "core/view/subject_image.h"
 
@@ -44,6 +46,14 @@ ViewerPictures viewerPictures(StudioContext& studio) {
 
 Comparison wipeIn(const CompareState& state, int pictureWidth, int pictureHeight) {
   return {Comparison::Mode::Wipe, state.x * pictureWidth, state.y * pictureHeight, state.angleDegrees};
+}
+
+PixelRect visiblePart(const ViewWindow& window) {
+  if (window.zoom <= 0) return {};
+  const auto low = [](double at) { return static_cast<int>(std::floor(at)) - 2; };
+  const int left = low(window.left), top = low(window.top);
+  return {left, top, static_cast<int>(std::ceil(window.width / window.zoom)) + 5,
+          static_cast<int>(std::ceil(window.height / window.zoom)) + 5};
 }
 
 ViewSettings viewerSettings(const StudioContext& studio) {

@@ -17,6 +17,9 @@ struct ViewerPictures {
 /// The wipe's line in the picture's pixels.
 [[nodiscard]] Comparison wipeIn(const CompareState& state, int pictureWidth, int pictureHeight);
 
+/// The pixels of the picture that a window may show.
+[[nodiscard]] PixelRect visiblePart(const ViewWindow& window);
+
 /// The viewer's settings with the session's display and view.
 [[nodiscard]] ViewSettings viewerSettings(const StudioContext& studio);
 

@@ -15,6 +15,8 @@ void StudioWindow::addWindowActions() {
       "Key, fill and back, their ratios, and looks made of them, in the place of the light's colour; again: "
       "the colour.",
       &m_layout.threePoint);
+  panel("view.edits", "Edits", "F4", "Show or hide what is done to the lights before they are mixed.",
+        &m_layout.edits);
   panel("view.tools", "Tools", "F7", "Show or hide the buttons at the left.", &m_layout.tools);
   panel("view.hide_panels", "Only the picture", "Tab", "Hide everything but the viewer; again: show it.",
         &m_layout.hidden);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
@@ -94,12 +95,16 @@ struct Edit {
 struct EditStack {
   std::vector<std::shared_ptr<const Edit>> edits;
   std::vector<std::string> newLights;
+  int width = 0, height = 0;  ///< of the picture that the masks are for; 0: nobody has said
 
   void append(Edit edit) { edits.push_back(std::make_shared<const Edit>(std::move(edit))); }
   void replace(size_t index, Edit edit) { edits[index] = std::make_shared<const Edit>(std::move(edit)); }
   /// Compares what the edits say.
   bool operator==(const EditStack& other) const;
 };
+
+/// Bytes that the stack holds and `before` does not share: what it costs to keep both.
+[[nodiscard]] size_t editBytes(const EditStack& stack, const EditStack& before);
 
 /// fill, gain, curve, invert, blur, sharpen, picture, shadow: as in JSON.
 [[nodiscard]] std::string operationName(const Operation& operation);
@@ -108,5 +113,12 @@ struct EditStack {
 /// `width` and `height` of the picture that the masks are for. Throws InputError that says where.
 [[nodiscard]] EditStack editStackFromJson(const Json& json, int width, int height,
                                           const std::string& where = "edits");
+/// The stack with every file that it names by another name.
+[[nodiscard]] EditStack withFiles(const EditStack& stack,
+                                  const std::function<std::string(const std::string&)>& rename);
+/// The stack for a picture of this size: strokes are painted again where it is another.
+[[nodiscard]] EditStack fitEdits(const EditStack& stack, int width, int height);
+/// Whether something in it needs the lights' shadows.
+[[nodiscard]] bool usesShadows(const Edit& edit);
 
 }  // namespace swaplight

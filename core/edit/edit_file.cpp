@@ -10,10 +10,6 @@ namespace {
 constexpr const char* kFormat = "swaplight-edits";
 constexpr int kVersion = 1;
 
-void resolvePath(std::string& path, const fs::path& folder) {
-  if (!path.empty() && fs::path(path).is_relative()) path = (folder / path).lexically_normal().string();
-}
-
 }  // namespace
 
 EditStack readEdits(const fs::path& file, int width, int height) {
@@ -26,16 +22,10 @@ EditStack readEdits(const fs::path& file, int width, int height) {
     throw InputError("{}: has version {}, and this program reads versions up to {}.", name, version.dump(),
                      kVersion);
 
-  EditStack stack = editStackFromJson(json, width, height, name);
   const fs::path folder = fs::absolute(file).parent_path();
-  for (size_t i = 0; i < stack.edits.size(); ++i) {
-    Edit edit = *stack.edits[i];
-    if (auto* picture = std::get_if<PictureOperation>(&edit.operation)) resolvePath(picture->file, folder);
-    for (MaskShape& shape : edit.mask)
-      if (auto* picture = std::get_if<PictureShape>(&shape.shape)) resolvePath(picture->file, folder);
-    stack.replace(i, std::move(edit));
-  }
-  return stack;
+  return withFiles(editStackFromJson(json, width, height, name), [&](const std::string& path) {
+    return fs::path(path).is_relative() ? (folder / path).lexically_normal().string() : path;
+  });
 }
 
 void writeEdits(const EditStack& stack, const fs::path& file) {

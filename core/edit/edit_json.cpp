@@ -119,12 +119,6 @@ std::string operationName(const Operation& operation) {
   return kOperationNames[operation.index()];
 }
 
-bool EditStack::operator==(const EditStack& other) const {
-  return newLights == other.newLights &&
-         std::equal(edits.begin(), edits.end(), other.edits.begin(), other.edits.end(),
-                    [](const auto& a, const auto& b) { return a == b || *a == *b; });
-}
-
 Json jsonFromEditStack(const EditStack& stack) {
   Json edits = Json::array();
   for (const auto& edit : stack.edits) {
@@ -143,6 +137,8 @@ Json jsonFromEditStack(const EditStack& stack) {
 
 EditStack editStackFromJson(const Json& json, int width, int height, const std::string& where) {
   EditStack stack;
+  stack.width = width;
+  stack.height = height;
   JsonFields fields(json, where);
   stack.newLights = readNames(fields, "new_lights");
   for (const Json& item : fields.list("edits", "a list of edits")) {

@@ -124,6 +124,12 @@ void EditedSet::markStale(const PixelRect& area) {
   }
 }
 
+std::optional<PixelRect> EditedSet::staleTile() const {
+  for (const PixelRect& stale : m_stale)
+    if (!stale.empty()) return stale;
+  return std::nullopt;
+}
+
 std::vector<PixelRect> EditedSet::update() {
   return update({0, 0, m_set->width(), m_set->height()});
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/edit/edit.h"
@@ -30,6 +31,9 @@ class EditedSet {
   /// Computes what is out of date in the area. Returns the rectangles (at most one a tile) that have changed.
   std::vector<PixelRect> update(const PixelRect& area);
   std::vector<PixelRect> update();
+
+  /// A tile that is out of date; nothing where all is done.
+  [[nodiscard]] std::optional<PixelRect> staleTile() const;
 
   /// The edited set: up to date where update has been. New lights follow the set's own. quality is not filled
   /// in: it is that of the set as solved.

@@ -87,7 +87,12 @@ MaskRaster drawShape(const ShadowShape& shape, const LightShadows& shadows) {
     cv::connectedComponents(shadow, regions, 8, CV_32S);
     const bool inside = shape.x >= 0 && shape.y >= 0 && shape.x < width && shape.y < height;
     const int region = inside ? regions.at<int>(shape.y, shape.x) : 0;
-    chosen = region > 0 ? cv::Mat((regions == region) / 255) : cv::Mat::zeros(height, width, CV_8U);
+    if (region == 0)
+      throw InputError(
+          "there is no shadow of \"{}\" at {}, {}. Choose a pixel within one of its shadows "
+          "(`swaplight shadows` draws their outlines).",
+          shape.light, shape.x, shape.y);
+    chosen = cv::Mat((regions == region) / 255);
     cv::dilate(chosen, chosen, {}, {-1, -1}, 2);  // with the faint rim around it
   }
   MaskRaster raster(width, height);

@@ -11,6 +11,7 @@ namespace swaplight {
 [[nodiscard]] MaskRaster drawShape(const TextShape& shape, int width, int height);
 /// Throws InputError where the file cannot be read.
 [[nodiscard]] MaskRaster drawShape(const PictureShape& shape, int width, int height);
+/// Throws InputError where `region` is asked for and the pixel lies in no shadow.
 [[nodiscard]] MaskRaster drawShape(const ShadowShape& shape, const LightShadows& shadows);
 
 }  // namespace swaplight

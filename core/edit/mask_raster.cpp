@@ -101,4 +101,11 @@ size_t MaskRaster::bytes() const {
                                                           [](const auto& t) { return t != nullptr; }));
 }
 
+size_t MaskRaster::bytesBeyond(const MaskRaster& other) const {
+  if (m_tiles.size() != other.m_tiles.size()) return bytes();
+  size_t count = 0;
+  for (size_t i = 0; i < m_tiles.size(); ++i) count += m_tiles[i] && m_tiles[i] != other.m_tiles[i] ? 1 : 0;
+  return count * sizeof(Tile);
+}
+
 }  // namespace swaplight

@@ -40,6 +40,8 @@ class MaskRaster {
   /// Where this and the other differ, to the pixel; quick where tiles are shared.
   [[nodiscard]] PixelRect difference(const MaskRaster& other) const;
   [[nodiscard]] size_t bytes() const;
+  /// The same without the tiles that are shared with another.
+  [[nodiscard]] size_t bytesBeyond(const MaskRaster& other) const;
 
  private:
   using Tile = std::array<uint16_t, size_t{kTileSize} * kTileSize>;

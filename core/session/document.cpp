@@ -15,8 +15,9 @@ size_t rigBytes(const Rig& rig) {
 
 }  // namespace
 
-size_t documentBytes(const Document& document, const Document& /*before*/) {
+size_t documentBytes(const Document& document, const Document& before) {
   size_t bytes = sizeof(Document) + document.source.native().size() + rigBytes(document.rig);
+  bytes += editBytes(document.edits, before.edits);
   for (const SavedLook& look : document.looks)
     bytes += sizeof(SavedLook) + look.name.size() + look.note.size() + rigBytes(look.rig);
   return bytes;
@@ -32,6 +33,12 @@ Rig fitRig(const Rig& rig, const Capture& capture) {
     if (known != rig.lights.end()) setting = *known;
   }
   return fitted;
+}
+
+Capture withNewLights(Capture capture, const EditStack& edits) {
+  for (const std::string& name : edits.newLights)
+    capture.lights.push_back({name, Role::Other, Json::object()});
+  return capture;
 }
 
 DisplayChoice displayWithin(const ColorConfig& config, const DisplayChoice& display) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/color/color_config.h"
+#include "core/edit/edit.h"
 #include "core/look/saved_look.h"
 #include "core/relight/rig.h"
 #include "core/solve/solve_options.h"
@@ -23,7 +24,8 @@ struct DisplayChoice {
 struct Document {
   std::filesystem::path source;  ///< a capture or a solved set, absolute; empty where nothing is open
   SolveOptions solve;            ///< how a capture is solved; without meaning for a solved set
-  Rig rig;                       ///< in the source's order of lights
+  EditStack edits;               ///< of the source's lights, before they are mixed
+  Rig rig;                       ///< in the source's order of lights, then those that the edits add
   DisplayChoice display;
   std::vector<SavedLook> looks;  ///< the gallery
   bool operator==(const Document&) const = default;
@@ -38,5 +40,7 @@ struct Document {
 /// The rig for exactly the lights of a capture, in its order: settings are taken from `rig` by name, lights
 /// that it does not know are as captured, lights that the capture does not have are left out.
 [[nodiscard]] Rig fitRig(const Rig& rig, const Capture& capture);
+/// The capture with the lights that edits add to it.
+[[nodiscard]] Capture withNewLights(Capture capture, const EditStack& edits);
 
 }  // namespace swaplight

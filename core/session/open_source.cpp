@@ -4,7 +4,9 @@
 #include <cctype>
 
 #include "core/capture/capture_pixels.h"
+#include "core/edit/edited_set.h"
 #include "core/session/session_file.h"
+#include "core/shadow/detect_shadows.h"
 #include "core/solve/solve.h"
 #include "core/solve/solved_file.h"
 
@@ -57,6 +59,11 @@ SolvedSet openSource(const fs::path& path, const SolveOptions& options, const Pr
       "{}: neither a capture nor a solved set. Open a capture.json, an EXR that `swaplight solve` "
       "has written, or a session (.swaplight).",
       path.string());
+}
+
+SolvedSet withEdits(std::shared_ptr<const SolvedSet> set, const EditStack& edits) {
+  const EditStack fitted = fitEdits(edits, set->width(), set->height());
+  return applyEdits(*set, fitted, shadowSource(set));
 }
 
 }  // namespace swaplight

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
+#include "core/edit/edit.h"
 #include "core/progress.h"
 #include "core/solve/solve_options.h"
 #include "core/solve/solved_set.h"
@@ -21,5 +23,9 @@ enum class SourceKind { Capture, SolvedSet, Session, Folder, Other };
 /// for anything else; Stopped when asked to.
 [[nodiscard]] SolvedSet openSource(const std::filesystem::path& path, const SolveOptions& options,
                                    const Progress& progress = {});
+
+/// A set with a session's edits: the one way in which frames with edits are made. Throws InputError as the
+/// edits say.
+[[nodiscard]] SolvedSet withEdits(std::shared_ptr<const SolvedSet> set, const EditStack& edits);
 
 }  // namespace swaplight

@@ -11,6 +11,7 @@ namespace swaplight {
 namespace {
 
 constexpr const char* kFormat = "swaplight-session";
+constexpr int kLargestSide = 1 << 16;
 
 std::string writtenPath(const std::filesystem::path& path, const std::filesystem::path& folder) {
   if (path.empty() || folder.empty()) return path.generic_string();
@@ -34,6 +35,27 @@ DisplayChoice displayFromJson(const Json& json, const std::string& where) {
   return {fields.text("display").value_or(""), fields.text("view").value_or("")};
 }
 
+Json jsonFromEdits(const EditStack& edits, const std::filesystem::path& folder) {
+  Json json =
+      jsonFromEditStack(withFiles(edits, [&](const std::string& file) { return writtenPath(file, folder); }));
+  json["size"] = {edits.width, edits.height};
+  return json;
+}
+
+EditStack editsFromJson(const Json& json, const std::filesystem::path& folder, const std::string& where) {
+  JsonFields fields(json, where);
+  const Json* size = fields.find("size");
+  const bool known = size && size->is_array() && size->size() == 2 && (*size)[0].is_number_integer() &&
+                     (*size)[1].is_number_integer();
+  const int width = known ? (*size)[0].get<int>() : 0;
+  const int height = known ? (*size)[1].get<int>() : 0;
+  if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide)
+    throw InputError("{}: \"size\" is {}, expected [width, height] of the picture", where,
+                     size ? size->dump() : "missing");
+  return withFiles(editStackFromJson(json, width, height, where),
+                   [&](const std::string& file) { return readPath(file, folder).string(); });
+}
+
 std::vector<std::string> topLevelNames(const Json& unknown) {
   std::vector<std::string> names;
   for (const auto& [key, value] : unknown.items())
@@ -51,6 +73,7 @@ Json jsonFromSession(const Session& session, const std::filesystem::path& folder
   json["source"] = writtenPath(document.source, folder);
   json["solve"] = jsonFromSolveOptions(document.solve);
   json["rig"] = jsonFromRig(document.rig);
+  if (document.edits != EditStack{}) json["edits"] = jsonFromEdits(document.edits, folder);
   json["display"] = jsonFromDisplay(document.display);
   if (!document.looks.empty()) json["looks"] = jsonFromSavedLooks(document.looks);
   if (!session.studio.empty()) json["studio"] = session.studio;
@@ -67,6 +90,8 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& folder, c
   session.document.source = readPath(fields.text("source").value_or(""), folder);
   if (const Json* solve = fields.find("solve"))
     session.document.solve = solveOptionsFromJson(*solve, name + ": solve");
+  if (const Json* edits = fields.find("edits"))
+    session.document.edits = editsFromJson(*edits, folder, name + ": edits");
   if (const Json* rig = fields.find("rig")) session.document.rig = rigFromJson(*rig, name + ": rig");
   if (const Json* display = fields.find("display"))
     session.document.display = displayFromJson(*display, name + ": display");

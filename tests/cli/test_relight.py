@@ -82,6 +82,31 @@ class RelightTest(cli.CliTest):
         self.near(self.frame('--rig', rig), self.key * [1, 0, 0])
         self.near(self.frame('--rig', rig, '--light', 'fill=on'), self.key * [1, 0, 0] + self.fill)
 
+    def test_a_session_applies_its_edits(self):
+        height, width = self.key.shape[:2]
+        edits = [{'name': 'no key at the left', 'lights': ['key'], 'meaning': 'add', 'operation': 'fill', 'value': 0,
+                  'mask': [{'shape': 'rectangle', 'x': 0, 'y': 0, 'width': width // 2, 'height': height}]}]
+        session, file = self.path('edited.swaplight'), self.path('edits.json')
+        with open(session, 'w') as out:
+            json.dump({'format': 'swaplight-session', 'version': 1, 'source': 'solved.exr',
+                       'edits': {'size': [width, height], 'edits': edits}}, out)
+        with open(file, 'w') as out:
+            json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': edits}, out)
+        frame = self.frame(source=session)
+        np.testing.assert_array_equal(frame, self.frame('--edits', file, name='other.exr'))
+        left = slice(0, width // 2 - 1)
+        self.near(frame[:, left], self.fill[:, left])
+        self.near(frame[:, width // 2 + 1:], (self.key + self.fill)[:, width // 2 + 1:])
+
+    def test_a_shadow_that_is_not_there_is_said_in_words(self):
+        file = self.path('edits.json')
+        with open(file, 'w') as out:
+            json.dump({'format': 'swaplight-edits', 'version': 1,
+                       'edits': [{'lights': ['key'], 'operation': 'fill', 'value': 1,
+                                  'mask': [{'shape': 'shadow', 'light': 'key', 'at': [-1, -1]}]}]}, out)
+        self.fail('relight', self.solved, '--edits', file, '-o', self.path('frame.exr'),
+                  naming=['there is no shadow of "key" at -1, -1'])
+
     def test_a_session_names_the_set_and_its_rig(self):
         session = self.path('look.swaplight')
         with open(session, 'w') as file:

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/edit/edited_set.h"
+#include "ui/job.h"
+#include "ui/view_pictures.h"
+
+namespace swaplight {
+
+struct StudioContext;
+
+/// Sees to it that the studio shows the set with the document's edits. What is seen is computed at once, the
+/// rest a little in each frame; what takes long (room for the edited set, finding shadows) goes on in
+/// threads, and the picture follows when it is there.
+class EditController {
+ public:
+  explicit EditController(std::function<void()> wake) : m_wake(std::move(wake)) {}
+
+  /// To be called in each frame before the picture is drawn. `visible`: the part of it that is seen.
+  void show(StudioContext& studio, const PixelRect& visible);
+  /// Makes room for edits before the first one is there, so that a stroke need not wait.
+  void prepare(StudioContext& studio);
+
+  /// A light's shadows, of the set as solved; begins to look for them where nobody has yet: nullptr until
+  /// they are there.
+  std::shared_ptr<const LightShadows> shadows(StudioContext& studio, const std::string& light);
+  [[nodiscard]] bool findingShadows() const { return m_finding.running(); }
+  /// Something goes on after which the picture changes.
+  [[nodiscard]] bool busy() const { return m_making.running() || m_finding.running(); }
+  /// Counts up whenever pixels have changed.
+  [[nodiscard]] uint64_t revision() const { return m_revision; }
+
+ private:
+  /// An edited set, and what the viewer needs of it.
+  struct Room {
+    std::shared_ptr<EditedSet> edited;
+    std::shared_ptr<ViewPictures> pictures;
+  };
+  using Found = std::map<std::string, std::shared_ptr<const LightShadows>>;
+  struct FoundOf {
+    std::shared_ptr<const SolvedSet> set;
+    Found found;
+  };
+
+  void follow(StudioContext& studio);
+  void takeJobs(StudioContext& studio);
+  [[nodiscard]] static Room makeRoom(std::shared_ptr<const SolvedSet> set, std::shared_ptr<Found> found,
+                                     const std::vector<std::string>& newLights);
+  void adopt(StudioContext& studio, Room room);
+  void findShadows(StudioContext& studio);
+  /// What of the document can be shown now.
+  [[nodiscard]] EditStack usable(StudioContext& studio, const EditStack& wanted);
+  void setStack(StudioContext& studio, const EditStack& stack);
+  void update(StudioContext& studio, const PixelRect& visible);
+  void refresh(StudioContext& studio, const std::vector<PixelRect>& changed);
+
+  std::function<void()> m_wake;
+  std::shared_ptr<const SolvedSet> m_set;  ///< as solved
+  Room m_room;
+  EditStack m_wanted;  ///< the document's when it was looked at last
+  bool m_followed = false;
+  std::shared_ptr<Found> m_found = std::make_shared<Found>();
+  std::string m_complaint;  ///< about the edits, said already
+  uint64_t m_revision = 0;
+  Job<Room> m_making;
+  Job<FoundOf> m_finding;
+};
+
+}  // namespace swaplight

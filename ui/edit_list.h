@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ui/studio_context.h"
+
+namespace swaplight {
+
+/// The edits of the document, the last on top: on or off, name, order, opacity.
+void drawEditList(StudioContext& studio);
+
+/// Changes the list as one step.
+void editEdits(StudioContext& studio, const std::string& step, EditStack edits);
+/// Changes an edit of the list as one step.
+void editEdit(StudioContext& studio, size_t index, const std::string& step, Edit edit);
+/// Shows an edit changed while a gesture goes on.
+void previewEdit(StudioContext& studio, size_t index, const std::string& step, Edit edit);
+
+}  // namespace swaplight
