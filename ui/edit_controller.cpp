@@ -81,7 +81,8 @@ void EditController::follow(StudioContext& studio) {
 
 void EditController::prepare(StudioContext& studio) {
   if (m_room.edited || m_making.running() || !studio.set()) return;
-  m_making.start([set = m_set, found = m_found](const Progress&) { return makeRoom(set, found, {}); }, m_wake);
+  m_making.start([set = m_set, found = m_found](const Progress&) { return makeRoom(set, found, {}); },
+                 m_wake);
 }
 
 EditController::Room EditController::makeRoom(std::shared_ptr<const SolvedSet> set,
@@ -192,7 +193,8 @@ void EditController::findShadows(StudioContext& studio) {
         FoundOf all{set, {}};
         std::vector<LightShadows> shadows = detectShadows(*set, {}, progress);
         for (size_t i = 0; i < shadows.size(); ++i)
-          all.found[set->capture.lights[i].name] = std::make_shared<const LightShadows>(std::move(shadows[i]));
+          all.found[set->capture.lights[i].name] =
+              std::make_shared<const LightShadows>(std::move(shadows[i]));
         return all;
       },
       m_wake);

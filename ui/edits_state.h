@@ -12,7 +12,7 @@ struct EditsState {
   int chosen = -1;    ///< edit of the list; -1: none
   int renaming = -1;  ///< the edit whose name is being typed
   bool nameFocused = false;
-  std::string name;   ///< what has been typed
+  std::string name;  ///< what has been typed
 };
 
 }  // namespace swaplight
