@@ -52,7 +52,6 @@ void StudioWindow::drawToolbar() {
   actionButton(m_actions, "view.one_to_one", "1:1", side);
   gap();
   actionButton(m_actions, "brush.take", kIconBrush, side);
-  actionButton(m_actions, "view.edits", kIconLayers, side);
   actionButton(m_actions, "light.neutral", kIconPicker, side);
   actionButton(m_actions, "view.probe", kIconInfo, side);
   actionButton(m_actions, "compare.wipe", kIconCompare, side);
