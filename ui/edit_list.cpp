@@ -146,7 +146,11 @@ bool drawRow(StudioContext& studio, size_t index) {
   draw->AddRectFilled(at, high, chosen ? kCardChosen : kCard, px(6));
   if (chosen) draw->AddRect(at, high, kAccent, px(6), 0, px(1));
 
-  if (ImGui::InvisibleButton("##row", size)) state.chosen = chosen ? -1 : static_cast<int>(index);
+  // All of the row but the eye: what can be dragged would take the eye's clicks.
+  const float eye = px(36);
+  ImGui::SetCursorPos(ImVec2(start.x + eye, start.y));
+  if (ImGui::InvisibleButton("##row", ImVec2(size.x - eye, size.y)))
+    state.chosen = chosen ? -1 : static_cast<int>(index);
   ImGui::SetItemAllowOverlap();
   markItem(mark);
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
