@@ -64,7 +64,9 @@ void drawMessages(Messages& messages, float left, float bottom, float maxWidth) 
       ImGui::PushTextWrapPos(maxWidth);
       ImGui::TextUnformatted(message.text.c_str());
       ImGui::PopTextWrapPos();
-      ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+      // Above the panels, but not above a menu that is open.
+      if (!ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup))
+        ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
       if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) dismissed = i;
       const ImVec2 at = ImGui::GetWindowPos();
       const ImVec2 size = ImGui::GetWindowSize();

@@ -121,7 +121,9 @@ class Paint(StudioTest):
         self.assertLess(session['edits']['edits'][0]['opacity'], 0.8)
         for _ in range(2):
             studio.click('edits.0', x=0.8, button=3)
+            studio.settle()
             studio.click('edits.delete')
+            studio.settle()
         self.near(studio.picture('edits_deleted'), before)
 
 
