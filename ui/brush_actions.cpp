@@ -18,7 +18,7 @@ void StudioWindow::addBrushActions() {
   const auto painting = [this, hasLights] { return m_tool == Tool::Brush && hasLights(); };
   BrushState& brush = m_editing.brush;
   m_actions.add(
-      {"brush.take", "Paint with light", "B",
+      {"brush.take", "Paint with light", "Shift+B",
        "Paint on the picture with the chosen light: more of it, less, softer; again: put the brush away.",
        [this] {
          m_tool = m_tool == Tool::Brush ? Tool::Look : Tool::Brush;

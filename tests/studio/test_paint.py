@@ -34,7 +34,7 @@ class Paint(StudioTest):
         studio = self.open_sample()
         studio.click(f'mixer.{light}.chip')
         studio.move(*studio.point('viewer.picture', 0.5, 0.2))
-        studio.key('b')
+        studio.key('shift+b')
         studio.item('brush.size')
         return studio
 
