@@ -38,7 +38,7 @@ struct FileToWrite {
   int jpegQuality = 95;
   HeaderValues header = {};                    ///< more of them; where `text` has the name, that one holds
   float pixelAspect = 1;                       ///< width over height of a pixel
-  std::optional<PixelRect> dataWindow;         ///< EXR: the part of the picture that is written, inside of it
+  std::optional<PixelRect> dataWindow = {};    ///< EXR: the part of the picture that is written, inside of it
   std::vector<unsigned char> iccProfile = {};  ///< PNG, TIFF, JPEG: embedded
 };
 

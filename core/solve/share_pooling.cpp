@@ -116,6 +116,7 @@ void poolShares(std::span<const ImageSpan> shares, ImageView variance, ImageView
 
 std::vector<ImageSpan> planesOf(Image& shares) {
   std::vector<ImageSpan> planes;
+  planes.reserve(size_t(shares.channelCount()));
   for (int i = 0; i < shares.channelCount(); ++i) planes.push_back(shares.span().channelRange(i, 1));
   return planes;
 }
