@@ -41,7 +41,7 @@ std::vector<std::string> layerNames(std::span<const std::string> lights) {
   for (const std::string& light : lights) {
     std::string name = nukeName(light);
     if (name.empty() || std::isalpha(static_cast<unsigned char>(name.front())) == 0 || isReserved(name))
-      name = "light_" + name;
+      name.insert(0, "light_");
     const std::string plain = name;
     for (int number = 2; !taken.insert(lowerCase(name)).second; ++number)
       name = plain + "_" + std::to_string(number);
