@@ -14,18 +14,20 @@ struct Arguments {
   LightingArguments lighting;
   SequenceArguments sequence;
   std::string frame;
+  std::string tone;
   FrameOptions output;
 };
 
 /// A session's view holds where the picture goes through one and the command line names none.
 FrameOptions outputOf(const Arguments& arguments, const std::optional<Session>& session) {
   FrameOptions output = arguments.output;
-  const bool asked = output.linear || !output.view.empty() || !output.display.empty();
-  if (session && !asked && !isSceneLinear(arguments.frame)) {
-    output.display = session->document.display.display;
-    output.view = session->document.display.view;
-  }
-  return output;
+  if (!arguments.tone.empty()) output.tone = stillToneFromText(arguments.tone);
+  if (output.tone && arguments.sequence.given())
+    throw InputError(
+        "--tone {}: looks at each frame by itself, so that a sequence would flicker; take a view, as --view "
+        "Hable",
+        arguments.tone);
+  return frameOptionsFor(session ? session->document.display : DisplayChoice{}, arguments.frame, output);
 }
 
 int run(const Arguments& arguments, Terminal& terminal) {
@@ -70,6 +72,10 @@ void addRelightVerb(Program& program) {
       ->type_name("FRAME");
   verb.add_option("--view", a->output.view, "A view of the colour configuration")->type_name("NAME");
   verb.add_option("--display", a->output.display, "A display of the colour configuration")->type_name("NAME");
+  verb.add_option("--tone", a->tone,
+                  "Tone map a still by the whole picture: drago, mantiuk or reinhard; with parameters, as "
+                  "drago:bias=0.9,saturation=1.1")
+      ->type_name("NAME");
   verb.add_flag("--linear", a->output.linear, "Scene-linear pixels, whatever the format");
   verb.add_option("--type", a->output.write.pixelType,
                   "half, float, uint8 or uint16 (default: as the format has it)")

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/color/color_config.h"
@@ -82,12 +83,23 @@ void zebraButton(StudioContext& studio) {
   ImGui::SameLine(0, px(kGap));
 }
 
-std::string viewWords(const StudioContext& studio) {
+/// The display and the view that are in use, by name.
+DisplayChoice shownThrough(const StudioContext& studio) {
   const ColorConfig& config = ColorConfig::current();
-  const DisplayChoice& choice = studio.document().display;
-  const std::string display = choice.display.empty() ? config.defaultDisplay() : choice.display;
-  const std::string view = choice.view.empty() ? config.defaultView(display) : choice.view;
-  return display + " \u00b7 " + view;
+  DisplayChoice choice = displayWithin(config, studio.document().display);
+  if (choice.display.empty()) choice.display = config.defaultDisplay();
+  if (choice.view.empty()) choice.view = config.defaultView(choice.display);
+  return choice;
+}
+
+std::string viewWords(const DisplayChoice& choice) {
+  return choice.display == choice.view ? choice.display : choice.display + " \u00b7 " + choice.view;
+}
+
+void chooseView(StudioContext& studio, const DisplayChoice& choice) {
+  Document next = studio.document();
+  next.display = choice;
+  studio.editor.edit("View: " + viewWords(choice), std::move(next));
 }
 
 }  // namespace
@@ -130,19 +142,24 @@ void drawSubjectMenu(StudioContext& studio, bool sideB) {
 
 void drawDisplayMenu(StudioContext& studio) {
   const ColorConfig& config = ColorConfig::current();
+  const DisplayChoice shown = shownThrough(studio);
+  ImGui::TextDisabled("Display");
   for (const std::string& display : config.displays()) {
-    ImGui::TextDisabled("%s", display.c_str());
-    for (const std::string& view : config.views(display)) {
-      const std::string name = fmt::format("{} \u00b7 {}", display, view);
-      ImGui::PushID(name.c_str());
-      if (ImGui::MenuItem(fmt::format("   {}", view).c_str(), nullptr, name == viewWords(studio))) {
-        Document next = studio.document();
-        next.display = {display, view};
-        studio.editor.edit("View: " + name, std::move(next));
-      }
-      ImGui::PopID();
-      markItem("view." + display + "." + view);
+    if (ImGui::MenuItem(("   " + display + "##display").c_str(), nullptr, display == shown.display)) {
+      const std::vector<std::string> views = config.views(display);
+      const bool has = std::find(views.begin(), views.end(), shown.view) != views.end();
+      chooseView(studio, {display, has ? shown.view : config.defaultView(display)});
     }
+    markItem("display." + display);
+  }
+  ImGui::Separator();
+  ImGui::TextDisabled("View");
+  for (const std::string& view : config.views(shown.display)) {
+    if (ImGui::MenuItem(("   " + view + "##view").c_str(), nullptr, view == shown.view))
+      chooseView(studio, {shown.display, view});
+    markItem("view." + shown.display + "." + view);
+    const std::string description = config.viewDescription(shown.display, view);
+    if (!description.empty()) tooltip(description.c_str());
   }
 }
 
@@ -171,7 +188,7 @@ void drawViewerBar(StudioContext& studio) {
   zebraButton(studio);
   const float room = ImGui::GetContentRegionAvail().x - px(6);
   if (room > px(60))
-    listButton("##view", viewWords(studio), std::min(room / px(1), 190.0F),
+    listButton("##view", viewWords(shownThrough(studio)), std::min(room / px(1), 190.0F),
                "Display and view: how the picture is exported to PNG, TIFF and JPEG",
                [&] { drawDisplayMenu(studio); });
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));

@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include "core/color/color_config_impl.h"
+#include "core/color/tone_curve.h"
+#include "core/image/half.h"
 
 namespace swaplight {
 namespace {
@@ -90,19 +94,61 @@ void addViewTransform(const OCIO::ConfigRcPtr& config, const char* name,
   config->addViewTransform(view);
 }
 
-/// A display with its plain view first: no tone mapping, only primaries and curve. `aces` is the view
-/// transform of its ACES view.
-void addDisplay(const OCIO::ConfigRcPtr& config, const char* name, const char* style, const char* aces) {
+/// A curve a channel, sampled at every half float: what lies between two of them is interpolated.
+OCIO::TransformRcPtr curve(double (*function)(double)) {
+  constexpr unsigned kHalves = 65536;
+  constexpr float kLargest = 65504;
+  const auto table = OCIO::Lut1DTransform::Create(kHalves, true);
+  for (unsigned i = 0; i < kHalves; ++i) {
+    const auto bits = static_cast<uint16_t>(i);
+    float light = 0;
+    floatFromHalf(&bits, &light, 1);
+    light = std::isnan(light) ? 0 : std::clamp(light, -kLargest, kLargest);
+    const auto value = static_cast<float>(function(light));
+    table->setValue(i, value, value, value);
+  }
+  return table;
+}
+
+/// Light times a factor.
+OCIO::TransformRcPtr scale(double factor) {
+  const auto matrix = OCIO::MatrixTransform::Create();
+  const double m[16] = {factor, 0, 0, 0, 0, factor, 0, 0, 0, 0, factor, 0, 0, 0, 0, 1};
+  matrix->setMatrix(m);
+  return matrix;
+}
+
+std::string addDisplaySpace(const OCIO::ConfigRcPtr& config, const std::string& name, const char* style) {
   const auto space = OCIO::ColorSpace::Create(OCIO::REFERENCE_SPACE_DISPLAY);
-  const std::string spaceName = std::string(name) + " display";
+  const std::string spaceName = name + " display";
   space->setName(spaceName.c_str());
   space->setFamily("Display");
   space->setTransform(builtin(style), OCIO::COLORSPACE_DIR_FROM_REFERENCE);
   config->addColorSpace(space);
-  config->addDisplayView(name, name, "Plain", spaceName.c_str(), "", "", "No tone mapping: as measured");
-  config->addDisplayView(name, "ACES SDR", aces, spaceName.c_str(), "", "", "ACES 1.x output for video");
+  return spaceName;
+}
+
+/// A display with its plain view first: no tone mapping, only primaries and curve. `aces` is the view
+/// transform of its ACES view.
+void addDisplay(const OCIO::ConfigRcPtr& config, const char* name, const char* style, const char* aces) {
+  const std::string space = addDisplaySpace(config, name, style);
+  const auto add = [&](const char* view, const char* transform, const char* description) {
+    config->addDisplayView(name, view, transform, space.c_str(), "", "", description);
+  };
+  add(name, "Plain", "No tone mapping: as measured");
+  add("ACES SDR", aces, "ACES 1.x output for video");
+  for (const ToneCurve& tone : toneCurves()) add(tone.name, tone.name, tone.description);
   config->addDisplayView(name, "Log", "acescct", "");
   config->addDisplayView(name, "Raw", "raw", "");
+}
+
+/// A display of high dynamic range (ITU-R BT.2100): diffuse white at 203 cd/m2 (BT.2408), or ACES for 1000.
+void addHdrDisplay(const OCIO::ConfigRcPtr& config, const char* name, const char* style) {
+  const std::string space = addDisplaySpace(config, name, style);
+  config->addDisplayView(name, "203 nit white", "203 nit white", space.c_str(), "", "",
+                         "No tone mapping: full scale of a shot at 203 cd/m2 (BT.2408)");
+  config->addDisplayView(name, "ACES HDR 1000 nit", "ACES HDR 1000 nit", space.c_str(), "", "",
+                         "ACES 1.1 output for a monitor of 1000 cd/m2");
 }
 
 }  // namespace
@@ -141,10 +187,20 @@ OCIO::ConstConfigRcPtr builtinConfig() {
   addViewTransform(
       config, "ACES SDR P3",
       group({acesFromRec709(), builtin("ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO-P3lim_1.1")}));
+  for (const ToneCurve& tone : toneCurves())
+    addViewTransform(config, tone.name, group({curve(tone.curve), xyzFromRec709()}));
+  // The display's XYZ is in units of 100 cd/m2.
+  addViewTransform(config, "203 nit white", group({scale(2.03), xyzFromRec709()}));
+  addViewTransform(
+      config, "ACES HDR 1000 nit",
+      group({acesFromRec709(),
+             builtin("ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - HDR-VIDEO-1000nit-15nit-REC2020lim_1.1")}));
   config->setDefaultViewTransformName("Plain");
   addDisplay(config, "sRGB", "DISPLAY - CIE-XYZ-D65_to_sRGB", "ACES SDR");
   addDisplay(config, "Rec.709", "DISPLAY - CIE-XYZ-D65_to_REC.1886-REC.709", "ACES SDR");
   addDisplay(config, "P3-D65", "DISPLAY - CIE-XYZ-D65_to_G2.6-P3-D65", "ACES SDR P3");
+  addHdrDisplay(config, "Rec.2100 PQ", "DISPLAY - CIE-XYZ-D65_to_REC.2100-PQ");
+  addHdrDisplay(config, "Rec.2100 HLG", "DISPLAY - CIE-XYZ-D65_to_REC.2100-HLG-1000nit");
   config->validate();
   return config;
 }

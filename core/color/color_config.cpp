@@ -205,6 +205,10 @@ std::vector<std::string> ColorConfig::views(const std::string& display) const {
   return names;
 }
 
+std::string ColorConfig::viewDescription(const std::string& display, const std::string& view) const {
+  return m_impl->config->getDisplayViewDescription(display.c_str(), view.c_str());
+}
+
 std::string ColorConfig::defaultDisplay() const {
   return m_impl->config->getDefaultDisplay();
 }

@@ -25,6 +25,8 @@ class ColorConfig {
   [[nodiscard]] std::vector<std::string> colorSpaces() const;
   [[nodiscard]] std::vector<std::string> displays() const;
   [[nodiscard]] std::vector<std::string> views(const std::string& display) const;
+  /// What the configuration says about a view, for people; may be empty.
+  [[nodiscard]] std::string viewDescription(const std::string& display, const std::string& view) const;
   [[nodiscard]] std::string defaultDisplay() const;
   [[nodiscard]] std::string defaultView(const std::string& display) const;
 

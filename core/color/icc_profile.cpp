@@ -55,7 +55,7 @@ std::vector<unsigned char> profileBytes(const cmsCIExyYTRIPLE& primaries, const 
 }  // namespace
 
 std::vector<unsigned char> iccProfileOf(const std::string& display, const std::string& view) {
-  if (has(view, "Raw") || has(view, "Log")) return {};
+  if (has(view, "Raw") || (has(view, "Log") && !has(view, "Logarithmic"))) return {};
   if (has(display, "PQ") || has(display, "HLG") || has(display, "2100")) return {};
   if (has(display, "sRGB")) return profileBytes(kRec709, srgbCurve(), "sRGB");
   if (has(display, "P3")) return profileBytes(kP3, gammaCurve(2.6), "P3-D65, gamma 2.6");

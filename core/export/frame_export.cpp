@@ -6,7 +6,7 @@ namespace swaplight {
 
 FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file,
                              FrameOptions asked) {
-  const bool decided = asked.linear || !asked.view.empty() || !asked.display.empty();
+  const bool decided = asked.linear || asked.tone || !asked.view.empty() || !asked.display.empty();
   if (decided || isSceneLinear(file)) return asked;
   asked.display = display.display;
   asked.view = display.view;

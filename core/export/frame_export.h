@@ -9,8 +9,9 @@
 
 namespace swaplight {
 
-/// How a session's frame is written to this file: as asked for, and where neither linear nor a view is asked
-/// for, through the session's view if the format is made for the eye. Throws InputError on an unknown format.
+/// How a session's frame is written to this file: as asked for, and where neither linear, a view nor a tone
+/// mapping is asked for, through the session's view if the format is made for the eye. Throws InputError on
+/// an unknown format.
 [[nodiscard]] FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file,
                                            FrameOptions asked = {});
 

@@ -29,6 +29,11 @@ bool isSceneLinear(const std::filesystem::path& file) {
 
 void checkFrame(const std::filesystem::path& file, const FrameOptions& options) {
   static_cast<void>(imageFormatForWriting(file));
+  if (options.tone && (options.linear || hasView(options)))
+    throw InputError("a tone mapping takes the place of a view: ask for one of them");
+  if (options.tone && isSceneLinear(file))
+    throw InputError("{}: holds scene-linear light, which is not tone mapped; write PNG, TIFF or JPEG",
+                     file.string());
   if (!hasView(options)) return;
   if (options.linear)
     throw InputError("a frame is either linear or seen through a view: ask for one of them");
@@ -38,7 +43,7 @@ void checkFrame(const std::filesystem::path& file, const FrameOptions& options) 
     throw InputError("there is no display '{}'; {} has {}", display, config.name(),
                      fmt::join(config.displays(), ", "));
   if (!options.view.empty() && !contains(config.views(display), options.view))
-    throw InputError("the display {} has no view '{}'; it has {}", display, options.view,
+    throw InputError("the display {} has no view '{}'; {} has {}", display, options.view, config.name(),
                      fmt::join(config.views(display), ", "));
 }
 
@@ -46,6 +51,11 @@ void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions opt
   checkFrame(file, options);
   const std::string space = frame.spec().colorSpace;
   const ColorConfig& config = ColorConfig::current();
+  if (options.tone) {
+    config.convert(frame.span(), space, "lin_rec709");
+    applyStillTone(frame.span(), *options.tone);
+    frame.setColorSpace("lin_rec709");
+  }
   if (hasView(options)) {
     const std::string display = options.display.empty() ? config.defaultDisplay() : options.display;
     const std::string view = options.view.empty() ? config.defaultView(display) : options.view;
@@ -53,7 +63,7 @@ void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions opt
     frame.setColorSpace("data");
     options.write.iccProfile = iccProfileOf(display, view);
   } else if (!options.linear && !isSceneLinear(file)) {
-    config.convert(frame.span(), space, "srgb");
+    config.convert(frame.span(), frame.spec().colorSpace, "srgb");
     frame.setColorSpace("srgb");
     options.write.iccProfile = iccProfileOf("sRGB", "");
   }

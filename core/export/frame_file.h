@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "core/export/still_tone.h"
 #include "core/image/image.h"
 #include "core/image/image_io.h"
 
@@ -16,6 +18,8 @@ struct FrameOptions {
   std::string display;  ///< of the colour configuration; empty: its default one
   std::string view;     ///< of that display; empty: its default one, where a display is named
   WriteOptions write;
+  /// Instead of a view: tone mapped by the whole picture, then plain sRGB. Not for EXR and HDR.
+  std::optional<StillTone> tone = {};
 };
 
 /// True where a frame is scene-linear unless a view is asked for, by the file's extension. Throws InputError
@@ -23,7 +27,8 @@ struct FrameOptions {
 [[nodiscard]] bool isSceneLinear(const std::filesystem::path& file);
 
 /// What can be said before the frame is there. Throws InputError, listing the known ones, where the file's
-/// format, the display or the view is unknown, and where a view is asked for together with linear.
+/// format, the display or the view is unknown, and where more than one of linear, a view and a
+/// tone mapping is asked for, or a tone mapping for a scene-linear format.
 void checkFrame(const std::filesystem::path& file, const FrameOptions& options);
 
 /// Writes R G B of a scene-linear frame, in its colour space's primaries, to a temporary name that is then

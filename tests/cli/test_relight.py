@@ -34,6 +34,24 @@ class RelightTest(cli.CliTest):
         self.near(self.frame('--light', 'key=rgb:1/0.5/0', '--light', 'fill=off'), self.key * [1, .5, 0])
         self.near(self.frame('--light', 'key=+1st,x0.25', '--light', 'fill=-1st'), .5 * (self.key + self.fill))
 
+    def test_tone_mapping_as_a_view_and_as_a_still(self):
+        bright = ('--light', 'key=+6st')
+        plain = self.frame(*bright, name='plain.png')
+        for options in (('--view', 'Reinhard'), ('--view', 'Hable'), ('--view', 'Logarithmic'), ('--tone', 'drago'),
+                        ('--tone', 'mantiuk:scale=0.8'), ('--tone', 'reinhard')):
+            toned = self.frame(*bright, *options, name='toned.png')
+            self.assertGreater((plain == 1).mean(), .5)
+            self.assertLess((toned == 1).mean(), .5, options)
+        light = (self.key * 64 + self.fill).astype(float)
+        np.testing.assert_allclose(self.frame(*bright, '--view', 'Reinhard', '--type', 'uint16', name='r.png'),
+                                   encoded(light / (1 + light)), atol=2e-3)
+        self.fail('relight', self.solved, '--tone', 'drago', '-o', self.path('a.exr'), naming='scene-linear')
+        self.fail('relight', self.solved, '--tone', 'bright', '-o', self.path('a.png'), naming='drago, mantiuk, reinhard')
+        self.fail('relight', self.solved, '--tone', 'drago', '--view', 'Hable', '-o', self.path('a.png'),
+                  naming='ask for one')
+        self.fail('relight', self.solved, '--tone', 'drago', '-F', '1-2', '-o', self.path('a.%04d.png'),
+                  naming='flicker')
+
     def test_settings_for_one_light_add_up_over_several_options(self):
         self.near(self.frame('--light', 'key=rgb:0/1/0', '--light', 'key=+1st', '--light', 'fill=off'),
                   self.key * [0, 2, 0])

@@ -85,7 +85,7 @@ TEST(ColorConfig, EveryConversionAndViewWorksAndConversionsComeBack) {
       for (size_t p = 0; p < in.pixelCount(); ++p)
         ASSERT_NEAR(image.plane(c)[p], in.plane(c)[p], 2e-4F) << space;
   }
-  EXPECT_THAT(config.displays(), ElementsAre("sRGB", "Rec.709", "P3-D65"));
+  EXPECT_THAT(config.displays(), ElementsAre("sRGB", "Rec.709", "P3-D65", "Rec.2100 PQ", "Rec.2100 HLG"));
   for (const std::string& display : config.displays())
     for (const std::string& view : config.views(display)) {
       Image image = colours();
@@ -109,6 +109,16 @@ TEST(ColorConfig, UnknownNamesAreListed) {
               HasSubstr("sRGB, Rec.709"));
   EXPECT_THAT(inputError([&] { config.applyView(image.span(), "srgb", "sRGB", "Film"); }),
               HasSubstr("has no view \"Film\". Known (built-in): sRGB, ACES SDR"));
+}
+
+TEST(ColorConfig, ThePublishedCodesOfDiffuseWhiteOnHdrDisplays) {
+  const ColorConfig config("");
+  for (const auto& [display, code] : {std::pair("Rec.2100 PQ", 0.5807), std::pair("Rec.2100 HLG", 0.75)}) {
+    Image image(ImageSpec::rgb(1, 1), 1);
+    config.applyView(image.span(), "lin_rec709", display, "203 nit white");
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(image.plane(c)[0], code, 2e-3) << display << ", BT.2408: 58 %, 75 %";
+  }
 }
 
 constexpr const char* kForeign = R"(ocio_profile_version: 2
