@@ -108,6 +108,7 @@ Description describeSession(const fs::path& file) {
   Description d;
   d.text = fmt::format("{}: session\n", file.string());
   d.line("set", document.source.empty() ? "none" : document.source.string());
+  if (!document.colorConfig.empty()) d.line("colours", document.colorConfig.string());
   if (!document.display.view.empty())
     d.line("view", fmt::format("{} on {}", document.display.view, document.display.display));
   for (const std::string& warning : session.warnings) d.line("warning", warning);

@@ -1,5 +1,6 @@
 #include "app/lighting_arguments.h"
 
+#include "core/color/color_config.h"
 #include "core/error.h"
 #include "core/file/json_file.h"
 #include "core/look/look.h"
@@ -79,9 +80,11 @@ void LightingArguments::addTo(CLI::App& verb) {
 }
 
 std::optional<Session> LightingArguments::session() const {
-  if (!m_session.empty()) return readSession(m_session);
-  if (isSessionFile(m_source)) return readSession(m_source);
-  return std::nullopt;
+  const std::string& file = m_session.empty() && isSessionFile(m_source) ? m_source : m_session;
+  if (file.empty()) return std::nullopt;
+  Session session = readSession(file);
+  ColorConfig::choose(session.document.colorConfig);
+  return session;
 }
 
 std::filesystem::path LightingArguments::source(const std::optional<Session>& session) const {

@@ -53,7 +53,7 @@ const TiledTexture& GraphicsScreen::uploaded(const Pyramid& picture) {
 }
 
 ViewRenderer& GraphicsScreen::viewerFor(const std::string& colorSpace) {
-  return m_viewers.try_emplace(colorSpace, m_config, colorSpace).first->second;
+  return m_viewers.try_emplace(colorSpace, *m_config, colorSpace).first->second;
 }
 
 void GraphicsScreen::changed(const Pyramid& picture, const TileRect& where) {
@@ -66,6 +66,13 @@ void GraphicsScreen::changed(const Pyramid& picture, const TileRect& where) {
     place.a.layers.clear();
     place.b.layers.clear();
   }
+}
+
+void GraphicsScreen::setConfig(const ColorConfig& config) {
+  if (m_config == &config) return;
+  m_config = &config;
+  m_viewers.clear();
+  forget();
 }
 
 void GraphicsScreen::forget() {

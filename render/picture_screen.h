@@ -54,6 +54,8 @@ class PictureScreen {
 
   /// To be called when pixels of a picture have changed, after its pyramid was refreshed.
   virtual void changed(const Pyramid& picture, const TileRect& where) = 0;
+  /// From now on views are those of this configuration, which must outlive it.
+  virtual void setConfig(const ColorConfig& config) = 0;
   /// To be called when pictures have gone.
   virtual void forget() = 0;
 

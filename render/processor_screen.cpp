@@ -96,10 +96,17 @@ const DisplayTable& ProcessorScreen::tableFor(const std::string& colorSpace, con
     return found->second;
   }
   if (colorSpace.empty()) return m_tables.try_emplace(colorSpace, nullptr, settings).first->second;
-  return m_tables.try_emplace(colorSpace, m_config, colorSpace, settings).first->second;
+  return m_tables.try_emplace(colorSpace, *m_config, colorSpace, settings).first->second;
 }
 
 void ProcessorScreen::changed(const Pyramid& /*picture*/, const TileRect& /*where*/) {
+  forget();
+}
+
+void ProcessorScreen::setConfig(const ColorConfig& config) {
+  if (m_config == &config) return;
+  m_config = &config;
+  m_tables.clear();
   forget();
 }
 

@@ -14,10 +14,11 @@ namespace swaplight {
 /// Computes the window's pixels on the processor.
 class ProcessorScreen : public PictureScreen {
  public:
-  explicit ProcessorScreen(const ColorConfig& config) : m_config(config) {}
+  explicit ProcessorScreen(const ColorConfig& config) : m_config(&config) {}
 
   unsigned texture(const ScreenRequest& request, int place) override;
   void changed(const Pyramid& picture, const TileRect& where) override;
+  void setConfig(const ColorConfig& config) override;
   void forget() override;
   [[nodiscard]] std::string words() const override;
 
@@ -32,7 +33,7 @@ class ProcessorScreen : public PictureScreen {
   void drawB(const ScreenRequest& request, Place& place);
   const DisplayTable& tableFor(const std::string& colorSpace, const ViewSettings& settings);
 
-  const ColorConfig& m_config;
+  const ColorConfig* m_config;
   std::map<std::string, DisplayTable> m_tables;  ///< by colour space
   std::map<int, Place> m_places;
 };

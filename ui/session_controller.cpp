@@ -1,5 +1,6 @@
 #include "ui/session_controller.h"
 
+#include "core/error.h"
 #include "core/session/open_source.h"
 
 namespace swaplight {
@@ -18,11 +19,12 @@ std::string shortName(const fs::path& file) {
 }  // namespace
 
 SessionController::SessionController(DocumentEditor& editor, ViewState& view, SetController& sets,
-                                     Messages& messages, const fs::path& stateFolder)
+                                     Messages& messages, ColorChoice& colors, const fs::path& stateFolder)
     : m_editor(editor),
       m_view(view),
       m_sets(sets),
       m_messages(messages),
+      m_colors(colors),
       m_recent(stateFolder / "recent.json"),
       m_recovered(findRecovered(stateFolder / "recovery")) {
   try {
@@ -90,6 +92,7 @@ void SessionController::begin(Pending pending) {
     adopt(std::move(pending), std::nullopt);
     return;
   }
+  m_colors.follow(pending.session.document.colorConfig, m_messages);  // pictures may be in its colour spaces
   if (m_slot) m_slot->opening(pending.file.empty() ? pending.session.document.source : pending.file);
   m_sets.load(pending.session.document.source, pending.session.document.solve);
   m_pending = std::move(pending);
@@ -122,9 +125,8 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
     for (const std::string& warning : set->solved->capture.warnings) m_messages.warn(warning);
   }
   for (const std::string& warning : pending.session.warnings) m_messages.warn(warning);
-  if (displayWithin(ColorConfig::current(), document.display) != document.display)
-    m_messages.warn(document.display.display + " " + document.display.view +
-                    " is not in this colour configuration: shown through its default view.");
+  m_colors.follow(document.colorConfig, m_messages);
+  checkDisplay(document);
   m_editor.reset(document, "Open " + shortName(document.source));
   if (pending.unsaved) m_editor.markUnsaved();
   m_view = viewStateFromJson(pending.session.studio);
@@ -135,6 +137,24 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   m_autosaved = m_editor.revision();
   if (pending.unsaved) m_autosaved = kNothingAutosaved;
   m_recent.add(m_file.empty() ? m_editor.document().source : m_file);
+}
+
+void SessionController::checkDisplay(Document& document) {
+  const ColorConfig& config = ColorConfig::current();
+  if (displayWithin(config, document.display) != document.display) {
+    m_messages.warn(document.display.display + " " + document.display.view +
+                    " is not in the colour configuration " + config.title() +
+                    ": shown through its default view.");
+    return;
+  }
+  try {
+    const std::string display =
+        document.display.display.empty() ? config.defaultDisplay() : document.display.display;
+    if (!document.display.view.empty()) config.checkView(display, document.display.view);
+  } catch (const InputError& error) {
+    m_messages.error(error.what());
+    document.display = {};
+  }
 }
 
 void SessionController::showEdited(std::shared_ptr<const SolvedSet> solved,

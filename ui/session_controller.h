@@ -9,6 +9,7 @@
 #include "core/session/document_editor.h"
 #include "core/session/recent_files.h"
 #include "core/session/recovery.h"
+#include "ui/color_choice.h"
 #include "ui/job.h"
 #include "ui/messages.h"
 #include "ui/set_controller.h"
@@ -21,7 +22,7 @@ namespace swaplight {
 class SessionController {
  public:
   SessionController(DocumentEditor& editor, ViewState& view, SetController& sets, Messages& messages,
-                    const std::filesystem::path& stateFolder);
+                    ColorChoice& colors, const std::filesystem::path& stateFolder);
 
   /// A capture, a solved set or a session. What goes wrong becomes a message. `solve`: how a capture is
   /// solved; a session says so itself.
@@ -74,6 +75,8 @@ class SessionController {
   void begin(Pending pending);
   void takeSet();
   void adopt(Pending pending, std::optional<OpenSet> set);
+  /// Says where the display's view is not to be had.
+  void checkDisplay(Document& document);
   void autosave();
   [[nodiscard]] Session currentSession() const;
 
@@ -81,6 +84,7 @@ class SessionController {
   ViewState& m_view;
   SetController& m_sets;
   Messages& m_messages;
+  ColorChoice& m_colors;
 
   std::optional<OpenSet> m_set;
   uint64_t m_setRevision = 0;

@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "core/color/color_config.h"
 #include "ui/layout_probe.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace swaplight {
 namespace {
@@ -16,6 +18,18 @@ std::string setText(const StudioContext& studio) {
                      set->pictures->height(), set->solved->lightCount());
 }
 
+/// The colour configuration's name, ending at `right`; in a colour of its own where another one was asked for.
+void drawColors(StudioContext& studio, float right) {
+  const std::string& trouble = studio.colors.trouble();
+  const std::string words = (trouble.empty() ? "Colours: " : "Colours could not be used, now: ") + ColorConfig::current().title();
+  ImGui::SameLine(right - ImGui::CalcTextSize(words.c_str()).x);
+  if (!trouble.empty()) ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
+  ImGui::TextUnformatted(words.c_str());
+  if (!trouble.empty()) ImGui::PopStyleColor();
+  markItem(trouble.empty() ? "status.colors" : "status.colors_trouble");
+  tooltip(trouble.empty() ? "The OpenColorIO configuration: what displays and views there are" : trouble.c_str());
+}
+
 }  // namespace
 
 void drawStatusBar(StudioContext& studio) {
@@ -23,10 +37,11 @@ void drawStatusBar(StudioContext& studio) {
   ImGui::PushStyleColor(ImGuiCol_Text, kFaint);
   ImGui::TextUnformatted(setText(studio).c_str());
   const ShownPicture& shown = studio.shown;
+  const std::string zoom = shown.valid ? fmt::format("{:.0f} %", 100 * shown.window.zoom) : "";
+  const float zoomAt = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(zoom.c_str()).x - px(4);
+  drawColors(studio, zoomAt - px(24));
   if (shown.valid) {
-    const std::string zoom = fmt::format("{:.0f} %", 100 * shown.window.zoom);
-    const float width = ImGui::CalcTextSize(zoom.c_str()).x;
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - width - px(4));
+    ImGui::SameLine(zoomAt);
     ImGui::TextUnformatted(zoom.c_str());
   }
   ImGui::PopStyleColor();

@@ -3,6 +3,7 @@
 #include "core/session/document_editor.h"
 #include "render/picture_screen.h"
 #include "ui/action_table.h"
+#include "ui/color_choice.h"
 #include "ui/edit_controller.h"
 #include "ui/edits_state.h"
 #include "ui/look_state.h"
@@ -49,6 +50,7 @@ struct StudioContext {
   LookState& looks;
   EditController& edits;
   EditsState& editing;
+  const ColorChoice& colors;
 
   [[nodiscard]] const Document& document() const { return editor.document(); }
   [[nodiscard]] const OpenSet* set() const { return session.set(); }

@@ -35,7 +35,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_layout(readPanelLayout(m_layoutFile)),
       m_layoutOnDisk(m_layout),
       m_sets([&screen] { screen.wake(); }),
-      m_session(m_editor, m_view, m_sets, m_messages, stateFolder()),
+      m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder()),
       m_pictures(makePictureScreen(options.engine, ColorConfig::current())),
       m_exports([&screen] { screen.wake(); }),
       m_subjects([&screen] { screen.wake(); }),
@@ -44,7 +44,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_context{m_editor,    m_view,    m_layout,   m_session,           m_sets,
                 *m_pictures, m_actions, m_messages, m_screen.keyboard(), m_shown,
                 m_mixer,     m_tool,    m_viewer,   m_subjects,          m_table,
-                m_looks,     m_edits,   m_editing},
+                m_looks,     m_edits,   m_editing,  m_colors},
       m_wizard([&screen] { screen.wake(); }),
       m_keys(configFolder() / "keys.txt") {
   addActions();
@@ -124,6 +124,22 @@ void StudioWindow::askForSaveName(const std::function<void()>& then) {
        }});
 }
 
+void StudioWindow::askForColorConfig() {
+  m_chooser.ask({"An OpenColorIO configuration for this session",
+                 "Use",
+                 {".ocio"},
+                 false,
+                 "",
+                 m_editor.document().colorConfig.parent_path(),
+                 [this](const fs::path& file) { useColorConfig(fs::absolute(file)); }});
+}
+
+void StudioWindow::useColorConfig(const fs::path& file) {
+  Document next = m_editor.document();
+  next.colorConfig = file;
+  m_editor.edit("Colour configuration", std::move(next));
+}
+
 void StudioWindow::askForExport() {
   m_chooser.ask({"Export the frame: EXR, PNG, TIFF or JPEG",
                  "Export",
@@ -165,6 +181,10 @@ void StudioWindow::frame() {
   if (m_setShown != m_session.setRevision() || m_subjectsShown != m_subjects.revision()) m_pictures->forget();
   m_setShown = m_session.setRevision();
   m_subjectsShown = m_subjects.revision();
+  if (!m_sets.busy()) {  // while a set is loading, its configuration is in use
+    m_colors.follow(m_editor.document().colorConfig, m_messages);
+    m_pictures->setConfig(ColorConfig::current());
+  }
   m_screen.beginFrame();
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
@@ -198,6 +218,7 @@ void StudioWindow::frame() {
   if (m_editor.inGesture() && !ImGui::IsAnyItemActive()) m_editor.commit();
   markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");
   markState("title", m_title);
+  markState("colors", ColorConfig::current().title());
   endLayoutFrame();
   m_screen.endFrame();
 }

@@ -63,6 +63,8 @@ class StudioWindow {
   void askForSaveName(const std::function<void()>& then);
   void askForExport();
   void askForGels();
+  void askForColorConfig();
+  void useColorConfig(const std::filesystem::path& file);
 
   Screen& m_screen;
   std::filesystem::path m_layoutFile;
@@ -73,6 +75,7 @@ class StudioWindow {
   PanelLayout m_layout;
   PanelLayout m_layoutOnDisk;
   Messages m_messages;
+  ColorChoice m_colors;
   SetController m_sets;
   SessionController m_session;
   std::unique_ptr<PictureScreen> m_pictures;

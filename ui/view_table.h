@@ -21,6 +21,7 @@ class ViewTable {
   [[nodiscard]] const glm::mat3& xyzFromRgb() const { return m_xyzFromRgb; }
 
  private:
+  const ColorConfig* m_config = nullptr;
   std::string m_colorSpace;
   DisplayChoice m_display;
   std::shared_ptr<const DisplayTable> m_table;

@@ -97,6 +97,12 @@ std::string viewWords(const DisplayChoice& choice) {
 }
 
 void chooseView(StudioContext& studio, const DisplayChoice& choice) {
+  try {
+    ColorConfig::current().checkView(choice.display, choice.view);
+  } catch (const std::exception& error) {
+    studio.messages.error(error.what());
+    return;
+  }
   Document next = studio.document();
   next.display = choice;
   studio.editor.edit("View: " + viewWords(choice), std::move(next));
@@ -161,6 +167,10 @@ void drawDisplayMenu(StudioContext& studio) {
     const std::string description = config.viewDescription(shown.display, view);
     if (!description.empty()) tooltip(description.c_str());
   }
+  ImGui::Separator();
+  ImGui::TextDisabled("Colours: %s", config.title().c_str());
+  actionMenuItem(studio.actions, "view.color_config");
+  actionMenuItem(studio.actions, "view.builtin_colors");
 }
 
 void drawViewerBar(StudioContext& studio) {

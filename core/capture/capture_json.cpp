@@ -2,6 +2,7 @@
 
 #include "core/capture/capture.h"
 #include "core/capture/light_name.h"
+#include "core/color/color_config.h"
 #include "core/error.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
@@ -181,6 +182,15 @@ Json jsonFromShot(const Shot& shot) {
   return json;
 }
 
+/// What the colour configuration's file rules say about the first shot; else linear Rec.709.
+void assumeColorSpace(Capture& capture, const std::string& where) {
+  const std::string byRule = capture.shots.empty() ? "" : ColorConfig::current().colorSpaceOfFile(
+                                                              capture.folder / capture.shots.front().image);
+  if (!byRule.empty()) capture.colorSpace = byRule;
+  capture.warnings.push_back(fmt::format("{}: \"color_space\" is missing, {} assumed{}", where, capture.colorSpace,
+                                         byRule.empty() ? "" : " by the colour configuration's file rules"));
+}
+
 }  // namespace
 
 Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
@@ -193,11 +203,9 @@ Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
   capture.name = fields.text("name").value_or(defaultName(capture));
   const auto colorSpace = fields.text("color_space");
   if (colorSpace) capture.colorSpace = *colorSpace;
-  if (!colorSpace)
-    capture.warnings.push_back(
-        fmt::format("{}: \"color_space\" is missing, {} assumed", fields.where(), capture.colorSpace));
   capture.lights = lightsFromJson(fields, capture.warnings);
   capture.shots = shotsFromJson(fields, capture.lights, capture.warnings);
+  if (!colorSpace) assumeColorSpace(capture, fields.where());
   capture.ambient = optionalPath(fields, "ambient");
   capture.dark = optionalPath(fields, "dark");
   Json noiseExtra = Json::object();

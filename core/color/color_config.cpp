@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include "core/color/color_config_impl.h"
 #include "core/error.h"
@@ -165,16 +164,30 @@ ColorConfig::ColorConfig(const std::string& ocioFile) : m_impl(std::make_unique<
 
 ColorConfig::~ColorConfig() = default;
 
-const ColorConfig& ColorConfig::current() {
-  static const ColorConfig config([] {
-    const char* file = std::getenv("OCIO");  // NOLINT(concurrency-mt-unsafe)
-    return std::string(file ? file : "");
-  }());
-  return config;
-}
-
 std::string ColorConfig::name() const {
   return m_impl->name;
+}
+
+std::string ColorConfig::title() const {
+  if (m_impl->config == sharedBuiltin()) return m_impl->name;
+  const std::string own = m_impl->config->getName();
+  return own.empty() ? std::filesystem::path(m_impl->name).filename().string() : own;
+}
+
+std::string ColorConfig::colorSpaceOfFile(const std::filesystem::path& picture) const {
+  try {
+    size_t rule = 0;
+    const char* space = m_impl->config->getColorSpaceFromFilepath(picture.string().c_str(), rule);
+    const auto rules = m_impl->config->getFileRules();
+    const bool decided = space && *space != '\0' && rule + 1 < rules->getNumEntries();
+    return decided && m_impl->has(space) ? m_impl->config->getColorSpace(space)->getName() : "";
+  } catch (const OCIO::Exception&) {
+    return {};
+  }
+}
+
+void ColorConfig::checkView(const std::string& display, const std::string& view) const {
+  static_cast<void>(m_impl->view("lin_rec709", display, view));
 }
 
 std::vector<std::string> ColorConfig::colorSpaces() const {

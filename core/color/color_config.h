@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,20 +9,32 @@
 
 namespace swaplight {
 
-/// The OpenColorIO configuration in use: $OCIO if set, else one built in code out of OCIO 2.1's built-in
-/// transforms (lin_rec709, srgb, acescg, aces2065_1, raw; displays sRGB, Rec.709, P3-D65; views). Immutable,
-/// shared, safe to use from several threads.
+/// An OpenColorIO configuration: one of a file, or one built in code out of OCIO 2.1's built-in transforms
+/// (lin_rec709, srgb, acescg, aces2065_1, raw; displays sRGB, Rec.709, P3-D65, Rec.2100; views). Immutable,
+/// safe to use from several threads.
 class ColorConfig {
  public:
-  /// The configuration for this process, made on first use. Throws InputError where $OCIO cannot be read.
+  /// The one in use: $OCIO where it is set, else what choose() was told last, else the built-in one. Throws
+  /// InputError that names the file and says what to do where $OCIO cannot be used. A reference stays valid
+  /// when another one is chosen.
   static const ColorConfig& current();
+  /// What a session asks for; empty: the built-in one. Does nothing where $OCIO decides. Throws InputError that
+  /// names the file and says what to do; current() is then as it was.
+  static void choose(const std::filesystem::path& file);
+  /// True where $OCIO decides.
+  [[nodiscard]] static bool fromEnvironment();
+  /// For who cannot stop: from now on as if $OCIO were not set, if it cannot be used. Gives the reason, empty
+  /// where nothing is wrong.
+  [[nodiscard]] static std::string fallBack();
+
   explicit ColorConfig(const std::string& ocioFile);  ///< empty: the built-in one
 
   ColorConfig(const ColorConfig&) = delete;
   ColorConfig& operator=(const ColorConfig&) = delete;
   ~ColorConfig();
 
-  [[nodiscard]] std::string name() const;
+  [[nodiscard]] std::string name() const;   ///< "built-in", or the file
+  [[nodiscard]] std::string title() const;  ///< short, for people: the name that it gives itself, or its file's
   [[nodiscard]] std::vector<std::string> colorSpaces() const;
   [[nodiscard]] std::vector<std::string> displays() const;
   [[nodiscard]] std::vector<std::string> views(const std::string& display) const;
@@ -30,6 +43,12 @@ class ColorConfig {
   [[nodiscard]] std::string defaultDisplay() const;
   [[nodiscard]] std::string defaultView(const std::string& display) const;
 
+  /// The colour space that the configuration's file rules give a picture; empty where only its default rule
+  /// or a rule without a colour space applies.
+  [[nodiscard]] std::string colorSpaceOfFile(const std::filesystem::path& picture) const;
+
+  /// Throws InputError where a view of the configuration does not work: a table is missing, say.
+  void checkView(const std::string& display, const std::string& view) const;
   /// Throws InputError that lists the known colour spaces.
   void checkColorSpace(const std::string& name) const;
 

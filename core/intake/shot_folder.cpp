@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/color/color_config.h"
 #include "core/error.h"
 #include "core/image/image_io.h"
 #include "core/solve/solved_file.h"
@@ -67,7 +68,8 @@ std::optional<double> exposureOf(const ImageFileInfo& info) {
 FoundShot describe(const fs::path& file) {
   ImageFileInfo info;
   const ImageSpec spec = readImageSpec(file, &info);
-  return {file.filename().string(), takenAt(info), spec.colorSpace, info.format, spec.width, spec.height,
+  const std::string byRule = ColorConfig::current().colorSpaceOfFile(file);
+  return {file.filename().string(), takenAt(info), byRule.empty() ? spec.colorSpace : byRule, info.format, spec.width, spec.height,
           exposureOf(info)};
 }
 

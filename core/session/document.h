@@ -26,6 +26,7 @@ struct Document {
   SolveOptions solve;            ///< how a capture is solved; without meaning for a solved set
   EditStack edits;               ///< of the source's lights, before they are mixed
   Rig rig;                       ///< in the source's order of lights, then those that the edits add
+  std::filesystem::path colorConfig;  ///< an OpenColorIO configuration, absolute; empty: none chosen
   DisplayChoice display;
   std::vector<SavedLook> looks;  ///< the gallery
   bool operator==(const Document&) const = default;

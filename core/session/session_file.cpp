@@ -74,6 +74,7 @@ Json jsonFromSession(const Session& session, const std::filesystem::path& folder
   json["solve"] = jsonFromSolveOptions(document.solve);
   json["rig"] = jsonFromRig(document.rig);
   if (document.edits != EditStack{}) json["edits"] = jsonFromEdits(document.edits, folder);
+  if (!document.colorConfig.empty()) json["color_config"] = writtenPath(document.colorConfig, folder);
   json["display"] = jsonFromDisplay(document.display);
   if (!document.looks.empty()) json["looks"] = jsonFromSavedLooks(document.looks);
   if (!session.studio.empty()) json["studio"] = session.studio;
@@ -93,6 +94,7 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& folder, c
   if (const Json* edits = fields.find("edits"))
     session.document.edits = editsFromJson(*edits, folder, name + ": edits");
   if (const Json* rig = fields.find("rig")) session.document.rig = rigFromJson(*rig, name + ": rig");
+  session.document.colorConfig = readPath(fields.text("color_config").value_or(""), folder);
   if (const Json* display = fields.find("display"))
     session.document.display = displayFromJson(*display, name + ": display");
   if (const Json* looks = fields.find("looks"))

@@ -159,6 +159,47 @@ TEST(ColorConfig, AForeignConfigurationIsGivenTheNamesThatCapturesUse) {
   EXPECT_NEAR(image.plane(0)[0], 0.25F, 1e-4F);
 }
 
+TEST(ColorConfig, ActiveDisplaysAndViewsAndFileRulesAreHonoured) {
+  const ColorConfig config(SWAPLIGHT_TEST_DATA "/color/config.ocio");
+  EXPECT_EQ(config.title(), "hand-made");
+  EXPECT_THAT(config.displays(), ElementsAre("Projector", "Monitor"));
+  EXPECT_THAT(config.views("Monitor"), ElementsAre("Film", "Warm film", "Print", "Plain", "Log"));
+  EXPECT_EQ(config.colorSpaceOfFile("wall.png"), "monitor");
+  EXPECT_EQ(config.colorSpaceOfFile("/shots/plate_0101.exr"), "log_camera");
+  EXPECT_EQ(config.colorSpaceOfFile("/shots/shot_01.exr"), "") << "only the default rule";
+  EXPECT_EQ(ColorConfig("").colorSpaceOfFile("wall.png"), "");
+}
+
+TEST(ColorConfig, AViewsLookIsApplied) {
+  const ColorConfig config(SWAPLIGHT_TEST_DATA "/color/config.ocio");
+  Image plain = colours(), warm = colours();
+  config.applyView(plain.span(), "lin_rec709", "Monitor", "Film");
+  config.applyView(warm.span(), "lin_rec709", "Monitor", "Warm film");
+  EXPECT_GT(warm.plane(0)[4], plain.plane(0)[4] + 0.005F);
+  EXPECT_LT(warm.plane(2)[4], plain.plane(2)[4] - 0.005F);
+}
+
+TEST(ColorConfig, AViewWhoseTableIsMissingIsSaid) {
+  const TemporaryFolder folder;
+  std::filesystem::copy(SWAPLIGHT_TEST_DATA "/color/config.ocio", folder / "config.ocio");
+  const ColorConfig config((folder / "config.ocio").string());
+  config.checkView("Monitor", "Plain");
+  EXPECT_THAT(inputError([&] { config.checkView("Monitor", "Film"); }),
+              AllOf(HasSubstr("config.ocio"), HasSubstr("film.spi1d")));
+}
+
+TEST(ColorConfig, WhatASessionChoosesIsUsedUntilItChoosesAnother) {
+  ASSERT_FALSE(ColorConfig::fromEnvironment());
+  const ColorConfig& before = ColorConfig::current();
+  ColorConfig::choose(SWAPLIGHT_TEST_DATA "/color/config.ocio");
+  EXPECT_EQ(ColorConfig::current().title(), "hand-made");
+  EXPECT_THAT(inputError([] { ColorConfig::choose("/nowhere/none.ocio"); }),
+              AllOf(HasSubstr("/nowhere/none.ocio"), HasSubstr("color_config")));
+  EXPECT_EQ(ColorConfig::current().title(), "hand-made") << "a mistake changes nothing";
+  ColorConfig::choose({});
+  EXPECT_EQ(&ColorConfig::current(), &before);
+}
+
 TEST(ColorConfig, ABrokenConfigurationIsSaidInOneLine) {
   const TemporaryFolder folder;
   EXPECT_THAT(inputError([&] { const ColorConfig config((folder / "none.ocio").string()); }),

@@ -54,7 +54,7 @@ class Display:
 class Studio:
     """The studio in a window. Files of its own in `home`, so that no other run is seen."""
 
-    def __init__(self, display, home, *arguments, size='1280x720', scale='1'):
+    def __init__(self, display, home, *arguments, size='1280x720', scale='1', environment=None):
         self.home = home
         self.probe = os.path.join(home, 'layout.json')
         if os.path.exists(self.probe):
@@ -62,6 +62,7 @@ class Studio:
         self.environment = {**os.environ, 'DISPLAY': display.name, 'LC_ALL': 'C.UTF-8', 'HOME': home}
         for name in ('OCIO', 'XDG_CONFIG_HOME', 'XDG_DATA_HOME', 'XDG_STATE_HOME', 'WAYLAND_DISPLAY'):
             self.environment.pop(name, None)
+        self.environment.update(environment or {})
         self.process = subprocess.Popen(
             [PROGRAM, 'studio', *map(str, arguments), '--size', size, '--scale', scale,
              '--probe-layout', self.probe], env=self.environment, stderr=subprocess.PIPE, text=True)

@@ -1,0 +1,84 @@
+"""$OCIO, the session's colour configuration, the built-in one; and what is said where one cannot be used"""
+import json
+import os
+import shutil
+
+import numpy as np
+import swaplight_cli as cli
+
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../data/color')
+CONFIG = os.path.join(DATA, 'config.ocio')
+
+
+class ColorConfigTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.capture = cli.Capture(self.path('set'))
+        self.solved = self.path('solved.exr')
+        self.succeed('solve', self.capture.path, '-o', self.solved, '--model', 'transport', '-q')
+
+    def session(self, **values):
+        path = self.path('a.swaplight')
+        with open(path, 'w') as file:
+            json.dump({'format': 'swaplight-session', 'version': 1, 'source': 'solved.exr', **values}, file)
+        return path
+
+    def frame(self, *arguments, config='', name='frame.png'):
+        self.succeed('relight', *arguments, '-o', self.path(name), '-q', env={'OCIO': config} if config else {})
+        return cli.read_rgb(self.path(name))
+
+    def test_the_environment_goes_before_the_session_and_that_before_the_built_in(self):
+        film = self.frame(self.solved, '--display', 'Monitor', '--view', 'Film', config=CONFIG)
+        self.assertGreater(np.abs(film - self.frame(self.solved)).mean(), .02)
+        shutil.copytree(DATA, self.path('show'))
+        session = self.session(color_config='show/config.ocio', display={'display': 'Monitor', 'view': 'Film'})
+        np.testing.assert_array_equal(self.frame(session), film)
+        with open(CONFIG) as file:
+            other = file.read().replace('log_side_slope: 0.247190', 'log_side_slope: 0.2')
+        shutil.copytree(DATA, self.path('other'))
+        with open(self.path('other', 'config.ocio'), 'w') as file:
+            file.write(other)
+        changed = self.frame(session, config=self.path('other', 'config.ocio'))
+        self.assertGreater(np.abs(changed - film).mean(), .01)
+        found = self.succeed('info', session).stdout
+        self.assertIn(self.path('show', 'config.ocio'), found)
+
+    def test_what_cannot_be_used_is_said_in_one_line_with_what_to_do(self):
+        broken, undefined = self.path('broken.ocio'), self.path('undefined.ocio')
+        with open(broken, 'w') as file:
+            file.write('ocio_profile_version: 2\nroles: [\n')
+        with open(CONFIG) as file:
+            text = file.read()
+        with open(undefined, 'w') as file:
+            file.write(text.replace('{name: Print, colorspace: print}', '{name: Print, colorspace: gone}'))
+        for config in ('/nowhere/none.ocio', broken, undefined):
+            self.fail('relight', self.solved, '-o', self.path('a.png'), env={'OCIO': config},
+                      naming=[config, '$OCIO', 'unset it'])
+        self.fail('relight', self.session(color_config='none.ocio'), '-o', self.path('a.png'),
+                  naming=[self.path('none.ocio'), 'color_config'])
+
+    def test_a_view_that_the_configuration_lacks_is_said_with_those_that_it_has(self):
+        self.fail('relight', self.solved, '--view', 'Nope', '-o', self.path('a.png'), env={'OCIO': CONFIG},
+                  naming=["'Nope'", CONFIG, 'Film'])
+        self.fail('relight', self.solved, '--display', 'Old monitor', '-o', self.path('a.png'), env={'OCIO': CONFIG},
+                  naming=["'Old monitor'", CONFIG, 'Projector, Monitor'])
+
+    def test_file_rules_say_what_a_capture_does_not(self):
+        del self.capture.manifest['color_space']
+        self.capture.save()
+        plain = self.succeed('solve', self.capture.path, '-o', self.path('b.exr')).stderr
+        self.assertIn('lin_rec709 assumed', plain)
+        with open(self.capture.path) as file:
+            manifest = json.load(file)
+        for shot in manifest['shots']:
+            os.rename(os.path.join(self.capture.folder, shot['image']),
+                      os.path.join(self.capture.folder, 'plate_' + shot['image']))
+            shot['image'] = 'plate_' + shot['image']
+        with open(self.capture.path, 'w') as file:
+            json.dump(manifest, file)
+        ruled = self.succeed('solve', self.capture.path, '-o', self.path('c.exr'), env={'OCIO': CONFIG}).stderr
+        self.assertIn('log_camera assumed', ruled)
+
+
+if __name__ == '__main__':
+    cli.main()

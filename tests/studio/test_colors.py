@@ -1,0 +1,65 @@
+"""The studio's colour configuration: $OCIO, the session's own, and what happens where one cannot be used."""
+import json
+import os
+import shutil
+import unittest
+
+import numpy as np
+
+from studio_session import HERE, SAMPLES, StudioTest
+
+DATA = os.path.join(HERE, '../data/color')
+
+
+class Colors(StudioTest):
+    def test_a_wrong_environment_is_said_and_the_built_in_configuration_shown(self):
+        studio = self.open_sample(environment={'OCIO': '/nowhere/none.ocio'})
+        self.assertEqual(studio.state('colors'), 'built-in')
+        studio.item('status.colors_trouble')
+        self.assertGreater(studio.picture('colors_wrong').std(), 10)
+        self.assertTrue(studio.quit())
+
+    def test_the_environment_gives_displays_and_views(self):
+        studio = self.open_sample(environment={'OCIO': os.path.join(DATA, 'config.ocio')})
+        self.assertEqual(studio.state('colors'), 'hand-made')
+        studio.item('status.colors')
+        studio.click('bar.view')
+        studio.click('display.Monitor')
+        before = studio.picture('colors_film')
+        studio.click('bar.view')
+        self.assertFalse(studio.has('view.Monitor.Put away'))
+        studio.screenshot('colors_menu')
+        studio.click('view.Monitor.Warm film')
+        studio.move(640, 705)
+        self.assertGreater(np.abs(studio.picture('colors_warm') - before).mean(), 1)
+
+    def test_a_session_brings_its_own_and_undo_takes_it_away(self):
+        shutil.copytree(DATA, self.path('show'))
+        with open(self.path('a.swaplight'), 'w') as file:
+            json.dump({'format': 'swaplight-session', 'version': 1, 'color_config': 'show/config.ocio',
+                       'display': {'display': 'Monitor', 'view': 'Print'},
+                       'source': os.path.join(SAMPLES, 'three_point', 'capture.json')}, file)
+        studio = self.start(self.path('a.swaplight'))
+        studio.wait_ready()
+        self.assertEqual(studio.state('colors'), 'hand-made')
+        print_view = studio.picture('colors_session')
+        studio.click('bar.view')
+        studio.click('menu.view.builtin_colors')
+        studio.wait(lambda layout: layout.get('colors') == 'built-in', 'the built-in configuration')
+        self.assertGreater(np.abs(studio.picture('colors_builtin') - print_view).mean(), 3)
+        studio.key('ctrl+z')
+        studio.wait(lambda layout: layout.get('colors') == 'hand-made', 'the session\'s configuration again')
+        self.assertLess(np.abs(studio.picture('colors_undone') - print_view).max(), 2)
+
+    def test_a_session_whose_configuration_is_gone_is_shown_through_the_built_in(self):
+        with open(self.path('a.swaplight'), 'w') as file:
+            json.dump({'format': 'swaplight-session', 'version': 1, 'color_config': 'gone.ocio',
+                       'source': os.path.join(SAMPLES, 'three_point', 'capture.json')}, file)
+        studio = self.start(self.path('a.swaplight'))
+        studio.wait_ready()
+        studio.item('status.colors_trouble')
+        studio.screenshot('colors_gone')
+
+
+if __name__ == '__main__':
+    unittest.main()
