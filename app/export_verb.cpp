@@ -4,6 +4,7 @@
 
 #include "app/lighting_arguments.h"
 #include "app/verbs.h"
+#include "core/color/color_config.h"
 #include "core/error.h"
 #include "core/export/frame_file.h"
 #include "core/export/layer_export.h"
@@ -76,6 +77,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   LayerOptions options = optionsOf(arguments);
   const bool look = isLookFile(arguments.file);
   if (look) checkFrame("look.png", {false, arguments.display.display, arguments.display.view, {}});
+  if (!options.colorSpace.empty()) ColorConfig::current().checkColorSpace(options.colorSpace);
   checkWritable(arguments.file);
   arguments.lighting.check(session);
 
@@ -93,7 +95,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
                        {"layers", layers},
                        {"width", set.width()},
                        {"height", set.height()},
-                       {"color_space", set.colorSpace()},
+                       {"color_space", options.colorSpace.empty() ? set.colorSpace() : options.colorSpace},
                        {"rig", jsonFromRig(rig)}});
   return 0;
 }
@@ -123,6 +125,9 @@ void addExportVerb(Program& program) {
   verb.add_option("--type", a->pictures, "half or float: the colour layers")
       ->type_name("TYPE")
       ->capture_default_str();
+  verb.add_option("--color-space", a->options.colorSpace,
+                  "Of the colour layers: lin_rec709, acescg, aces2065_1 ... (default: the set's)")
+      ->type_name("NAME");
   verb.add_flag("--beta", a->options.beta, "The proportions of the lights too (beta.LIGHT)");
   verb.add_flag("--quality", a->options.quality, "The solver's residual, sigma and flags too");
   verb.add_option("--data-type", a->data, "half or float: beta and quality")

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/file/json_file.h"
 #include "core/image/image_io.h"
+#include "core/measure/dynamic_range.h"
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
 #include "core/session/session_file.h"
@@ -70,6 +71,18 @@ Description describeCapture(const fs::path& file) {
   return d;
 }
 
+/// The range of each light, from the pixels.
+void describeRange(const fs::path& file, Description& d) {
+  const std::vector<LightRange> ranges = dynamicRange(readSolvedSet(file));
+  d.json["dynamic_range"] = Json::array();
+  for (const LightRange& range : ranges) {
+    d.line("range", fmt::format("{}: {:.1f} stops between the noise and its brightest parts", range.light,
+                                range.stops));
+    d.json["dynamic_range"].push_back(
+        {{"light", range.light}, {"peak", range.peak}, {"floor", range.floor}, {"stops", range.stops}});
+  }
+}
+
 Description describeSolvedSet(const fs::path& file) {
   ImageFileInfo info;
   const ImageSpec spec = readImageSpec(file, &info);
@@ -85,9 +98,10 @@ Description describeSolvedSet(const fs::path& file) {
   d.line("lights", lightsText(capture));
   d.line("channels", fmt::format("{}", fmt::join(spec.channels, " ")));
   if (report.contains("message")) d.line("solved", report["message"].get<std::string>());
-  d.text += "\n" + shotsText(capture);
   d.json = {{"kind", "solved"}, {"file", file.string()}};
   d.json.update(pictureJson(spec, info));
+  describeRange(file, d);
+  d.text += "\n" + shotsText(capture);
   d.json["capture"] = jsonFromCapture(capture);
   d.json["report"] = report;
   return d;

@@ -20,7 +20,8 @@ class LightingArguments {
  public:
   void addTo(CLI::App& verb);
 
-  /// The session that is named, or is the source itself; its colour configuration is chosen. Throws InputError.
+  /// The session that is named, or is the source itself; its colour configuration is chosen. Throws
+  /// InputError.
   [[nodiscard]] std::optional<Session> session() const;
   /// The set's file. Throws InputError where nothing names one.
   [[nodiscard]] std::filesystem::path source(const std::optional<Session>& session) const;

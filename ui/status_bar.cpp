@@ -18,16 +18,19 @@ std::string setText(const StudioContext& studio) {
                      set->pictures->height(), set->solved->lightCount());
 }
 
-/// The colour configuration's name, ending at `right`; in a colour of its own where another one was asked for.
+/// The colour configuration's name, ending at `right`; in a colour of its own where another one was asked
+/// for.
 void drawColors(StudioContext& studio, float right) {
   const std::string& trouble = studio.colors.trouble();
-  const std::string words = (trouble.empty() ? "Colours: " : "Colours could not be used, now: ") + ColorConfig::current().title();
+  const std::string words =
+      "Colours: " + ColorConfig::current().title() + (trouble.empty() ? "" : ", not those asked for");
   ImGui::SameLine(right - ImGui::CalcTextSize(words.c_str()).x);
   if (!trouble.empty()) ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
   ImGui::TextUnformatted(words.c_str());
   if (!trouble.empty()) ImGui::PopStyleColor();
   markItem(trouble.empty() ? "status.colors" : "status.colors_trouble");
-  tooltip(trouble.empty() ? "The OpenColorIO configuration: what displays and views there are" : trouble.c_str());
+  tooltip(trouble.empty() ? "The OpenColorIO configuration: what displays and views there are"
+                          : trouble.c_str());
 }
 
 }  // namespace

@@ -41,10 +41,13 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_subjects([&screen] { screen.wake(); }),
       m_edits([&screen] { screen.wake(); }),
       m_scopes([&screen] { screen.wake(); }),
-      m_context{m_editor,    m_view,    m_layout,   m_session,           m_sets,
-                *m_pictures, m_actions, m_messages, m_screen.keyboard(), m_shown,
-                m_mixer,     m_tool,    m_viewer,   m_subjects,          m_table,
-                m_looks,     m_edits,   m_editing,  m_colors},
+      m_context{m_editor,  m_view,     m_layout,
+                m_session, m_sets,     *m_pictures,
+                m_actions, m_messages, m_screen.keyboard(),
+                m_shown,   m_mixer,    m_tool,
+                m_viewer,  m_subjects, m_table,
+                m_looks,   m_edits,    m_editing,
+                m_colors},
       m_wizard([&screen] { screen.wake(); }),
       m_keys(configFolder() / "keys.txt") {
   addActions();

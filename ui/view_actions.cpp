@@ -9,12 +9,13 @@ constexpr double kZoomStep = 1.25;
 
 void StudioWindow::addViewActions() {
   const auto free = [this] { return m_session.hasDocument() && !ColorConfig::fromEnvironment(); };
-  m_actions.add({"view.color_config", "OpenColorIO configuration \u2026", "",
-                 "Displays, views and colour spaces from a file, for this session. $OCIO, where it is set, goes "
-                 "before.",
-                 [this] { askForColorConfig(); }, free});
-  m_actions.add({"view.builtin_colors", "Built-in configuration", "", "The displays and views that need no file.",
-                 [this] { useColorConfig({}); },
+  m_actions.add(
+      {"view.color_config", "OpenColorIO configuration \u2026", "",
+       "Displays, views and colour spaces from a file, for this session. $OCIO, where it is set, goes "
+       "before.",
+       [this] { askForColorConfig(); }, free});
+  m_actions.add({"view.builtin_colors", "Built-in configuration", "",
+                 "The displays and views that need no file.", [this] { useColorConfig({}); },
                  [this, free] { return free() && !m_editor.document().colorConfig.empty(); }});
   const auto shown = [this] { return m_shown.valid; };
   m_actions.add({"view.fit", "Fit", "F", "Show the whole picture.", [this] { m_view.showFit(); }, shown,

@@ -184,10 +184,13 @@ Json jsonFromShot(const Shot& shot) {
 
 /// What the colour configuration's file rules say about the first shot; else linear Rec.709.
 void assumeColorSpace(Capture& capture, const std::string& where) {
-  const std::string byRule = capture.shots.empty() ? "" : ColorConfig::current().colorSpaceOfFile(
-                                                              capture.folder / capture.shots.front().image);
+  const std::string byRule =
+      capture.shots.empty()
+          ? ""
+          : ColorConfig::current().colorSpaceOfFile(capture.folder / capture.shots.front().image);
   if (!byRule.empty()) capture.colorSpace = byRule;
-  capture.warnings.push_back(fmt::format("{}: \"color_space\" is missing, {} assumed{}", where, capture.colorSpace,
+  capture.warnings.push_back(fmt::format("{}: \"color_space\" is missing, {} assumed{}", where,
+                                         capture.colorSpace,
                                          byRule.empty() ? "" : " by the colour configuration's file rules"));
 }
 

@@ -148,8 +148,9 @@ std::vector<Picture> readPictures(const Capture& capture, const Progress& progre
 }  // namespace
 
 CapturePixels loadCapturePixels(const Capture& capture, const Progress& progress) {
+  const ColorConfig& config = ColorConfig::current();
   try {
-    ColorConfig::current().checkColorSpace(capture.colorSpace);
+    config.checkColorSpace(capture.colorSpace);
   } catch (const InputError& error) {
     throw InputError("{}: {}", capture.file.empty() ? "the capture" : capture.file.string(), error.what());
   }

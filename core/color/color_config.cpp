@@ -20,10 +20,11 @@ std::string join(const std::vector<std::string>& names) {
   return list;
 }
 
-/// OpenColorIO's words in one line.
+/// OpenColorIO's words in one line that ends.
 std::string oneLine(std::string words) {
   std::replace(words.begin(), words.end(), '\n', ' ');
-  return words;
+  while (!words.empty() && words.back() == ' ') words.pop_back();
+  return words.ends_with('.') ? words : words + ".";
 }
 
 template <typename Work>

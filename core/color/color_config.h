@@ -18,8 +18,8 @@ class ColorConfig {
   /// InputError that names the file and says what to do where $OCIO cannot be used. A reference stays valid
   /// when another one is chosen.
   static const ColorConfig& current();
-  /// What a session asks for; empty: the built-in one. Does nothing where $OCIO decides. Throws InputError that
-  /// names the file and says what to do; current() is then as it was.
+  /// What a session asks for; empty: the built-in one. Does nothing where $OCIO decides. Throws InputError
+  /// that names the file and says what to do; current() is then as it was.
   static void choose(const std::filesystem::path& file);
   /// True where $OCIO decides.
   [[nodiscard]] static bool fromEnvironment();
@@ -33,8 +33,9 @@ class ColorConfig {
   ColorConfig& operator=(const ColorConfig&) = delete;
   ~ColorConfig();
 
-  [[nodiscard]] std::string name() const;   ///< "built-in", or the file
-  [[nodiscard]] std::string title() const;  ///< short, for people: the name that it gives itself, or its file's
+  [[nodiscard]] std::string name() const;  ///< "built-in", or the file
+  [[nodiscard]] std::string title()
+      const;  ///< short, for people: the name that it gives itself, or its file's
   [[nodiscard]] std::vector<std::string> colorSpaces() const;
   [[nodiscard]] std::vector<std::string> displays() const;
   [[nodiscard]] std::vector<std::string> views(const std::string& display) const;

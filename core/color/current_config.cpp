@@ -43,7 +43,8 @@ const ColorConfig& ColorConfig::current() {
   try {
     configs().current = &configs().load(file);
   } catch (const InputError& error) {
-    throw InputError("{} Name another file in $OCIO, or unset it to use the built-in configuration.", error.what());
+    throw InputError("{} Name another file in $OCIO, or unset it to use the built-in configuration.",
+                     error.what());
   }
   return *configs().current;
 }
@@ -54,8 +55,9 @@ void ColorConfig::choose(const std::filesystem::path& file) {
   try {
     configs().current = &configs().load(file.string());
   } catch (const InputError& error) {
-    throw InputError("{} Correct \"color_config\" in the session, or set $OCIO to a configuration that works.",
-                     error.what());
+    throw InputError(
+        "{} Correct \"color_config\" in the session, or set $OCIO to a configuration that works.",
+        error.what());
   }
 }
 

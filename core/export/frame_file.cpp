@@ -7,6 +7,9 @@
 #include "core/color/color_config.h"
 #include "core/color/icc_profile.h"
 #include "core/error.h"
+#include "core/export/png_cicp.h"
+#include "core/file/atomic_file.h"
+#include "core/image/half.h"
 #include "core/image/image_format.h"
 
 namespace swaplight {
@@ -20,6 +23,18 @@ bool hasView(const FrameOptions& options) {
   return !options.display.empty() || !options.view.empty();
 }
 
+/// An EXR that is to be half float by default becomes float where light is brighter than half can hold.
+void keepInHalf(const Image& frame, const std::filesystem::path& file, WriteOptions& write) {
+  if (!write.pixelType.empty() || imageFormatForWriting(file) != "openexr") return;
+  for (int c = 0; c < frame.channelCount(); ++c) {
+    const float* values = frame.plane(c);
+    if (std::any_of(values, values + frame.pixelCount(), [](float v) { return v != clampedToHalf(v); })) {
+      write.pixelType = "float";
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 bool isSceneLinear(const std::filesystem::path& file) {
@@ -31,6 +46,9 @@ void checkFrame(const std::filesystem::path& file, const FrameOptions& options) 
   static_cast<void>(imageFormatForWriting(file));
   if (options.tone && (options.linear || hasView(options)))
     throw InputError("a tone mapping takes the place of a view: ask for one of them");
+  if (!options.colorSpace.empty()) ColorConfig::current().checkColorSpace(options.colorSpace);
+  if (!options.colorSpace.empty() && (options.tone || hasView(options)))
+    throw InputError("a colour space is for scene-linear light, a view gives its own: ask for one of them");
   if (options.tone && isSceneLinear(file))
     throw InputError("{}: holds scene-linear light, which is not tone mapped; write PNG, TIFF or JPEG",
                      file.string());
@@ -51,21 +69,36 @@ void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions opt
   checkFrame(file, options);
   const std::string space = frame.spec().colorSpace;
   const ColorConfig& config = ColorConfig::current();
+  std::optional<CodePoints> codePoints;
   if (options.tone) {
     config.convert(frame.span(), space, "lin_rec709");
     applyStillTone(frame.span(), *options.tone);
     frame.setColorSpace("lin_rec709");
   }
+  const bool seen = hasView(options) || (!options.linear && !isSceneLinear(file));
+  if (!seen && !options.colorSpace.empty()) {
+    config.convert(frame.span(), space, options.colorSpace);
+    frame.setColorSpace(options.colorSpace);
+  }
+  if (!seen) keepInHalf(frame, file, options.write);
   if (hasView(options)) {
     const std::string display = options.display.empty() ? config.defaultDisplay() : options.display;
     const std::string view = options.view.empty() ? config.defaultView(display) : options.view;
     config.applyView(frame.span(), space, display, view);
     frame.setColorSpace("data");
     options.write.iccProfile = iccProfileOf(display, view);
+    codePoints = codePointsOf(display);
   } else if (!options.linear && !isSceneLinear(file)) {
     config.convert(frame.span(), frame.spec().colorSpace, "srgb");
     frame.setColorSpace("srgb");
     options.write.iccProfile = iccProfileOf("sRGB", "");
+  }
+  if (codePoints && imageFormatForWriting(file) == "png") {
+    AtomicFile whole(file);
+    writeImage(frame, whole.temporary(), options.write);
+    addCicp(whole.temporary(), *codePoints);
+    whole.commit();
+    return;
   }
   writeImage(frame, file, options.write);
 }

@@ -18,6 +18,9 @@ struct FrameOptions {
   std::string display;  ///< of the colour configuration; empty: its default one
   std::string view;     ///< of that display; empty: its default one, where a display is named
   WriteOptions write;
+  /// Scene-linear pixels in these primaries, white adapted (Bradford): lin_rec709, acescg, aces2065_1, or
+  /// another space of the configuration. Empty: the set's own.
+  std::string colorSpace = {};
   /// Instead of a view: tone mapped by the whole picture, then plain sRGB. Not for EXR and HDR.
   std::optional<StillTone> tone = {};
 };

@@ -1,7 +1,9 @@
 #include "core/export/layer_export.h"
 
+#include <algorithm>
 #include <array>
 
+#include "core/color/color_config.h"
 #include "core/error.h"
 #include "core/export/layer_names.h"
 #include "core/image/half.h"
@@ -35,25 +37,49 @@ std::vector<Source> sourcesOf(const SolvedSet& set, const Rig& rig) {
   return sources;
 }
 
-Layers layersOf(const SolvedSet& set, const Rig& rig, PixelType type) {
+/// Each light as it shines, in the colour space that is asked for.
+std::vector<Image> shining(const SolvedSet& set, const Rig& rig, const std::string& colorSpace) {
   const std::vector<Source> sources = sourcesOf(set, rig);
-  const ImageSpec spec = ImageSpec::rgb(set.width(), set.height());
-  Layers layers{{}, Image(spec)};
-  for (size_t i = 0; i < sources.size(); ++i) layers.pictures.emplace_back(spec);
-  parallelRows(set.height(), kGrain, [&](int begin, int end) {
-    const ptrdiff_t first = ptrdiff_t{begin} * set.width();
-    const ptrdiff_t last = ptrdiff_t{end} * set.width();
+  std::vector<Image> pictures;
+  for (const Source& source : sources) {
+    Image& picture = pictures.emplace_back(ImageSpec::rgb(set.width(), set.height()));
+    parallelRows(set.height(), kGrain, [&](int begin, int end) {
+      const ptrdiff_t first = ptrdiff_t{begin} * set.width();
+      const ptrdiff_t last = ptrdiff_t{end} * set.width();
+      for (int c = 0; c < 3; ++c) {
+        const float* in = source.picture->plane(c);
+        float* out = picture.plane(c);
+        for (ptrdiff_t p = first; p < last; ++p) out[p] = source.factor[c] * in[p];
+      }
+    });
+    ColorConfig::current().convert(picture.span(), set.colorSpace(), colorSpace);
+  }
+  return pictures;
+}
+
+bool fitsHalf(const std::vector<Image>& pictures) {
+  for (const Image& picture : pictures)
+    for (int c = 0; c < 3; ++c)
+      if (std::any_of(picture.plane(c), picture.plane(c) + picture.pixelCount(),
+                      [](float v) { return v != clampedToHalf(v); }))
+        return false;
+  return true;
+}
+
+Layers layersOf(std::vector<Image> pictures, PixelType type) {
+  const ImageSpec spec = pictures.front().spec();
+  Layers layers{std::move(pictures), Image(spec, 0)};
+  const int width = layers.sum.width();
+  parallelRows(layers.sum.height(), kGrain, [&](int begin, int end) {
+    const ptrdiff_t first = ptrdiff_t{begin} * width;
+    const ptrdiff_t last = ptrdiff_t{end} * width;
     for (int c = 0; c < 3; ++c) {
       float* sum = layers.sum.plane(c);
-      std::fill(sum + first, sum + last, 0.0F);
-      for (size_t i = 0; i < sources.size(); ++i) {
-        const float* in = sources[i].picture->plane(c);
-        float* out = layers.pictures[i].plane(c);
-        const float factor = sources[i].factor[c];
+      for (Image& picture : layers.pictures) {
+        float* values = picture.plane(c);
         for (ptrdiff_t p = first; p < last; ++p) {
-          const float value = factor * in[p];
-          out[p] = type == PixelType::Half ? roundedToHalf(value) : value;
-          sum[p] += out[p];
+          if (type == PixelType::Half) values[p] = roundedToHalf(values[p]);
+          sum[p] += values[p];
         }
       }
     }
@@ -139,11 +165,15 @@ void exportLayers(const SolvedSet& set, const Rig& rig, const std::filesystem::p
                   const LayerOptions& options, const Progress& progress) {
   check(options, file, options.dataWindow.value_or(PixelRect{0, 0, set.width(), set.height()}), set);
   progress.update(0, "relighting");
-  const Layers layers = layersOf(set, rig, options.pictures);
-  std::vector<PartToWrite> parts = partsOf(set, layers, options);
+  const std::string& colorSpace = options.colorSpace.empty() ? set.colorSpace() : options.colorSpace;
+  std::vector<Image> pictures = shining(set, rig, colorSpace);
+  LayerOptions written = options;
+  if (!fitsHalf(pictures)) written.pictures = PixelType::Float;
+  const Layers layers = layersOf(std::move(pictures), written.pictures);
+  std::vector<PartToWrite> parts = partsOf(set, layers, written);
   if (!options.multipart) parts = {merged(parts)};
-  FileToWrite contents{set.width(),      set.height(),        std::move(parts),
-                       set.colorSpace(), options.compression, options.text};
+  FileToWrite contents{set.width(), set.height(),        std::move(parts),
+                       colorSpace,  options.compression, options.text};
   contents.dataWindow = options.dataWindow;
   if (set.carried) addCarried(contents, *set.carried);
   writeChannels(contents, file, progress.part(0.3F, 1));

@@ -26,8 +26,11 @@ struct LayerOptions {
   std::string compression = "zip";       ///< an OpenEXR compression
   PixelType pictures = PixelType::Half;  ///< of the colour layers: Half or Float
   PixelType data = PixelType::Float;     ///< of beta and quality: Half or Float
-  bool beta = false;                     ///< beta.<light> too
-  bool quality = false;                  ///< quality.residual, .sigma, .flags too
+  /// Primaries of the colour layers, white adapted (Bradford): lin_rec709, acescg, aces2065_1 ... Empty: the
+  /// set's.
+  std::string colorSpace = {};
+  bool beta = false;     ///< beta.<light> too
+  bool quality = false;  ///< quality.residual, .sigma, .flags too
   /// The part of the picture that is written; nothing: that of the photographs.
   std::optional<PixelRect> dataWindow;
   std::map<std::string, std::string> text;  ///< for the header: see provenanceOf
@@ -36,8 +39,8 @@ struct LayerOptions {
 /// Writes each light as it shines under the rig, and what no light explains, as layers of one EXR; R G B (or
 /// Combined) is their sum: layers are rounded to their type first and added in their order, in float, so that
 /// who adds them up gets it to the bit in float, and within half a step of its type in half. Scene-linear, in
-/// the set's primaries. What the photographs' files held beside their colour goes along. Throws InputError
-/// where it cannot be written.
+/// the primaries asked for. Half becomes float where light is brighter than half can hold. What the
+/// photographs' files held beside their colour goes along. Throws InputError where it cannot be written.
 void exportLayers(const SolvedSet& set, const Rig& rig, const std::filesystem::path& file,
                   const LayerOptions& options, const Progress& progress = {});
 

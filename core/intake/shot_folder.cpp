@@ -69,7 +69,12 @@ FoundShot describe(const fs::path& file) {
   ImageFileInfo info;
   const ImageSpec spec = readImageSpec(file, &info);
   const std::string byRule = ColorConfig::current().colorSpaceOfFile(file);
-  return {file.filename().string(), takenAt(info), byRule.empty() ? spec.colorSpace : byRule, info.format, spec.width, spec.height,
+  return {file.filename().string(),
+          takenAt(info),
+          byRule.empty() ? spec.colorSpace : byRule,
+          info.format,
+          spec.width,
+          spec.height,
           exposureOf(info)};
 }
 

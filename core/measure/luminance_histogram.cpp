@@ -42,6 +42,11 @@ LuminanceHistogram luminanceHistogram(const Image& picture) {
   return histogram;
 }
 
+Json jsonFromHistogram(const LuminanceHistogram& histogram) {
+  return {{"median_stops", histogram.median}, {"low", histogram.low},      {"high", histogram.high},
+          {"below", histogram.black},         {"above", histogram.bright}, {"share", histogram.share}};
+}
+
 Image drawLuminanceHistograms(const std::vector<NamedHistogram>& histograms, PlotSize size) {
   ScatterPlot plot;
   plot.title = "Luminance";

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/json.h"
 #include "core/measure/plot.h"
 
 namespace swaplight {
@@ -25,6 +26,7 @@ struct NamedHistogram {
   std::string name;
   LuminanceHistogram histogram;
 };
+[[nodiscard]] Json jsonFromHistogram(const LuminanceHistogram& histogram);
 [[nodiscard]] Image drawLuminanceHistograms(const std::vector<NamedHistogram>& histograms,
                                             PlotSize size = {});
 

@@ -22,10 +22,10 @@ struct DisplayChoice {
 /// A value: cheap to copy, because what is heavy is shared and never changed in place. Where the person is
 /// looking (zoom, panels) is no part of it.
 struct Document {
-  std::filesystem::path source;  ///< a capture or a solved set, absolute; empty where nothing is open
-  SolveOptions solve;            ///< how a capture is solved; without meaning for a solved set
-  EditStack edits;               ///< of the source's lights, before they are mixed
-  Rig rig;                       ///< in the source's order of lights, then those that the edits add
+  std::filesystem::path source;       ///< a capture or a solved set, absolute; empty where nothing is open
+  SolveOptions solve;                 ///< how a capture is solved; without meaning for a solved set
+  EditStack edits;                    ///< of the source's lights, before they are mixed
+  Rig rig;                            ///< in the source's order of lights, then those that the edits add
   std::filesystem::path colorConfig;  ///< an OpenColorIO configuration, absolute; empty: none chosen
   DisplayChoice display;
   std::vector<SavedLook> looks;  ///< the gallery

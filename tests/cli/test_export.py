@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import unittest
+import zlib
 
 import numpy as np
 import OpenImageIO as oiio
@@ -179,6 +180,54 @@ class ExportTest(cli.CliTest):
         self.succeed('solve', capture.path, '-o', self.path('names.exr'), '-q')
         self.export(source=self.path('names.exr'))
         self.assertEqual(self.result['layers'], ['light_depth', 'light_Alpha', 'key_2'])
+
+    def test_an_hdr_png_says_how_it_is_encoded(self):
+        self.solve()
+        for display, points in (('Rec.2100 PQ', b'\x09\x10\x00\x01'), ('Rec.2100 HLG', b'\x09\x12\x00\x01')):
+            path = self.path('hdr.png')
+            self.succeed('relight', self.solved, '--display', display, '--type', 'uint16', '-o', path)
+            with open(path, 'rb') as file:
+                data = file.read()
+            chunks, at = {}, 8
+            while at < len(data):
+                size, kind = int.from_bytes(data[at:at + 4], 'big'), data[at + 4:at + 8]
+                body = data[at + 8:at + 8 + size]
+                self.assertEqual(zlib.crc32(kind + body), int.from_bytes(data[at + 8 + size:at + 12 + size], 'big'), kind)
+                chunks.setdefault(kind, body)
+                at += 12 + size
+            self.assertEqual(list(chunks)[:2], [b'IHDR', b'cICP'])
+            self.assertEqual(chunks[b'cICP'], points)
+            self.assertNotIn(b'iCCP', chunks)
+            self.assertEqual(chunks[b'IHDR'][8], 16)
+            self.assertGreater(cli.read_rgb(path).mean(), .2)
+        self.assertEqual([name for name in os.listdir(self.folder) if name.endswith('.tmp.png')], [])
+
+    def test_layers_and_frames_in_other_primaries_keep_white_white_and_add_up(self):
+        self.solve()
+        self.succeed('export', self.solved, '--color-space', 'acescg', '--type', 'float', '-o', self.path('ap1.exr'))
+        own, ap1 = (cli.read_image(path) for path in (self.solved, self.path('ap1.exr')))
+        matrix = np.array([[.613097, .339523, .047380], [.070194, .916354, .013452], [.020616, .109570, .869815]])
+        for light in 'key', 'fill', 'back':
+            pixels = np.stack([own[f'{light}.{c}'] for c in 'RGB'], -1)
+            np.testing.assert_allclose(np.stack([ap1[f'{light}.{c}'] for c in 'RGB'], -1), pixels @ matrix.T, atol=1e-3)
+        for c in 'RGB':
+            np.testing.assert_array_equal(ap1[c], ap1['key.' + c] + ap1['fill.' + c] + ap1['back.' + c])
+        np.testing.assert_allclose(matrix.sum(1), 1, atol=1e-4)
+        self.assertAlmostEqual(spec_of(self.path('ap1.exr')).getattribute('chromaticities')[0], .713, places=4)
+        self.succeed('relight', self.solved, '--color-space', 'acescg', '-o', self.path('frame.exr'))
+        np.testing.assert_allclose(cli.read_rgb(self.path('frame.exr')), np.stack([ap1[c] for c in 'RGB'], -1), atol=2e-3)
+        self.fail('relight', self.solved, '--color-space', 'film', '-o', self.path('a.exr'), naming=['"film"', 'acescg'])
+        self.fail('export', self.solved, '--color-space', 'film', '-o', self.path('a.exr'), naming=['"film"', 'acescg'])
+
+    def test_luminance_before_and_after_as_a_plot(self):
+        self.solve()
+        plot = self.path('histogram.png')
+        found = self.succeed_json('relight', self.solved, '--light', 'key=+10st', '-o', self.path('a.exr'),
+                                  '--histogram', plot)['luminance']
+        self.assertGreater(found['after']['median_stops'], found['before']['median_stops'] + 8)
+        self.assertAlmostEqual(sum(found['after']['share']) + found['after']['below'] + found['after']['above'], 1, places=4)
+        self.assertGreater(cli.read_rgb(plot).std(), .05)
+        self.fail('relight', self.solved, '-F', '1-2', '-o', self.path('a.####.exr'), '--histogram', plot, naming='one frame')
 
     def test_png_tiff_and_jpeg_embed_the_displays_profile(self):
         self.solve()
