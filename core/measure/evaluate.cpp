@@ -49,6 +49,18 @@ Evaluation evaluate(const std::filesystem::path& test, const std::filesystem::pa
       test.string(), reference.string(), pair.test.width(), pair.test.height(), pair.encoded, pair.scale, {}};
   for (const Metric metric : options.metrics) result.differences.push_back(difference(pair, metric));
 
+  if (options.luminance || !options.histogram.empty()) {
+    for (Image* image : {&pair.test, &pair.reference}) {
+      if (pair.encoded) linearize(*image);
+      image->setColorSpace("lin_rec709");
+    }
+    result.testLuminance = luminanceHistogram(pair.test);
+    result.referenceLuminance = luminanceHistogram(pair.reference);
+  }
+  if (!options.histogram.empty())
+    writeImage(
+        drawLuminanceHistograms({{"test", *result.testLuminance}, {"reference", *result.referenceLuminance}}),
+        options.histogram);
   if (!options.plot.empty()) writeImage(drawDifferencePlot(result.differences), options.plot);
   if (!options.map.empty())
     writeImage(drawDifferenceMap(result.differences.front(), options.mapMaximum), options.map);
@@ -67,6 +79,9 @@ Json jsonFromEvaluation(const Evaluation& e) {
     metric["value"] = d.value;
     metric.update(jsonFromStatistics(d.statistics));
   }
+  if (e.testLuminance)
+    json["luminance"] = {{"test", jsonFromHistogram(*e.testLuminance)},
+                         {"reference", jsonFromHistogram(*e.referenceLuminance)}};
   return json;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/json.h"
 #include "core/measure/difference.h"
+#include "core/measure/luminance_histogram.h"
 
 namespace swaplight {
 
@@ -15,9 +16,11 @@ struct EvaluateOptions {
   /// Exposure of the comparison, for linear pictures. Nothing: so that the reference's 99.5th percentile is
   /// .9. Pictures of sRGB code values are never scaled.
   std::optional<float> scale;
-  std::filesystem::path plot;  ///< PNG of box plots to write, or empty
-  std::filesystem::path map;   ///< PNG of the first metric in false colour to write, or empty
-  float mapMaximum = 0;        ///< value at the top of the map's scale; 0: the 99th percentile
+  std::filesystem::path plot;       ///< PNG of box plots to write, or empty
+  std::filesystem::path map;        ///< PNG of the first metric in false colour to write, or empty
+  std::filesystem::path histogram;  ///< PNG of both luminance histograms to write, or empty
+  bool luminance = false;           ///< give the histograms, even where none is written
+  float mapMaximum = 0;             ///< value at the top of the map's scale; 0: the 99th percentile
 };
 
 /// How a picture differs from its reference.
@@ -27,6 +30,8 @@ struct Evaluation {
   bool encoded = false;  ///< compared as sRGB code values, else as linear light
   float scale = 1;
   std::vector<Difference> differences;  ///< one a metric, in the order asked for
+  /// Of linear light, in stops from middle grey; where asked for.
+  std::optional<LuminanceHistogram> testLuminance = {}, referenceLuminance = {};
 };
 
 /// Reads two pictures and compares R G B (one grey channel counts as all three). Floating-point files (EXR,

@@ -35,6 +35,40 @@ class EvaluateTest(cli.CliTest):
         for path in (plot, difference_map):
             self.assertGreater(cli.read_image(path)['R'].shape[1], 10)
 
+    def folders(self):
+        random = np.random.default_rng(3)
+        for name, noise in (('a', .002), ('b', .01), ('more/c', .03)):
+            cli.write_image(self.path('reference', name + '.exr'), self.pixels)
+            cli.write_image(self.path('test', name + '.exr'),
+                            self.pixels + random.normal(0, noise, self.pixels.shape).astype(np.float32))
+        cli.write_image(self.path('test', 'alone.exr'), self.pixels)
+        return self.path('test'), self.path('reference')
+
+    def test_folders_are_compared_picture_by_picture(self):
+        test, reference = self.folders()
+        plot, histogram = self.path('box.png'), self.path('histogram.png')
+        result = self.succeed_json('evaluate', test, reference, '--plot', plot, '--histogram', histogram)
+        self.assertEqual([picture['name'] for picture in result['pictures']], ['a', 'b', 'more/c'])
+        self.assertEqual(result['unmatched'], [self.path('test', 'alone.exr')])
+        alone = self.succeed_json('evaluate', self.path('test', 'b.exr'), self.path('reference', 'b.exr'))
+        self.assertEqual(result['pictures'][1]['de2000'], alone['de2000'])
+        means = [picture['de2000']['mean'] for picture in result['pictures']]
+        self.assertEqual(means, sorted(means))
+        self.assertAlmostEqual(result['mean']['de2000']['mean'], np.mean(means), places=9)
+        self.assertAlmostEqual(sum(result['pictures'][0]['luminance']['test']['share']), 1, places=3)
+        for path in (plot, histogram):
+            self.assertGreater(cli.read_rgb(path).std(), .05)
+        text = self.succeed('evaluate', test, reference).stdout
+        for word in ('3 pictures', 'more/c', 'alone.exr', 'de2000', 'mean'):
+            self.assertIn(word, text)
+
+    def test_folders_that_cannot_be_compared_are_said(self):
+        test, reference = self.folders()
+        self.fail('evaluate', test, self.path('reference', 'a.exr'), naming='two folders')
+        self.fail('evaluate', self.path('test', 'more'), reference, naming='same name')
+        self.fail('evaluate', test, reference, '--map', self.path('map.png'), naming='one pair')
+        self.fail('evaluate', test, reference, '--plot', self.path('no/box.png'), naming='no/box.png')
+
     def test_bad_input_is_one_line(self):
         small = self.path('small.exr')
         cli.write_image(small, self.pixels[:5])

@@ -1,0 +1,165 @@
+#include "core/measure/folder_evaluation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "core/error.h"
+#include "core/image/image_io.h"
+#include "core/measure/plot.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+using Files = std::map<std::string, fs::path>;
+
+/// Pictures below a folder, by their path in it without extension.
+Files picturesBelow(const fs::path& folder) {
+  static const std::set<std::string> extensions = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".hdr"};
+  Files files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    std::string extension = entry.path().extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (!entry.is_regular_file() || extensions.count(extension) == 0) continue;
+    const fs::path name = fs::relative(entry.path(), folder).replace_extension();
+    files.emplace(name.generic_string(), entry.path());
+  }
+  return files;
+}
+
+struct Column {
+  const char* name;
+  double (*value)(const Difference&);
+};
+
+constexpr std::array<Column, 10> kColumns = {
+    {{"value", [](const Difference& d) { return d.value; }},
+     {"mean", [](const Difference& d) { return d.statistics.mean; }},
+     {"median", [](const Difference& d) { return d.statistics.median; }},
+     {"p95", [](const Difference& d) { return d.statistics.p95; }},
+     {"p99", [](const Difference& d) { return d.statistics.p99; }},
+     {"max", [](const Difference& d) { return d.statistics.max; }},
+     {"std", [](const Difference& d) { return d.statistics.std; }},
+     {"q1", [](const Difference& d) { return d.statistics.q1; }},
+     {"q3", [](const Difference& d) { return d.statistics.q3; }},
+     {"outliers", [](const Difference& d) { return static_cast<double>(d.statistics.outliers); }}}};
+
+double meanOf(const FolderEvaluation& evaluation, size_t metric, const Column& column) {
+  double sum = 0;
+  for (const auto& picture : evaluation.pictures)
+    sum += column.value(picture.evaluation.differences.at(metric));
+  return sum / static_cast<double>(evaluation.pictures.size());
+}
+
+Image plotOf(const FolderEvaluation& evaluation) {
+  constexpr int kColumn = 190, kAxis = 90, kLeast = 900, kMost = 6000;
+  BoxPlot plot;
+  const Metric metric = evaluation.pictures.front().evaluation.differences.front().metric;
+  plot.title = fs::path(evaluation.test).filename().string() + " against " +
+               fs::path(evaluation.reference).filename().string();
+  plot.value = {metricLabel(metric), false, {}, {}};
+  for (const auto& picture : evaluation.pictures)
+    plot.boxes.push_back({picture.name, picture.evaluation.differences.front().statistics});
+  const int width = kAxis + kColumn * static_cast<int>(plot.boxes.size());
+  return drawBoxPlot(plot, {std::clamp(width, kLeast, kMost), 600});
+}
+
+void add(LuminanceHistogram& sum, const LuminanceHistogram& one, double weight) {
+  sum.share.resize(one.share.size(), 0);
+  for (size_t i = 0; i < one.share.size(); ++i) sum.share[i] += weight * one.share[i];
+  sum.black += weight * one.black;
+  sum.bright += weight * one.bright;
+  sum.median += weight * one.median;
+}
+
+Image histogramOf(const FolderEvaluation& evaluation) {
+  NamedHistogram test{"test", {}}, reference{"reference", {}};
+  const double weight = 1 / static_cast<double>(evaluation.pictures.size());
+  for (const auto& picture : evaluation.pictures) {
+    add(test.histogram, *picture.evaluation.testLuminance, weight);
+    add(reference.histogram, *picture.evaluation.referenceLuminance, weight);
+  }
+  return drawLuminanceHistograms({test, reference});
+}
+
+}  // namespace
+
+FolderEvaluation evaluateFolders(const fs::path& test, const fs::path& reference,
+                                 const EvaluateOptions& options, const Progress& progress) {
+  if (!options.map.empty())
+    throw InputError("{}: a map is of one pair of pictures; name two pictures, or leave it out",
+                     options.map.string());
+  const Files tests = picturesBelow(test);
+  const Files references = picturesBelow(reference);
+  FolderEvaluation result{test.string(), reference.string(), {}, {}};
+  EvaluateOptions each = options;
+  each.plot.clear();
+  each.histogram.clear();
+  each.luminance = options.luminance || !options.histogram.empty();
+  size_t done = 0;
+  for (const auto& [name, file] : tests) {
+    progress.update(static_cast<float>(done++) / static_cast<float>(tests.size()), "comparing");
+    const auto partner = references.find(name);
+    if (partner == references.end()) {
+      result.unmatched.push_back(file.string());
+      continue;
+    }
+    Evaluation evaluation = evaluate(file, partner->second, each);
+    for (Difference& difference : evaluation.differences) difference.map = Image();
+    result.pictures.push_back({name, std::move(evaluation)});
+  }
+  for (const auto& [name, file] : references)
+    if (tests.find(name) == tests.end()) result.unmatched.push_back(file.string());
+  if (result.pictures.empty())
+    throw InputError("{} and {} have no picture of the same name (an extension may differ)", test.string(),
+                     reference.string());
+  if (!options.plot.empty()) writeImage(plotOf(result), options.plot);
+  if (!options.histogram.empty()) writeImage(histogramOf(result), options.histogram);
+  return result;
+}
+
+Json jsonFromFolders(const FolderEvaluation& evaluation) {
+  Json json = {{"test", evaluation.test},
+               {"reference", evaluation.reference},
+               {"pictures", Json::array()},
+               {"unmatched", evaluation.unmatched}};
+  for (const auto& picture : evaluation.pictures) {
+    Json one = jsonFromEvaluation(picture.evaluation);
+    one["name"] = picture.name;
+    json["pictures"].push_back(std::move(one));
+  }
+  const auto& differences = evaluation.pictures.front().evaluation.differences;
+  for (size_t m = 0; m < differences.size(); ++m)
+    for (const Column& column : kColumns)
+      json["mean"][metricName(differences[m].metric)][column.name] = meanOf(evaluation, m, column);
+  return json;
+}
+
+std::string textFromFolders(const FolderEvaluation& evaluation) {
+  std::string text = fmt::format("{} against {}: {} pictures\n", evaluation.test, evaluation.reference,
+                                 evaluation.pictures.size());
+  for (const std::string& file : evaluation.unmatched) text += fmt::format("only in one folder: {}\n", file);
+  size_t longest = 8;
+  for (const auto& picture : evaluation.pictures) longest = std::max(longest, picture.name.size());
+  const auto& differences = evaluation.pictures.front().evaluation.differences;
+  for (size_t m = 0; m < differences.size(); ++m) {
+    text += fmt::format("\n{:{}}", metricName(differences[m].metric), longest);
+    for (const Column& column : kColumns) text += fmt::format("{:>10}", column.name);
+    for (const auto& picture : evaluation.pictures) {
+      text += fmt::format("\n{:{}}", picture.name, longest);
+      for (const Column& column : kColumns)
+        text += fmt::format("{:>10.4g}", column.value(picture.evaluation.differences.at(m)));
+    }
+    text += fmt::format("\n{:{}}", "mean", longest);
+    for (const Column& column : kColumns) text += fmt::format("{:>10.4g}", meanOf(evaluation, m, column));
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace swaplight
