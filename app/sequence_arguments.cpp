@@ -2,11 +2,13 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "core/error.h"
 #include "core/export/frame_sequence.h"
 #include "core/export/provenance.h"
+#include "core/export/timecode.h"
 #include "core/file/atomic_file.h"
 #include "core/file/frame_range.h"
 
@@ -40,10 +42,12 @@ double peakMegabytes() {
 /// Opens what each frame is made of: one set for all, or a set a frame.
 class Inputs {
  public:
-  Inputs(const LightingArguments& lighting, const std::optional<Session>& session, bool withText,
-         const Progress& progress)
+  /// `firstFrame`: the one that the photographs' time code belongs to.
+  Inputs(const LightingArguments& lighting, const std::optional<Session>& session, int firstFrame,
+         bool withText, const Progress& progress)
       : m_lighting(lighting),
         m_session(session),
+        m_firstFrame(firstFrame),
         m_animation(lighting.animation(session)),
         m_withText(withText) {
     const std::filesystem::path source = lighting.source(session);
@@ -58,6 +62,7 @@ class Inputs {
   [[nodiscard]] FrameInput at(int frame, const Progress& progress) const {
     FrameInput input = m_shared ? *m_shared : *open(frameName(m_pattern, frame), progress);
     input.rig = rigAt(input.rig, m_animation, frame);
+    if (m_shared) input.carried = withTimecode(input.set->carried, frame - m_firstFrame);
     if (m_withText) input.text["swaplight/rig"] = jsonFromRig(input.rig).dump();
     return input;
   }
@@ -74,6 +79,7 @@ class Inputs {
 
   const LightingArguments& m_lighting;
   const std::optional<Session>& m_session;
+  int m_firstFrame;
   RigAnimation m_animation;
   bool m_withText;
   std::string m_pattern;
@@ -155,7 +161,9 @@ int SequenceArguments::run(const LightingArguments& lighting, const std::optiona
   const Progress progress = terminal.progress();
   Progress quiet;  // a line a frame is enough
   quiet.stop = progress.stop;
-  const Inputs inputs(lighting, session, isSceneLinear(output), progress);
+  const std::vector<int> all = framesFromRange(m_frames);  // of all tasks of an array job
+  const int first = all.empty() ? 0 : *std::min_element(all.begin(), all.end());
+  const Inputs inputs(lighting, session, first, isSceneLinear(output), progress);
   const SequenceSummary summary = exportSequence(
       options, [&](int number) { return inputs.at(number, quiet); },
       [&](const FrameOutcome& outcome) { sayFrame(outcome, terminal); }, quiet);

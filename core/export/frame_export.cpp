@@ -19,7 +19,7 @@ void exportFrame(const SolvedSet& set, const Rig& rig, const std::filesystem::pa
   Image frame = relight(set, rigFactors(rig, set.colorSpace()), rig.ambient);
   progress.update(0.4F, "writing");
   options.write.text["swaplight/rig"] = jsonFromRig(rig).dump();
-  options.write.carried = set.carried;
+  if (!options.write.carried) options.write.carried = set.carried;
   writeFrame(std::move(frame), file, options);
 }
 

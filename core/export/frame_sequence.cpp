@@ -83,6 +83,7 @@ class SequenceRun {
     const double read = secondsSince(started);
     FrameOptions options = m_options.frame;
     options.write.text = input.text;
+    options.write.carried = input.carried;
     auto writing = started;
     Progress progress;
     progress.stop = m_progress.stop;

@@ -18,7 +18,8 @@ namespace swaplight {
 struct FrameInput {
   std::shared_ptr<const SolvedSet> set;
   Rig rig;
-  std::map<std::string, std::string> text;  ///< for the header
+  std::map<std::string, std::string> text;     ///< for the header
+  std::shared_ptr<const CarriedData> carried;  ///< instead of the set's
 };
 
 struct SequenceOptions {

@@ -1,11 +1,14 @@
 #include "core/file/atomic_file.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
 #include "core/error.h"
@@ -61,6 +64,25 @@ bool isFull(int error) {
   throw InputError("{}: the disk is full. Free some space, or write to another disk.", target.string());
 }
 
+/// What the names of a target's temporary files begin with on this machine.
+std::string temporaryBegin(const fs::path& target) {
+  std::array<char, 65> host{};
+  if (::gethostname(host.data(), host.size() - 1) != 0) host[0] = '\0';
+  return fmt::format(".{}.{}-", target.stem().string().substr(0, 100), host.data());
+}
+
+/// Removes what a process of this machine that is no longer there has left of the same target.
+void removeStale(const fs::path& folder, const std::string& begin, const std::string& extension) {
+  const std::string end = ".tmp" + extension;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(begin) || !name.ends_with(end)) continue;
+    const int process = std::atoi(name.c_str() + begin.size());  // NOLINT(cert-err34-c)
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), error);
+  }
+}
+
 std::string reason(int error) {
   return std::strerror(error);  // NOLINT(concurrency-mt-unsafe)
 }
@@ -80,9 +102,10 @@ AtomicFile::AtomicFile(const fs::path& target) : m_target(target), m_resolved(re
                      folder.string());
 
   static std::atomic<unsigned> counter = 0;
-  const std::string stem = fmt::format(".{}.{}-{}.tmp", m_resolved.stem().string().substr(0, 100), ::getpid(),
-                                       counter.fetch_add(1));
-  m_temporary = folder / (stem + m_resolved.extension().string());
+  const std::string begin = temporaryBegin(m_resolved);
+  removeStale(folder, begin, m_resolved.extension().string());
+  m_temporary = folder / fmt::format("{}{}-{}.tmp{}", begin, ::getpid(), counter.fetch_add(1),
+                                     m_resolved.extension().string());
   const Descriptor file(::open(m_temporary.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0666));
   if (!file) {
     const int why = errno;

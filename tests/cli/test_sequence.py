@@ -41,6 +41,20 @@ class SequenceTest(cli.CliTest):
                 self.fail('relight', self.solved, '-F', frames, '-o', self.path('out.%04d.exr'), naming=word)
         self.fail('relight', self.solved, '-F', '1-3', '-o', self.path('out.exr'), naming='%04d')
 
+    def test_what_a_killed_batch_has_left_is_removed_on_restart(self):
+        host = os.uname().nodename
+        dead = subprocess.Popen(['true'])
+        dead.wait()
+        stale = self.path(f'.out.0002.{host}-{dead.pid}-7.tmp.exr')
+        alive = self.path(f'.out.0002.{host}-{os.getpid()}-7.tmp.exr')
+        other = self.path(f'.out.0002.another-machine-{dead.pid}-7.tmp.exr')
+        for path in (stale, alive, other):
+            with open(path, 'w') as file:
+                file.write('half a frame')
+        self.sequence('-F', '1-3', '--skip-existing')
+        self.assertFalse(os.path.exists(stale))
+        self.assertTrue(os.path.exists(alive) and os.path.exists(other), 'who may still be writing is left alone')
+
     def brightness(self, frame, light, layer=1):
         picture = cli.read_rgb(self.path(f'out.{frame:04d}.exr'))
         return (picture / light).mean()

@@ -1,0 +1,75 @@
+#include "core/export/timecode.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swaplight {
+namespace {
+
+constexpr const char* kTimecode = "smpte:TimeCode";
+constexpr PackedTime kDropFrame = 1U << 6;
+constexpr PackedTime kFlags = 0xc0U | 0x8000U | 0x800000U | 0xc0000000U;
+
+/// Two decimal digits from bit `shift` on; `tens` bits hold the first of them.
+int digits(PackedTime time, int shift, int tens) {
+  const auto low = static_cast<int>(time >> shift & 15U);
+  const auto high = static_cast<int>(time >> (shift + 4) & ((1U << tens) - 1));
+  return 10 * high + low;
+}
+
+PackedTime packed(int value, int shift) {
+  return static_cast<PackedTime>(value / 10 << 4 | value % 10) << shift;
+}
+
+int framesPerSecond(const HeaderValues& header) {
+  constexpr int kUsual = 24, kMost = 60;
+  const auto found = header.find("FramesPerSecond");
+  if (found == header.end()) return kUsual;
+  const HeaderValue& value = found->second;
+  double rate = 0;
+  if (value.kind == HeaderValue::Kind::Rational && value.integers.size() == 2 && value.integers[1] != 0)
+    rate = static_cast<double>(value.integers[0]) / value.integers[1];
+  if (!value.floats.empty()) rate = value.floats.front();
+  return rate >= 1 && rate <= kMost ? static_cast<int>(std::lround(rate)) : kUsual;
+}
+
+}  // namespace
+
+PackedTime advanced(PackedTime time, int frames, int fps) {
+  constexpr int64_t kMinutes = 24 * 60;
+  // Frames since midnight.
+  const int hours = digits(time, 24, 2), minutes = digits(time, 16, 3), seconds = digits(time, 8, 3);
+  const int dropped = (time & kDropFrame) != 0 ? (fps > 30 ? 4 : 2) : 0;
+  const int64_t minute = int64_t{hours} * 60 + minutes;
+  int64_t count = (minute * 60 + seconds) * fps + digits(time, 0, 2) - dropped * (minute - minute / 10);
+  const int64_t day = kMinutes * 60 * fps - dropped * (kMinutes - kMinutes / 10);
+  count = ((count + frames) % day + day) % day;
+  // Numbers that are not used come back in.
+  if (dropped > 0) {
+    const int64_t tenMinutes = int64_t{600} * fps - 9 * dropped, one = int64_t{60} * fps - dropped;
+    const int64_t tens = count / tenMinutes, rest = count % tenMinutes;
+    count += dropped * (9 * tens + (rest >= int64_t{60} * fps ? (rest - int64_t{60} * fps) / one + 1 : 0));
+  }
+  const int64_t total = count / fps;
+  return (time & kFlags) | packed(static_cast<int>(count % fps), 0) |
+         packed(static_cast<int>(total % 60), 8) | packed(static_cast<int>(total / 60 % 60), 16) |
+         packed(static_cast<int>(total / 3600), 24);
+}
+
+std::shared_ptr<const CarriedData> withTimecode(const std::shared_ptr<const CarriedData>& carried,
+                                                int frames) {
+  if (!carried || frames == 0) return carried;
+  const auto found = carried->header.find(kTimecode);
+  if (found == carried->header.end() || found->second.kind != HeaderValue::Kind::Timecode) return carried;
+  auto later = std::make_shared<CarriedData>();
+  later->header = carried->header;
+  later->pixelAspect = carried->pixelAspect;
+  later->dataWindow = carried->dataWindow;
+  if (carried->channels.channelCount() > 0) later->channels = carried->channels.clone();
+  later->types = carried->types;
+  int& time = later->header[kTimecode].integers.at(0);
+  time = static_cast<int>(advanced(static_cast<PackedTime>(time), frames, framesPerSecond(carried->header)));
+  return later;
+}
+
+}  // namespace swaplight
