@@ -133,6 +133,25 @@ class ExportTest(cli.CliTest):
         for name, pixels in zip(('A', 'Z', 'matte.hero'), np.moveaxis(extra, -1, 0)):
             np.testing.assert_array_equal(channels[name], pixels, name)
 
+    def test_the_time_code_goes_on_from_frame_to_frame(self):
+        for s, pixels in zip(self.capture.manifest['shots'], self.capture.shots):
+            shot(os.path.join(self.capture.folder, s['image']), pixels)
+        self.solve()
+
+        def time_code(frame):
+            found = spec_of(self.path(f'out.{frame:04d}.exr')).getattribute('smpte:TimeCode')
+            return found if isinstance(found, str) else tuple(int(v) & 0xffffffff for v in found)
+        self.succeed('relight', self.solved, '-F', '1001-1025', '-o', self.path('out.####.exr'), '-q')
+        first, second, last = (time_code(frame) for frame in (1001, 1002, 1025))
+        self.assertNotEqual(first, second)
+        if isinstance(first, str):
+            self.assertEqual((first, second, last), ('01:02:03:04', '01:02:03:05', '01:02:04:04'))
+        else:
+            self.assertEqual([first[0], second[0], last[0]], [0x01020304, 0x01020305, 0x01020404])
+        self.succeed('relight', self.solved, '-F', '1001-1025', '--frame-index', '1', '--frame-count', '5', '-o',
+                     self.path('out.####.exr'), '-q')
+        self.assertEqual(time_code(1025), last, 'a task of an array job counts from the whole range')
+
     def test_metadata_and_unknown_channels_go_from_shot_to_solved_set_session_frame_and_layers(self):
         folder = self.capture.folder
         extra = [shot(os.path.join(folder, s['image']), pixels)
@@ -216,6 +235,16 @@ class ExportTest(cli.CliTest):
         self.assertAlmostEqual(spec_of(self.path('ap1.exr')).getattribute('chromaticities')[0], .713, places=4)
         self.succeed('relight', self.solved, '--color-space', 'acescg', '-o', self.path('frame.exr'))
         np.testing.assert_allclose(cli.read_rgb(self.path('frame.exr')), np.stack([ap1[c] for c in 'RGB'], -1), atol=2e-3)
+        self.succeed('solve', self.capture.path, '-o', self.path('solved_ap1.exr'), '--model', 'transport', '--float',
+                     '--color-space', 'acescg', '-q')
+        self.succeed('export', self.path('solved_ap1.exr'), '--type', 'float', '-o', self.path('again.exr'))
+        again = cli.read_image(self.path('again.exr'))
+        for name in ap1:
+            np.testing.assert_allclose(again[name], ap1[name], atol=1e-5)
+        self.succeed('relight', self.path('solved_ap1.exr'), '--type', 'uint16', '-o', self.path('a.png'))
+        self.succeed('relight', self.solved, '--type', 'uint16', '-o', self.path('b.png'))
+        np.testing.assert_allclose(cli.read_rgb(self.path('a.png')), cli.read_rgb(self.path('b.png')), atol=2e-4)
+        self.fail('solve', self.capture.path, '--color-space', 'srgb', '-o', self.path('c.exr'), naming='acescg')
         self.fail('relight', self.solved, '--color-space', 'film', '-o', self.path('a.exr'), naming=['"film"', 'acescg'])
         self.fail('export', self.solved, '--color-space', 'film', '-o', self.path('a.exr'), naming=['"film"', 'acescg'])
 
