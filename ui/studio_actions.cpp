@@ -14,7 +14,7 @@ void StudioWindow::addActions() {
 
 void StudioWindow::addFileActions() {
   const auto hasDocument = [this] { return m_session.hasDocument(); };
-  const auto hasSet = [this] { return m_session.set() != nullptr; };
+  const auto canExport = [this] { return m_session.set() && !m_exports.busy(); };
   m_actions.add({"file.new", "New from photographs \u2026", "Ctrl+N",
                  "Bring in a folder of photographs: say what the lights were, and solve it.",
                  [this] { whenSaved([this] { askForPhotographs(); }); }});
@@ -30,9 +30,9 @@ void StudioWindow::addFileActions() {
                  hasDocument});
   m_actions.add({"file.save_as", "Save as …", "Ctrl+Shift+S", "Save the session under another name.",
                  [this] { askForSaveName([] {}); }, hasDocument});
-  m_actions.add({"file.export", "Export frame …", "Ctrl+E",
-                 "Write the relit picture: EXR scene-linear; PNG, TIFF and JPEG through the view.",
-                 [this] { askForExport(); }, hasSet});
+  m_actions.add({"file.export", "Export …", "Ctrl+E",
+                 "Write the relit picture, the lights as layers, beta maps, a look or a report.",
+                 [this] { askForExport(); }, canExport});
   m_actions.add({"file.close", "Close", "Ctrl+W", "Close the session.",
                  [this] { whenSaved([this] { m_session.close(); }); }, hasDocument});
   m_actions.add({"file.quit", "Quit", "Ctrl+Q", "Leave Swaplight.", [this] { askToQuit(); }});

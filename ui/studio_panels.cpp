@@ -128,6 +128,7 @@ void StudioWindow::drawPanels() {
     drawStatusBar(m_context);
   }
   drawProgress(m_context, at.x + tools + viewerWidth / 2, at.y + viewerHeight / 2);
+  m_exports.drawProgress(at.x + tools + viewerWidth - px(12), at.y + viewerHeight - px(12));
   drawMessages(m_messages, at.x + tools + px(12), at.y + viewerHeight - px(12), viewerWidth - px(60));
 }
 

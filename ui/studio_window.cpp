@@ -48,6 +48,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
                 m_viewer,  m_subjects, m_table,
                 m_looks,   m_edits,    m_editing,
                 m_colors},
+      m_export(stateFolder() / "export.json"),
       m_wizard([&screen] { screen.wake(); }),
       m_keys(configFolder() / "keys.txt") {
   addActions();
@@ -144,17 +145,26 @@ void StudioWindow::useColorConfig(const fs::path& file) {
 }
 
 void StudioWindow::askForExport() {
-  m_chooser.ask({"Export the frame: EXR, PNG, TIFF or JPEG",
-                 "Export",
-                 {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".hdr"},
-                 true,
-                 "frame.exr",
-                 m_editor.document().source.parent_path(),
-                 [this](const fs::path& file) { exportFrame(file); }});
+  const fs::path& source = m_editor.document().source;
+  const fs::path& named = m_session.file().empty() ? source : m_session.file();
+  m_export.open((named.filename() == "capture.json" ? named.parent_path().filename() : named.stem()).string(),
+                named.parent_path());
+}
+
+void StudioWindow::askForExportName() {
+  const fs::path file = m_export.file();
+  m_chooser.ask({"Export to", "Choose", formatsOf(m_export.choices().kind), true, file.filename().string(),
+                 file.parent_path(), [this](const fs::path& chosen) { m_export.setFile(chosen); }});
 }
 
 void StudioWindow::exportFrame(const fs::path& file) {
-  if (const OpenSet* set = m_session.set()) m_exports.exportFrame(set->original, m_editor.document(), file);
+  ExportRequest request;
+  request.file = file;
+  exportAs(request);
+}
+
+void StudioWindow::exportAs(const ExportRequest& request) {
+  if (const OpenSet* set = m_session.set()) m_exports.start(set->original, m_editor.document(), request);
 }
 
 void StudioWindow::update() {
@@ -170,9 +180,17 @@ void StudioWindow::update() {
   m_title = title;
 }
 
+void StudioWindow::drawDialogs() {
+  m_wizard.draw(m_messages, [this](const fs::path& capture, const SolveOptions& solve) {
+    m_session.open(capture, solve);
+  });
+  m_export.draw(m_editor.document(), {[this](const ExportRequest& request) { exportAs(request); },
+                                      [this] { askForExportName(); }});
+}
+
 void StudioWindow::frame() {
-  const bool dialog =
-      m_chooser.isOpen() || m_wizard.isOpen() || m_unsaved.isOpen() || m_palette.isOpen() || m_keys.isOpen();
+  const bool dialog = m_chooser.isOpen() || m_export.isOpen() || m_wizard.isOpen() || m_unsaved.isOpen() ||
+                      m_palette.isOpen() || m_keys.isOpen();
   if (!ImGui::GetIO().WantTextInput && !dialog) m_actions.runKeys(m_screen.keyboard());
   if (m_setShown != m_session.setRevision()) {
     m_subjects.forget();
@@ -207,10 +225,7 @@ void StudioWindow::frame() {
   ImGui::End();
 
   m_chooser.draw();
-  if (!m_chooser.isOpen())
-    m_wizard.draw(m_messages, [this](const fs::path& capture, const SolveOptions& solve) {
-      m_session.open(capture, solve);
-    });
+  if (!m_chooser.isOpen()) drawDialogs();
   m_unsaved.draw();
   m_recovery.draw(m_session);
   m_palette.draw(m_actions);

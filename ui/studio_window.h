@@ -6,6 +6,7 @@
 #include "ui/command_palette.h"
 #include "ui/dialogs.h"
 #include "ui/export_controller.h"
+#include "ui/export_dialog.h"
 #include "ui/file_chooser.h"
 #include "ui/gallery_panel.h"
 #include "ui/keys_window.h"
@@ -42,6 +43,7 @@ class StudioWindow {
   void quit() { m_done = true; }
   [[nodiscard]] bool done() const { return m_done; }
   void exportFrame(const std::filesystem::path& file);
+  void exportAs(const ExportRequest& request);
   [[nodiscard]] Screen& screen() { return m_screen; }
   [[nodiscard]] StudioContext& context() { return m_context; }
 
@@ -62,6 +64,8 @@ class StudioWindow {
   void askForPhotographs();
   void askForSaveName(const std::function<void()>& then);
   void askForExport();
+  void askForExportName();
+  void drawDialogs();
   void askForGels();
   void askForColorConfig();
   void useColorConfig(const std::filesystem::path& file);
@@ -97,6 +101,7 @@ class StudioWindow {
   StudioContext m_context;
 
   FileChooser m_chooser;
+  ExportDialog m_export;
   CaptureWizard m_wizard;
   UnsavedDialog m_unsaved;
   RecoveryDialog m_recovery;

@@ -96,7 +96,7 @@ class FirstCut(StudioTest):
         studio = self.open_sample()
         studio.click('mixer.fill.mute')
         studio.key('ctrl+e')
-        studio.item('chooser.name')
+        studio.item('export.file')
         studio.key('ctrl+a')
         studio.type(self.path('frame.exr'))
         studio.key('Return')

@@ -31,7 +31,7 @@ class NewUser(StudioTest):
         studio.click('mixer.fill.on')
         studio.screenshot('new_user')
         studio.key('ctrl+e')
-        studio.item('chooser.name')
+        studio.item('export.file')
         studio.key('ctrl+a')
         studio.type(self.path('frame.exr'))
         studio.key('Return')

@@ -81,7 +81,7 @@ class Paint(StudioTest):
         self.stroke(0.2, 0.8, 0.4)
         path, _ = self.save('painted')
         studio.key('ctrl+e')
-        studio.item('chooser.name')
+        studio.item('export.file')
         studio.key('ctrl+a')
         frame = self.path('studio.exr')
         studio.type(frame)

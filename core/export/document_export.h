@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "core/export/frame_file.h"
+#include "core/export/layer_export.h"
+#include "core/progress.h"
+#include "core/session/document.h"
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// What is made of an open session.
+enum class ExportKind {
+  Frame,   ///< the relit picture
+  Layers,  ///< every light as a layer of an EXR
+  Beta,    ///< the lights' proportions for an image editor
+  Look,    ///< what of the lighting is the same for every pixel: .cube, .ccc
+  Report,  ///< a page that prints
+};
+
+struct ExportRequest {
+  ExportKind kind = ExportKind::Frame;
+  std::filesystem::path file;
+  FrameOptions frame;   ///< Frame; the document's view where nothing is asked for: see frameOptionsFor
+  LayerOptions layers;  ///< Layers; its text is filled in
+};
+
+/// Says what is wrong before the work. Throws InputError.
+void checkExport(const ExportRequest& request);
+
+/// Writes it as the command line does of the saved session. `set` is without the document's edits. Gives the
+/// files that were written. Throws InputError; Stopped.
+std::vector<std::filesystem::path> exportDocument(const std::shared_ptr<const SolvedSet>& set,
+                                                  const Document& document, const ExportRequest& request,
+                                                  const Progress& progress = {});
+
+}  // namespace swaplight

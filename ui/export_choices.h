@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "core/export/document_export.h"
+
+namespace swaplight {
+
+/// What was chosen in the export dialog: remembered from one time to the next.
+struct ExportChoices {
+  ExportKind kind = ExportKind::Frame;
+  /// The format of each kind, as its extension.
+  std::array<std::string, 5> formats = {".exr", ".exr", ".exr", ".cube", ".html"};
+  bool floatFrame = false;     ///< EXR: float instead of half
+  bool sixteenBits = false;    ///< PNG, TIFF: instead of 8
+  std::string colorSpace;      ///< frame, layers: primaries of scene-linear light; empty: the set's
+  std::string tone;            ///< frame through a view: a tone mapping instead of it
+  std::string naming = "one";  ///< layers: one, multi, blender
+  bool floatLayers = false;
+  std::string compression = "zip";
+  bool beta = false, quality = false;
+  std::filesystem::path folder;  ///< where the last file went
+  bool operator==(const ExportChoices&) const = default;
+
+  [[nodiscard]] std::string& format() { return formats.at(static_cast<size_t>(kind)); }
+  [[nodiscard]] const std::string& format() const { return formats.at(static_cast<size_t>(kind)); }
+};
+
+/// The extensions that a kind can have, its usual one first.
+[[nodiscard]] const std::vector<std::string>& formatsOf(ExportKind kind);
+/// The request that the choices stand for.
+[[nodiscard]] ExportRequest requestOf(const ExportChoices& choices, const std::filesystem::path& file);
+
+/// Defaults where there is no file, or none that can be read.
+[[nodiscard]] ExportChoices readExportChoices(const std::filesystem::path& file);
+void writeExportChoices(const ExportChoices& choices, const std::filesystem::path& file);
+
+}  // namespace swaplight
