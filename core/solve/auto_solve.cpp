@@ -34,8 +34,8 @@ SWAPLIGHT_SIMD void divide(const float* __restrict factor, float* __restrict val
 }
 
 /// Nothing between 0 and 1 has a variance above 1/4 (Popoviciu).
-SWAPLIGHT_SIMD void writeVariance(const float* __restrict share, float* __restrict variance, int count) {
-  for (int p = 0; p < count; ++p) variance[p] = share[p] / (1 + 4 * share[p]);
+SWAPLIGHT_SIMD void limitVariance(float* __restrict variance, int count) {
+  for (int p = 0; p < count; ++p) variance[p] /= 1 + 4 * variance[p];
 }
 
 /// The guide of pooling: the brightness of the set in steps that noise does not depend on.
@@ -87,6 +87,8 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
         const size_t first = size_t(r) * kRun;
         PixelRun in;
         signal.run(first, int(std::min<size_t>(kRun, signal.pixelCount() - first)), true, scratch, in);
+        // Shares are where they are kept (planes have room for whole lanes).
+        for (int i = 0; i < lights; ++i) run.share[i] = set.beta.plane(i) + first;
         work(first, in, run);
       }
       progress.update(from + (to - from) * float(done += end - begin) / float(runs),
@@ -99,11 +101,11 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
   float* variance = set.quality.plane(kSigma);
   float* odds = set.quality.plane(kModel);
   float* guide = lights > 1 ? set.contributions[1].plane(1) : nullptr;
-  eachRun(0.1F, 0.5F, [&](size_t first, const PixelRun& in, const MatteRun& fit) {
+  eachRun(0.1F, 0.5F, [&](size_t first, const PixelRun& in, MatteRun fit) {
+    fit.misfit = misfit + first;
+    fit.shareVariance = variance + first;
     shrinkage.matte().fit(in, fit);
-    std::copy_n(fit.misfit, in.count, misfit + first);
-    writeVariance(fit.shareVariance, variance + first, in.count);
-    for (int i = 0; i < lights; ++i) std::copy_n(fit.share[i], in.count, set.beta.plane(i) + first);
+    limitVariance(variance + first, in.count);
     if (guide)
       writeGuide(fit.reflectance[0], fit.reflectance[1], fit.reflectance[2], guide + first, in.count);
   });
@@ -126,7 +128,6 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
   if (lights > 1) poolTwice(context.noise, set);
 
   eachRun(0.5F, 0.9F, [&](size_t first, const PixelRun& in, const MatteRun& fit) {
-    for (int i = 0; i < lights; ++i) std::copy_n(set.beta.plane(i) + first, in.count, fit.share[i]);
     shrinkage.matte().assess(in, fit);
     const float* noise = factor ? factor + first : nullptr;
     takeAway(fit.shareVariance, variance + first, fit.variance, in.count);

@@ -7,7 +7,7 @@ namespace swaplight::SWAPLIGHT_LEVEL {
 namespace {
 
 constexpr int kSteps = 5;          // Gauss-Newton steps; from the ridge guess, three are usually enough
-constexpr float kGain = 2e-3F;     // of chi-square: a step that gains less is the last
+constexpr float kGain = 0.03F;     // of chi-square: a step that is to gain less is the last
 constexpr float kDamping = 1e-5F;  // relative to the mean curvature
 constexpr float kTiny = 1e-20F;
 constexpr float kWorst = 1e4F;  // a variance beyond which nothing is known at all
@@ -160,35 +160,82 @@ SWAPLIGHT_LANES void curvature(const Normal<kN>& normal, const At<kN>& at, int n
   }
 }
 
-/// The Newton step at u, lights that stay at zero held.
-template <int kN>
-SWAPLIGHT_LANES void newtonStep(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u,
-                                Lanes* step) {
-  if constexpr (kN == 2) {
-    // Two shares have one direction to go: what one gains the other loses.
-    Lanes slope = splat(0);
-    Lanes bend = splat(kTiny);
-    for (int c = 0; c < 3; ++c) {
-      const Lanes along = at.qu[c][0] - at.qu[c][1];
-      slope += at.rho[c] * (normal.p[c][0] - normal.p[c][1] - at.rho[c] * along);
-      const Lanes power = at.rho[c] * at.rho[c];
-      bend += power * (normal.q[c][0] - 2 * normal.q[c][1] + normal.q[c][2] - at.inverse[c] * along * along);
-    }
-    const LaneMask held = ((u[0] <= 0) & (slope <= 0)) | ((u[1] <= 0) & (slope >= 0));
-    step[0] = select(held, splat(0), slope / bend);
-    step[1] = -step[0];
-  } else {
-    Lanes h[kN * (kN + 1) / 2];
-    curvature<kN>(normal, at, n, u, true, h, step);
-    factorCholesky<kN>(n, h);
-    solveCholesky<kN>(n, h, step);
+/// Two shares have one direction to go: what one gains the other loses. The slope and the curvature there.
+SWAPLIGHT_LANES void acrossTwo(const Normal<2>& normal, const At<2>& at, Lanes& slope, Lanes& bend) {
+  slope = splat(0);
+  bend = splat(kTiny);
+  for (int c = 0; c < 3; ++c) {
+    const Lanes along = at.qu[c][0] - at.qu[c][1];
+    slope += at.rho[c] * (normal.p[c][0] - normal.p[c][1] - at.rho[c] * along);
+    const Lanes power = at.rho[c] * at.rho[c];
+    bend += power * (normal.q[c][0] - 2 * normal.q[c][1] + normal.q[c][2] - at.inverse[c] * along * along);
   }
 }
 
-/// The variances of MatteRun, from the factored curvature at the maximum.
+/// The Newton step at u; with `hold`, lights that stay at zero are held there. Returns what it should gain.
+template <int kN>
+SWAPLIGHT_LANES Lanes newtonStep(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u, bool hold,
+                                 Lanes* step) {
+  if constexpr (kN == 2) {
+    Lanes slope;
+    Lanes bend;
+    acrossTwo(normal, at, slope, bend);
+    step[0] = slope / bend;
+    if (hold) {
+      const LaneMask held = ((u[0] <= 0) & (slope <= 0)) | ((u[1] <= 0) & (slope >= 0));
+      step[0] = select(held, splat(0), step[0]);
+    }
+    step[1] = -step[0];
+    return slope * step[0];
+  } else {
+    Lanes h[kN * (kN + 1) / 2];
+    Lanes slope[kN];
+    curvature<kN>(normal, at, n, u, hold, h, slope);
+    factorCholesky<kN>(n, h);
+    for (int i = 0; i < n; ++i) step[i] = slope[i];
+    solveCholesky<kN>(n, h, step);
+    Lanes gain = splat(0);
+    for (int i = 0; i < n; ++i) gain += slope[i] * step[i];
+    return gain;
+  }
+}
+
+/// The covariance of the shares at the maximum: the inverse curvature, without the gauge direction, which is
+/// u u' / trace there.
+template <int kN>
+SWAPLIGHT_LANES void shareCovariance(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u,
+                                     Lanes (*covariance)[kN]) {
+  if constexpr (kN == 2) {
+    Lanes slope;
+    Lanes bend;
+    acrossTwo(normal, at, slope, bend);
+    // A share that is held at zero has its variance to itself.
+    const Lanes variance = 1 / larger(bend, splat(kTiny));
+    const LaneMask held[2] = {(u[0] <= 0) & (slope <= 0), (u[1] <= 0) & (slope >= 0)};
+    for (int i = 0; i < 2; ++i) {
+      const Lanes own = select(held[i], 2 * variance, select(held[1 - i], splat(0), variance));
+      covariance[i][i] = own;
+      covariance[i][1 - i] = -own;
+    }
+  } else {
+    Lanes h[kN * (kN + 1) / 2];
+    Lanes slope[kN];
+    curvature<kN>(normal, at, n, u, true, h, slope);
+    factorCholesky<kN>(n, h);
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) covariance[i][j] = splat(i == j ? 1 : 0);
+      solveCholesky<kN>(n, h, covariance[i]);
+      Lanes gauge = splat(0);
+      for (int j = 0; j < n; ++j) gauge += covariance[i][j];
+      for (int j = 0; j < n; ++j) covariance[i][j] -= gauge * u[j];
+    }
+  }
+}
+
+/// The variances of MatteRun at the maximum.
 template <int kN>
 SWAPLIGHT_LANES void variances(const MattePlan& plan, const Normal<kN>& normal, const At<kN>& at, int n,
-                               const Lanes* u, const Lanes* factor, Lanes& contribution, Lanes& share) {
+                               const Lanes* u, Lanes& contribution, Lanes& share) {
   Lanes total = splat(0);
   Lanes slope[kN];  // of R, the sum of rho, along u_j
   Lanes rhoVariance = splat(0);
@@ -200,16 +247,8 @@ SWAPLIGHT_LANES void variances(const MattePlan& plan, const Normal<kN>& normal, 
     slope[j] = splat(0);
     for (int c = 0; c < 3; ++c) slope[j] += (normal.p[c][j] - 2 * at.rho[c] * at.qu[c][j]) * at.inverse[c];
   }
-  // The covariance of the shares: the inverse curvature, without the gauge direction, which is u u' / trace
-  // there.
   Lanes covariance[kN][kN];
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) covariance[i][j] = splat(i == j ? 1 : 0);
-    solveCholesky<kN>(n, factor, covariance[i]);
-    Lanes gauge = splat(0);
-    for (int j = 0; j < n; ++j) gauge += covariance[i][j];
-    for (int j = 0; j < n; ++j) covariance[i][j] -= gauge * u[j];
-  }
+  shareCovariance<kN>(normal, at, n, u, covariance);
   contribution = splat(0);
   share = splat(0);
   for (int i = 0; i < n; ++i) {
@@ -235,41 +274,42 @@ SWAPLIGHT_LANES void variances(const MattePlan& plan, const Normal<kN>& normal, 
   share = smaller(share, splat(kWorst));
 }
 
-/// Writes what is known at the maximum.
+/// Writes what is known at the maximum, u.
 template <int kN>
-SWAPLIGHT_LANES void writeFit(const MattePlan& plan, const Normal<kN>& normal, int n, const Lanes* u,
-                              const MatteRun& out, int at) {
-  At<kN> here;
-  evaluate<kN>(normal, n, u, here);
+SWAPLIGHT_LANES void writeFit(const MattePlan& plan, const Normal<kN>& normal, const At<kN>& here, int n,
+                              const Lanes* u, const MatteRun& out, int at) {
   for (int c = 0; c < 3; ++c) store(out.reflectance[c] + at, here.rho[c]);
   store(out.misfit + at, larger(normal.energy - here.explained, splat(0)));
   if (!out.variance) return;
-  Lanes h[kN * (kN + 1) / 2];
-  Lanes slope[kN];
-  curvature<kN>(normal, here, n, u, true, h, slope);
-  factorCholesky<kN>(n, h);
   Lanes variance;
   Lanes shareVariance;
-  variances<kN>(plan, normal, here, n, u, h, variance, shareVariance);
+  variances<kN>(plan, normal, here, n, u, variance, shareVariance);
   store(out.variance + at, variance);
   store(out.shareVariance + at, shareVariance);
 }
 
 /// The step that lights at zero would take if they could be negative.
 template <int kN>
-SWAPLIGHT_LANES void stepBelowZero(const Normal<kN>& normal, int n, Lanes* u) {
+SWAPLIGHT_LANES void stepBelowZero(const Normal<kN>& normal, const At<kN>& here, int n, Lanes* u) {
   LaneMask atZero = u[0] <= 0;
   for (int i = 1; i < n; ++i) atZero |= u[i] <= 0;
   if (!any(atZero)) return;
-  At<kN> here;
-  evaluate<kN>(normal, n, u, here);
-  Lanes h[kN * (kN + 1) / 2];
   Lanes step[kN];
-  curvature<kN>(normal, here, n, u, false, h, step);
-  factorCholesky<kN>(n, h);
-  solveCholesky<kN>(n, h, step);
+  newtonStep<kN>(normal, here, n, u, false, step);
   for (int i = 0; i < n; ++i)
     u[i] = select(atZero, smaller(larger(u[i] + step[i], splat(-1)), splat(2)), u[i]);
+}
+
+/// Takes a step; lights >= 0, back to sum 1.
+template <int kN>
+SWAPLIGHT_LANES void moveShares(int n, const Lanes* u, const Lanes* step, Lanes* next) {
+  Lanes sum = splat(kTiny);
+  for (int i = 0; i < n; ++i) {
+    next[i] = larger(u[i] + step[i], splat(0));
+    sum += next[i];
+  }
+  sum = 1 / sum;
+  for (int i = 0; i < n; ++i) next[i] *= sum;
 }
 
 template <int kN>
@@ -284,30 +324,32 @@ SWAPLIGHT_LANES void fitRun(const MattePlan& plan, const PixelRun& in, const Mat
     accumulate<kN>(plan, in, at, n, best, rho, normal);
     for (int i = 0; i < n; ++i) step[i] = splat(0);
     Lanes explained = splat(-1);
-    for (int iteration = 0; iteration <= kSteps; ++iteration) {
-      // Take the step, lights >= 0, back to sum 1.
+    Lanes gain = splat(0);
+    for (int iteration = 0;; ++iteration) {
       Lanes next[kN];
-      Lanes sum = splat(kTiny);
-      for (int i = 0; i < n; ++i) {
-        next[i] = larger(best[i] + step[i], splat(0));
-        sum += next[i];
-      }
-      sum = 1 / sum;
-      for (int i = 0; i < n; ++i) next[i] *= sum;
+      moveShares<kN>(n, best, step, next);
       At<kN> there;
       evaluate<kN>(normal, n, next, there);
       const LaneMask better = there.explained >= explained;
-      const bool moving = any(there.explained > explained + kGain);
       explained = select(better, there.explained, explained);
-      for (int i = 0; i < n; ++i) best[i] = select(better, next[i], best[i]);
-      if (!moving || iteration == kSteps) break;
       // The next step; a shorter one where this did not help.
       Lanes newton[kN];
-      newtonStep<kN>(normal, there, n, next, newton);
-      for (int i = 0; i < n; ++i) step[i] = select(better, newton[i], 0.25F * step[i]);
+      const Lanes expected = newtonStep<kN>(normal, there, n, next, true, newton);
+      gain = select(better, expected, 0.25F * gain);
+      for (int i = 0; i < n; ++i) {
+        best[i] = select(better, next[i], best[i]);
+        step[i] = select(better, newton[i], 0.25F * step[i]);
+      }
+      if (iteration == kSteps || !any(gain > kGain)) break;
     }
-    writeFit<kN>(plan, normal, n, best, out, at);
-    if (out.signedShares) stepBelowZero<kN>(normal, n, best);
+    // A last step, too small to ask whether it helps.
+    const LaneMask small = gain <= kGain;
+    for (int i = 0; i < n; ++i) step[i] = select(small, step[i], splat(0));
+    moveShares<kN>(n, best, step, best);
+    At<kN> here;
+    evaluate<kN>(normal, n, best, here);
+    writeFit<kN>(plan, normal, here, n, best, out, at);
+    if (out.signedShares) stepBelowZero<kN>(normal, here, n, best);
     for (int i = 0; i < n; ++i) store(out.share[i] + at, best[i]);
   }
 }
@@ -323,7 +365,9 @@ SWAPLIGHT_LANES void assessRun(const MattePlan& plan, const PixelRun& in, const 
     plainReflectance<kN>(plan, in, at, n, u, rho);
     Normal<kN> normal;
     accumulate<kN>(plan, in, at, n, u, rho, normal);
-    writeFit<kN>(plan, normal, n, u, out, at);
+    At<kN> here;
+    evaluate<kN>(normal, n, u, here);
+    writeFit<kN>(plan, normal, here, n, u, out, at);
   }
 }
 

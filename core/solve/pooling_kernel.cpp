@@ -5,6 +5,20 @@
 namespace swaplight::SWAPLIGHT_LEVEL {
 namespace {
 
+constexpr float kTiny = 1e-12F;
+
+/// Shares below zero become zero, the others give way.
+template <int kN>
+SWAPLIGHT_LANES void cutAtZero(int n, Lanes* share) {
+  Lanes sum = splat(kTiny);
+  for (int i = 0; i < n; ++i) {
+    share[i] = larger(share[i], splat(0));
+    sum += share[i];
+  }
+  const Lanes scale = 1 / sum;
+  for (int i = 0; i < n; ++i) share[i] *= scale;
+}
+
 template <int kN>
 [[gnu::always_inline]] inline void pool(const PoolBand& band, int row, int width, float* const* pooled,
                                         float* left, int lights) {
@@ -40,10 +54,13 @@ template <int kN>
         const Lanes weight = both * both * load(band.precision + there);
         total += weight;
         squares += weight * weight * theirs;
-        for (int i = 0; i < n; ++i) sum[i] += weight * load(band.share[i] + there);
+        for (int i = 0; i < tested; ++i) sum[i] += weight * load(band.share[i] + there);
       }
     total = 1 / larger(total, splat(1e-30F));
-    for (int i = 0; i < n; ++i) store(pooled[i] + x, sum[i] * total);
+    for (int i = 0; i < tested; ++i) share[i] = sum[i] * total;
+    if (n == 2) share[1] = 1 - share[0];
+    if (band.cutAtZero) cutAtZero<kN>(n, share);
+    for (int i = 0; i < n; ++i) store(pooled[i] + x, share[i]);
     const Lanes known = squares * total * total * band.overlap + band.doubt * variance;
     store(left + x, smaller(known, variance));
   }

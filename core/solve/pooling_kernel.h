@@ -18,6 +18,7 @@ struct PoolBand {
   float cut = 9;      ///< (beta - beta')^2 over its variance, beyond which two pixels have nothing in common
   float overlap = 1;  ///< of neighbours' errors: the variance of their mean over that of independent ones
   float doubt = 0;    ///< fraction of the variance that differences too small to be seen may hide
+  bool cutAtZero = false;            ///< no share is below zero after this
   float guideScale = 0;              ///< 1 / squared difference of guides, beyond which likewise
   const float* share[kMaxLights]{};  ///< beta, signed
   const float* variance = nullptr;   ///< of beta

@@ -24,30 +24,18 @@ SWAPLIGHT_SIMD void invert(const float* __restrict variance, float* __restrict r
   }
 }
 
-SWAPLIGHT_SIMD void cut(float* const* planes, int lights, int count) {
-  for (int x = 0; x < count; ++x) {
-    float sum = 1e-12F;
-    for (int i = 0; i < lights; ++i) {
-      planes[i][x] = planes[i][x] > 0 ? planes[i][x] : 0;
-      sum += planes[i][x];
-    }
-    for (int i = 0; i < lights; ++i) planes[i][x] /= sum;
-  }
-}
-
 /// The memory of a band.
 class Band {
  public:
   Band(int lights, int width, const SharePooling& options)
-      : m_margin(kPoolRadius * options.step),
-        m_width((width + kLanes - 1) / kLanes * kLanes),
-        m_cutAtZero(options.cutAtZero) {
+      : m_margin(kPoolRadius * options.step), m_width((width + kLanes - 1) / kLanes * kLanes) {
     m_band.lights = lights;
     m_band.stride = m_width + 2 * m_margin;
     m_band.step = options.step;
     m_band.cut = options.cut;
     m_band.overlap = options.overlap;
     m_band.doubt = options.doubt;
+    m_band.cutAtZero = options.cutAtZero;
     m_band.guideScale = 1 / (options.guideStep * options.guideStep);
     m_rows = kBand + 2 * m_margin;
     m_data.resize(size_t(lights + 3) * size_t(m_rows) * size_t(m_band.stride), 0.0F);
@@ -80,7 +68,6 @@ class Band {
     for (int i = 0; i < m_band.lights; ++i) out[size_t(i)] = m_row.data() + size_t(i) * size_t(m_width);
     float* variance = m_row.data() + size_t(m_band.lights) * size_t(m_width);
     SWAPLIGHT_KERNEL(poolRow)(m_band, row, m_width, out.data(), variance);
-    if (m_cutAtZero) cut(out.data(), m_band.lights, left.width);
     for (int i = 0; i < m_band.lights; ++i)
       std::copy_n(out[size_t(i)], left.width, pooled[size_t(i)].row(0, top + row));
     std::copy_n(variance, left.width, left.row(0, top + row));
@@ -94,7 +81,6 @@ class Band {
 
   PoolBand m_band;
   int m_margin, m_width, m_rows = 0;
-  bool m_cutAtZero;
   std::vector<float> m_data, m_row;
 };
 
