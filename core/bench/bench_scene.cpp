@@ -100,4 +100,17 @@ BenchScene makeBenchScene(int width, int height, int lights, float highlights) {
   return scene;
 }
 
+BenchScene makeLitScene(int width, int height, int lights) {
+  constexpr float kLeast = 0.02F;
+  std::vector<Image> truth = randomTruth(width, height, lights, 0);
+  for (Image& t : truth)
+    for (int c = 0; c < 3; ++c) {
+      float* plane = t.plane(c);
+      for (size_t p = 0; p < t.pixelCount(); ++p) plane[p] += kLeast;
+    }
+  Capture quiet = makeBenchCapture(lights);
+  quiet.noise.reset();
+  return {makeBenchCapture(lights), photograph(quiet, truth, 7)};
+}
+
 }  // namespace swaplight

@@ -14,6 +14,10 @@ struct BenchScene {
 /// `highlights`: the share of pixels that have a white highlight (mean .2) of a light. The same every time.
 [[nodiscard]] BenchScene makeBenchScene(int width, int height, int lights, float highlights);
 
+/// The same without highlights and without noise, every light reaching every pixel: a demultiplex of it gives
+/// nothing negative.
+[[nodiscard]] BenchScene makeLitScene(int width, int height, int lights);
+
 /// Random pixels alone: the contributions of each light at unit white.
 [[nodiscard]] std::vector<Image> randomTruth(int width, int height, int lights, float highlights);
 

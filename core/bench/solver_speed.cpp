@@ -151,6 +151,7 @@ std::vector<SolverSpeed> measureSolverSpeed(const SolverSpeedOptions& options, c
   double done = 0;
   for (int lights : options.lights) {
     const BenchScene matte = makeBenchScene(options.width, options.height, lights, 0.02F);
+    const BenchScene lit = makeLitScene(options.width, options.height, lights);
     const BenchScene glossy = makeBenchScene(options.width, options.height, lights, 0.15F);
     SolvedSet set = roomFor(matte);
     for (int threads : options.threads) {
@@ -166,6 +167,8 @@ std::vector<SolverSpeed> measureSolverSpeed(const SolverSpeedOptions& options, c
       };
       if (lights == 2) add("closed-form", "closed-form", matte, false);
       add("demultiplex", "demultiplex + beta", matte, true);
+      add("demultiplex", "demultiplex + beta, nothing negative", lit, true);
+      add("nnls", "nnls + beta, nothing negative", lit, true);
       add("nnls", "nnls + beta", matte, true);
       add("maximum-likelihood", "maximum-likelihood", matte, true);
       add("auto", "auto, mostly matte", matte, true);
