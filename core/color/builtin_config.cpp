@@ -120,7 +120,7 @@ OCIO::TransformRcPtr scale(double factor) {
 
 std::string addDisplaySpace(const OCIO::ConfigRcPtr& config, const std::string& name, const char* style) {
   const auto space = OCIO::ColorSpace::Create(OCIO::REFERENCE_SPACE_DISPLAY);
-  const std::string spaceName = name + " display";
+  std::string spaceName = name + " display";
   space->setName(spaceName.c_str());
   space->setFamily("Display");
   space->setTransform(builtin(style), OCIO::COLORSPACE_DIR_FROM_REFERENCE);

@@ -20,7 +20,7 @@ void exportFrame(const SolvedSet& set, const Rig& rig, const std::filesystem::pa
   progress.update(0.4F, "writing");
   options.write.text["swaplight/rig"] = jsonFromRig(rig).dump();
   if (!options.write.carried) options.write.carried = set.carried;
-  writeFrame(std::move(frame), file, options);
+  writeFrame(std::move(frame), file, options, progress.part(0.4F, 1));
 }
 
 }  // namespace swaplight

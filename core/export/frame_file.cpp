@@ -11,6 +11,7 @@
 #include "core/file/atomic_file.h"
 #include "core/image/half.h"
 #include "core/image/image_format.h"
+#include "core/image/image_write_progress.h"
 
 namespace swaplight {
 namespace {
@@ -65,7 +66,8 @@ void checkFrame(const std::filesystem::path& file, const FrameOptions& options) 
                      fmt::join(config.views(display), ", "));
 }
 
-void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions options) {
+void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions options,
+                const Progress& progress) {
   checkFrame(file, options);
   const std::string space = frame.spec().colorSpace;
   const ColorConfig& config = ColorConfig::current();
@@ -95,12 +97,12 @@ void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions opt
   }
   if (codePoints && imageFormatForWriting(file) == "png") {
     AtomicFile whole(file);
-    writeImage(frame, whole.temporary(), options.write);
+    writeImage(frame, whole.temporary(), options.write, progress);
     addCicp(whole.temporary(), *codePoints);
     whole.commit();
     return;
   }
-  writeImage(frame, file, options.write);
+  writeImage(frame, file, options.write, progress);
 }
 
 }  // namespace swaplight

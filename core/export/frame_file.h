@@ -7,6 +7,7 @@
 #include "core/export/still_tone.h"
 #include "core/image/image.h"
 #include "core/image/image_io.h"
+#include "core/progress.h"
 
 namespace swaplight {
 
@@ -35,7 +36,8 @@ struct FrameOptions {
 void checkFrame(const std::filesystem::path& file, const FrameOptions& options);
 
 /// Writes R G B of a scene-linear frame, in its colour space's primaries, to a temporary name that is then
-/// renamed. Throws InputError as checkFrame and writeImage do.
-void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions options);
+/// renamed. Throws InputError as checkFrame and writeImage do; Stopped.
+void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions options,
+                const Progress& progress = {});
 
 }  // namespace swaplight

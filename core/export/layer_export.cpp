@@ -156,8 +156,9 @@ void check(const LayerOptions& options, const std::filesystem::path& file, const
 std::vector<std::string> exportedLayers(const SolvedSet& set, const LayerOptions& options) {
   std::vector<std::string> names = lightLayers(set);
   if (set.ambient) names.emplace_back("ambient");
+  const std::string prefix = std::string(kViewLayer) + ".Combined_";
   if (options.naming == LayerNaming::Blender)
-    for (std::string& name : names) name = std::string(kViewLayer) + ".Combined_" + name;
+    for (std::string& name : names) name.insert(0, prefix);
   return names;
 }
 

@@ -48,6 +48,7 @@ const std::vector<Mapping>& mappings() {
 template <typename List>
 std::string namesOf(const List& list) {
   std::vector<std::string_view> names;
+  names.reserve(list.size());
   for (const auto& entry : list) names.push_back(entry.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }

@@ -15,6 +15,7 @@
 #include "core/image/header_oiio.h"
 #include "core/image/image_format.h"
 #include "core/image/image_io.h"
+#include "core/image/image_write_progress.h"
 
 namespace swaplight {
 namespace {
@@ -216,6 +217,11 @@ void writeChannels(const FileToWrite& contents, const std::filesystem::path& pat
 }
 
 void writeImage(const Image& image, const std::filesystem::path& file, const WriteOptions& options) {
+  writeImage(image, file, options, {});
+}
+
+void writeImage(const Image& image, const std::filesystem::path& file, const WriteOptions& options,
+                const Progress& progress) {
   const std::string format = imageFormatForWriting(file);
   const std::map<std::string, std::string> usual = {
       {"openexr", "half"}, {"hdr", "float"}, {"jpeg", "uint8"}, {"png", "uint8"}, {"tiff", "uint16"}};
@@ -231,7 +237,7 @@ void writeImage(const Image& image, const std::filesystem::path& file, const Wri
   contents.parts.push_back(std::move(part));
   contents.iccProfile = options.iccProfile;
   if (options.carried) addCarried(contents, *options.carried, format == "openexr");
-  writeChannels(contents, file);
+  writeChannels(contents, file, progress);
 }
 
 }  // namespace swaplight

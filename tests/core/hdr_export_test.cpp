@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 #include "core/export/frame_export.h"
@@ -81,6 +82,22 @@ TEST(HdrExport, LightBrighterThanHalfCanHoldIsWrittenAsFloat) {
   EXPECT_EQ(readImage(folder / "frame.exr").info.pixelType, "float");
   exportLayers(set, rig, folder / "layers.exr", {});
   EXPECT_LE(worstHue(folder / "layers.exr", set, rig, &brightest), 0.5);
+}
+
+TEST(FrameExport, CanBeStoppedWhileItIsWrittenAndLeavesNothing) {
+  const test::TemporaryFolder folder;
+  const SolvedSet set = test::smallSet(2, 64, 1500);
+  std::atomic<bool> stop = false;
+  float last = 0;
+  Progress progress;
+  progress.stop = &stop;
+  progress.report = [&](float fraction, std::string_view what) {
+    last = fraction;
+    if (what == "writing" && fraction > 0.6F) stop = true;
+  };
+  EXPECT_THROW(exportFrame(set, defaultRig(set.capture), folder / "frame.exr", {}, progress), Stopped);
+  EXPECT_LT(last, 0.95F);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(HdrExport, RadianceKeepsEightBitsOfTheBrightestChannel) {

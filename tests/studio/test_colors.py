@@ -51,6 +51,22 @@ class Colors(StudioTest):
         studio.wait(lambda layout: layout.get('colors') == 'hand-made', 'the session\'s configuration again')
         self.assertLess(np.abs(studio.picture('colors_undone') - print_view).max(), 2)
 
+    def test_a_view_whose_table_is_missing_is_said_and_not_taken(self):
+        shutil.copytree(DATA, self.path('show'))
+        os.remove(self.path('show/luts/film.spi1d'))
+        studio = self.open_sample(environment={'OCIO': self.path('show/config.ocio')})
+        self.assertEqual(studio.state('colors'), 'hand-made')
+        before = studio.picture('colors_before')
+        studio.click('bar.view')
+        studio.click('display.Monitor')
+        studio.item('message.0')
+        studio.move(640, 705)
+        shown = studio.picture('colors_no_table')
+        rows = before.shape[0] * 2 // 3  # above the message
+        self.assertLess(np.abs(shown[:rows] - before[:rows]).max(), 2)
+        studio.click('bar.view')
+        studio.item('view.Projector.Film')
+
     def test_a_session_whose_configuration_is_gone_is_shown_through_the_built_in(self):
         with open(self.path('a.swaplight'), 'w') as file:
             json.dump({'format': 'swaplight-session', 'version': 1, 'color_config': 'gone.ocio',
