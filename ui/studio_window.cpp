@@ -141,6 +141,7 @@ void StudioWindow::askForColorConfig() {
 void StudioWindow::useColorConfig(const fs::path& file) {
   Document next = m_editor.document();
   next.colorConfig = file;
+  next.display = {};  // another configuration has other ones
   m_editor.edit("Colour configuration", std::move(next));
 }
 
@@ -164,7 +165,11 @@ void StudioWindow::exportFrame(const fs::path& file) {
 }
 
 void StudioWindow::exportAs(const ExportRequest& request) {
-  if (const OpenSet* set = m_session.set()) m_exports.start(set->original, m_editor.document(), request);
+  const OpenSet* set = m_session.set();
+  if (!set) return;
+  Document document = m_editor.document();
+  document.display = displayWithin(ColorConfig::current(), document.display);  // as it is shown
+  m_exports.start(set->original, document, request);
 }
 
 void StudioWindow::update() {

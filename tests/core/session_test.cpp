@@ -30,6 +30,19 @@ Document documentWithKey(const std::string& setting) {
   return document;
 }
 
+TEST(SessionFile, KeepsItsColourConfigurationRelativeToItsFolder) {
+  const TemporaryFolder folder;
+  Session session;
+  session.document = documentWithKey("white");
+  session.document.colorConfig = folder / "show/config.ocio";
+  writeSession(session, folder / "a.swaplight");
+  EXPECT_EQ(readJson(folder / "a.swaplight")["color_config"], "show/config.ocio");
+  EXPECT_EQ(readSession(folder / "a.swaplight").document, session.document);
+  session.document.colorConfig.clear();
+  writeSession(session, folder / "a.swaplight");
+  EXPECT_FALSE(readJson(folder / "a.swaplight").contains("color_config"));
+}
+
 TEST(History, UndoAndRedoGoThroughEarlierDocuments) {
   History history(documentWithKey("white"));
   history.commit("Key: warm", documentWithKey("3200K"));
