@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/view/zebra.h"
@@ -36,35 +37,85 @@ RowCodes absoluteCodesThrough(const DisplayTable& table) {
   };
 }
 
+bool hasZebra(const ViewSettings& settings) {
+  return settings.zebra.on && !settings.falseColor;
+}
+
+bool shows(const LayeredPicture& shown, const Pyramid& picture) {
+  return std::any_of(shown.layers.begin(), shown.layers.end(),
+                     [&](const ViewLayer& layer) { return layer.picture == &picture; });
+}
+
+/// The pixels of a window in which a part of the picture counts: with what interpolation and the halves of
+/// the picture reach around it.
+PixelRect windowPart(const ViewWindow& window, const PixelRect& picture) {
+  const int reach = 2 << nearestLevel(window.zoom);
+  const PixelRect grown = picture.grown(reach);
+  const auto low = [](double at) { return static_cast<int>(std::floor(std::clamp(at, -1e6, 1e6))); };
+  const int left = low(window.windowX(grown.x));
+  const int top = low(window.windowY(grown.y));
+  return intersection({left, top, low(window.windowX(grown.right())) + 1 - left,
+                       low(window.windowY(grown.bottom())) + 1 - top},
+                      {0, 0, window.width, window.height});
+}
+
 }  // namespace
 
 unsigned ProcessorScreen::texture(const ScreenRequest& request, int place) {
   Place& here = m_places[place];
-  if (here.shown == request) return here.texture.id();
+  if (here.shown == request) {
+    if (!here.changed.empty()) drawChanged(here);
+    return here.texture.id();
+  }
   here.shown.reset();
-  draw(request, here);
-  here.texture.update(request.window.width, request.window.height, here.pixels.data());
+  drawAll(request, here);
   here.shown = request;
   return here.texture.id();
 }
 
-void ProcessorScreen::draw(const ScreenRequest& request, Place& place) {
+void ProcessorScreen::drawAll(const ScreenRequest& request, Place& place) {
   const ViewWindow& window = request.window;
   place.pixels.resize(static_cast<size_t>(window.width) * static_cast<size_t>(window.height) * 4);
-  const DisplayTable& table = tableFor(request.a.colorSpace, request.settings);
-  if (request.comparison.mode == Comparison::Mode::Difference)
-    windowPixels(differenceLayers(request.a.layers, request.b.layers), window, absoluteCodesThrough(table),
-                 place.pixels.data(), &place.sumA);
-  else
-    windowPixels(request.a.layers, window, codesThrough(table), place.pixels.data(), &place.sumA);
-  if (request.comparison.mode == Comparison::Mode::Wipe) drawB(request, place);
-  if (request.settings.zebra.on && !request.settings.falseColor)
+  draw(request, window, &place, place.pixels.data());
+  if (hasZebra(request.settings))
     drawZebra(request.settings.zebra, window.width, window.height, place.pixels.data());
+  place.texture.update(window.width, window.height, place.pixels.data());
+  place.changed = {};
 }
 
-void ProcessorScreen::drawB(const ScreenRequest& request, Place& place) {
+void ProcessorScreen::drawChanged(Place& place) {
+  const ViewWindow& window = place.shown->window;
+  const PixelRect part = windowPart(window, std::exchange(place.changed, {}));
+  if (part.empty()) return;
+  ViewWindow small = window;
+  small.left = window.pictureX(part.x);
+  small.top = window.pictureY(part.y);
+  small.width = part.width;
+  small.height = part.height;
+  std::vector<uint8_t> pixels(static_cast<size_t>(part.width) * static_cast<size_t>(part.height) * 4);
+  draw(*place.shown, small, nullptr, pixels.data());
+  for (int y = 0; y < part.height; ++y)
+    std::copy_n(pixels.data() + 4 * static_cast<ptrdiff_t>(y) * part.width, 4 * part.width,
+                place.pixels.data() + 4 * (static_cast<ptrdiff_t>(part.y + y) * window.width + part.x));
+  place.texture.updatePart(part.x, part.y, part.width, part.height, place.pixels.data());
+}
+
+void ProcessorScreen::draw(const ScreenRequest& request, const ViewWindow& window, Place* place,
+                           uint8_t* pixels) {
+  const DisplayTable& table = tableFor(request.a.colorSpace, request.settings);
+  LayerSum* sum = place ? &place->sumA : nullptr;
+  if (request.comparison.mode == Comparison::Mode::Difference)
+    windowPixels(differenceLayers(request.a.layers, request.b.layers), window, absoluteCodesThrough(table),
+                 pixels, sum);
+  else
+    windowPixels(request.a.layers, window, codesThrough(table), pixels, sum);
+  if (request.comparison.mode == Comparison::Mode::Wipe)
+    drawB(request, window, place ? &place->sumB : nullptr, pixels);
+}
+
+void ProcessorScreen::drawB(const ScreenRequest& request, const ViewWindow& window, LayerSum* sum,
+                            uint8_t* pixels) {
   // Only the columns that B has in some row are computed.
-  const ViewWindow& window = request.window;
   const glm::dvec3 side = sideOfB(request.comparison, window);
   int left = window.width, right = 0;
   for (int y = 0; y < window.height; ++y) {
@@ -77,15 +128,14 @@ void ProcessorScreen::drawB(const ScreenRequest& request, Place& place) {
   ViewWindow part = window;
   part.left = window.pictureX(left);
   part.width = right - left;
-  std::vector<uint8_t> pixels(static_cast<size_t>(part.width) * static_cast<size_t>(part.height) * 4);
+  std::vector<uint8_t> own(static_cast<size_t>(part.width) * static_cast<size_t>(part.height) * 4);
   windowPixels(request.b.layers, part, codesThrough(tableFor(request.b.colorSpace, request.settings)),
-               pixels.data(), &place.sumB);
+               own.data(), sum);
   for (int y = 0; y < window.height; ++y) {
     const auto [begin, end] = columnsOfB(side, y, window.width);
     if (begin >= end) continue;
-    const uint8_t* from = pixels.data() + 4 * (static_cast<ptrdiff_t>(y) * part.width + begin - left);
-    std::copy_n(from, 4 * (end - begin),
-                place.pixels.data() + 4 * (static_cast<ptrdiff_t>(y) * window.width + begin));
+    const uint8_t* from = own.data() + 4 * (static_cast<ptrdiff_t>(y) * part.width + begin - left);
+    std::copy_n(from, 4 * (end - begin), pixels + 4 * (static_cast<ptrdiff_t>(y) * window.width + begin));
   }
 }
 
@@ -99,8 +149,16 @@ const DisplayTable& ProcessorScreen::tableFor(const std::string& colorSpace, con
   return m_tables.try_emplace(colorSpace, *m_config, colorSpace, settings).first->second;
 }
 
-void ProcessorScreen::changed(const Pyramid& /*picture*/, const TileRect& /*where*/) {
-  forget();
+void ProcessorScreen::changed(const Pyramid& picture, const TileRect& where) {
+  for (auto& [name, place] : m_places) {
+    place.sumA.forget();
+    place.sumB.forget();
+    if (!place.shown || !(shows(place.shown->a, picture) || shows(place.shown->b, picture))) continue;
+    if (hasZebra(place.shown->settings))  // its stripes are drawn over the pixels: all of it again
+      place.shown.reset();
+    else
+      place.changed = enclosing(place.changed, {where.x, where.y, where.width, where.height});
+  }
 }
 
 void ProcessorScreen::setConfig(const ColorConfig& config) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/edit/mask_raster.h"
 #include "core/view/display_table.h"
 #include "render/picture_screen.h"
 #include "render/screen.h"
@@ -25,12 +26,16 @@ class ProcessorScreen : public PictureScreen {
  private:
   struct Place {
     std::optional<ScreenRequest> shown;
+    PixelRect changed;  ///< of the picture, since it was drawn
     LayerSum sumA, sumB;
     std::vector<uint8_t> pixels;
     ScreenTexture texture;
   };
-  void draw(const ScreenRequest& request, Place& place);
-  void drawB(const ScreenRequest& request, Place& place);
+  void drawAll(const ScreenRequest& request, Place& place);
+  void drawChanged(Place& place);
+  /// The pixels of a window, rows without gaps; `place` remembers sums where it is given.
+  void draw(const ScreenRequest& request, const ViewWindow& window, Place* place, uint8_t* pixels);
+  void drawB(const ScreenRequest& request, const ViewWindow& window, LayerSum* sum, uint8_t* pixels);
   const DisplayTable& tableFor(const std::string& colorSpace, const ViewSettings& settings);
 
   const ColorConfig* m_config;

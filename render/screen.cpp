@@ -69,6 +69,15 @@ void ScreenTexture::update(int width, int height, const uint8_t* rgba) {
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 }
 
+void ScreenTexture::updatePart(int x, int y, int width, int height, const uint8_t* rgba) {
+  const BoundTexture bound(0, GL_TEXTURE_2D, m_texture.id());
+  const TightPixels tight;
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, m_width);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, width, height, GL_RGBA, GL_UNSIGNED_BYTE,
+                  rgba + 4 * (static_cast<ptrdiff_t>(y) * m_width + x));
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
 void ScreenTexture::allocate(int width, int height) {
   // In the order in which a window keeps its bytes: software renderers copy that faster.
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);

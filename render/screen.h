@@ -48,6 +48,8 @@ class ScreenTexture {
  public:
   /// Rows from the top, without gaps.
   void update(int width, int height, const uint8_t* rgba);
+  /// Only a part of it has changed; `rgba` is the whole picture, of the size that it had.
+  void updatePart(int x, int y, int width, int height, const uint8_t* rgba);
   /// The texture's name; 0 before the first update.
   [[nodiscard]] unsigned id() const { return m_texture.id(); }
 

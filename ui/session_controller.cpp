@@ -19,12 +19,14 @@ std::string shortName(const fs::path& file) {
 }  // namespace
 
 SessionController::SessionController(DocumentEditor& editor, ViewState& view, SetController& sets,
-                                     Messages& messages, ColorChoice& colors, const fs::path& stateFolder)
+                                     Messages& messages, ColorChoice& colors, const fs::path& stateFolder,
+                                     std::function<void()> wake)
     : m_editor(editor),
       m_view(view),
       m_sets(sets),
       m_messages(messages),
       m_colors(colors),
+      m_wake(std::move(wake)),
       m_recent(stateFolder / "recent.json"),
       m_recovered(findRecovered(stateFolder / "recovery")) {
   try {
@@ -130,6 +132,7 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   m_editor.reset(document, "Open " + shortName(document.source));
   if (pending.unsaved) m_editor.markUnsaved();
   m_view = viewStateFromJson(pending.session.studio);
+  ++m_opened;
   m_file = pending.file;
   m_base = std::move(pending.session);
   m_set = std::move(set);
@@ -169,6 +172,7 @@ void SessionController::close() {
   m_view = {};
   m_set.reset();
   ++m_setRevision;
+  ++m_opened;
   m_file.clear();
   m_base = {};
   if (m_slot) m_slot->forget();
@@ -181,24 +185,61 @@ Session SessionController::currentSession() const {
   return session;
 }
 
-bool SessionController::saveAs(const fs::path& file) {
+void SessionController::saveAs(const fs::path& file, std::function<void()> then) {
+  m_editor.commit();
+  Saving saving{currentSession(), fs::absolute(file).lexically_normal(), m_editor.history().stepId(),
+                m_opened, std::move(then)};
+  if (m_saving.running())
+    m_toBeSaved.push_back(std::move(saving));
+  else
+    beginSaving(std::move(saving));
+}
+
+void SessionController::afterSaving(const std::function<void()>& then) {
+  std::function<void()>& last = m_toBeSaved.empty() ? m_beingSaved.then : m_toBeSaved.back().then;
+  last = [first = std::move(last), then] {
+    if (first) first();
+    then();
+  };
+}
+
+void SessionController::beginSaving(Saving saving) {
+  m_beingSaved = std::move(saving);
+  m_saving.start(
+      [session = m_beingSaved.session, file = m_beingSaved.file](const Progress&) {
+        writeSession(session, file);
+        return true;
+      },
+      m_wake);
+}
+
+void SessionController::takeSaved() {
+  std::function<void()> then;
   try {
-    m_editor.commit();
-    writeSession(currentSession(), file);
+    if (!m_saving.take()) return;
+    if (m_beingSaved.opened == m_opened) {
+      m_file = m_beingSaved.file;
+      m_editor.markSaved(m_beingSaved.step);
+      m_autosaved = kNothingAutosaved;
+    }
+    m_recent.add(m_beingSaved.file);
+    m_messages.info("Saved " + m_beingSaved.file.filename().string());
+    then = std::move(m_beingSaved.then);
   } catch (const std::exception& error) {
     m_messages.error(error.what());
-    return false;
   }
-  m_file = fs::absolute(file).lexically_normal();
-  m_editor.markSaved();
-  m_autosaved = kNothingAutosaved;
-  m_recent.add(m_file);
-  m_messages.info("Saved " + m_file.filename().string());
-  return true;
+  m_beingSaved = {};
+  if (!m_toBeSaved.empty()) {
+    Saving next = std::move(m_toBeSaved.front());
+    m_toBeSaved.pop_front();
+    beginSaving(std::move(next));
+  }
+  if (then) then();
 }
 
 void SessionController::update() {
   takeSet();
+  takeSaved();
   autosave();
 }
 

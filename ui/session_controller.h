@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,7 +24,8 @@ namespace swaplight {
 class SessionController {
  public:
   SessionController(DocumentEditor& editor, ViewState& view, SetController& sets, Messages& messages,
-                    ColorChoice& colors, const std::filesystem::path& stateFolder);
+                    ColorChoice& colors, const std::filesystem::path& stateFolder,
+                    std::function<void()> wake);
 
   /// A capture, a solved set or a session. What goes wrong becomes a message. `solve`: how a capture is
   /// solved; a session says so itself.
@@ -37,9 +40,13 @@ class SessionController {
   void loadPictures();
   void close();
 
-  /// False where it failed, and a message says why.
-  bool saveAs(const std::filesystem::path& file);
-  bool save() { return saveAs(m_file); }
+  /// Saves what is there now in a thread; `then` is called once it is in the file. Where it fails a message
+  /// says why, and `then` is not called.
+  void saveAs(const std::filesystem::path& file, std::function<void()> then = {});
+  void save(std::function<void()> then = {}) { saveAs(m_file, std::move(then)); }
+  [[nodiscard]] bool saving() const { return m_saving.running(); }
+  /// Calls `then` once what is being saved is in its file; not where that fails.
+  void afterSaving(const std::function<void()>& then);
 
   /// To be called often: takes what threads have finished, saves for recovery.
   void update();
@@ -79,6 +86,16 @@ class SessionController {
   void checkDisplay(Document& document);
   void autosave();
   [[nodiscard]] Session currentSession() const;
+  /// What is being saved, or waits until something else has been.
+  struct Saving {
+    Session session;
+    std::filesystem::path file;
+    uint64_t step = 0;
+    uint64_t opened = 0;
+    std::function<void()> then;
+  };
+  void beginSaving(Saving saving);
+  void takeSaved();
 
   DocumentEditor& m_editor;
   ViewState& m_view;
@@ -91,6 +108,12 @@ class SessionController {
   std::optional<Pending> m_pending;
   std::filesystem::path m_file;
   Session m_base;  ///< what was read with the document and travels back into the file
+
+  std::function<void()> m_wake;
+  uint64_t m_opened = 0;  ///< counts documents
+  Job<bool> m_saving;
+  Saving m_beingSaved;
+  std::deque<Saving> m_toBeSaved;
 
   RecentFiles m_recent;
   std::vector<Recovered> m_recovered;

@@ -35,7 +35,8 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_layout(readPanelLayout(m_layoutFile)),
       m_layoutOnDisk(m_layout),
       m_sets([&screen] { screen.wake(); }),
-      m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder()),
+      m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder(),
+                [&screen] { screen.wake(); }),
       m_pictures(makePictureScreen(options.engine, ColorConfig::current())),
       m_exports([&screen] { screen.wake(); }),
       m_subjects([&screen] { screen.wake(); }),
@@ -65,16 +66,21 @@ StudioWindow::~StudioWindow() {
 
 void StudioWindow::whenSaved(const std::function<void()>& then) {
   m_editor.commit();
+  if (m_session.saving()) {
+    m_session.afterSaving([this, then] { whenSaved(then); });
+    return;
+  }
   if (m_editor.saved() || !m_session.hasDocument()) {
     then();
     return;
   }
   const std::string name = m_session.file().empty() ? "This session" : m_session.file().filename().string();
-  const auto save = [this, then] {
+  // What is changed while it is being saved is asked about again.
+  const auto save = [this, again = [this, then] { whenSaved(then); }] {
     if (m_session.file().empty())
-      askForSaveName(then);
-    else if (m_session.save())
-      then();
+      askForSaveName(again);
+    else
+      m_session.save(again);
   };
   m_unsaved.ask({name, save, then});
   m_screen.requestFrames();
@@ -123,9 +129,7 @@ void StudioWindow::askForSaveName(const std::function<void()>& then) {
        true,
        m_session.file().empty() ? stem.string() + ".swaplight" : m_session.file().filename().string(),
        m_session.file().empty() ? source.parent_path() : m_session.file().parent_path(),
-       [this, then](const fs::path& file) {
-         if (m_session.saveAs(file)) then();
-       }});
+       [this, then](const fs::path& file) { m_session.saveAs(file, then); }});
 }
 
 void StudioWindow::askForColorConfig() {

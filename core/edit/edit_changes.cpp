@@ -8,12 +8,16 @@ namespace {
 
 using Prepared = std::shared_ptr<const PreparedEdit>;
 
-PixelRect activeBounds(const PreparedEdit& edit) {
-  return edit.isActive() ? edit.mask->bounds() : PixelRect{};
+std::vector<PixelRect> activeAreas(const PreparedEdit& edit) {
+  return edit.isActive() ? edit.mask->areas() : std::vector<PixelRect>();
+}
+
+void append(std::vector<PixelRect>& areas, const std::vector<PixelRect>& more, int around) {
+  for (const PixelRect& area : more) areas.push_back(area.grown(around));
 }
 
 // Where two edits differ, if it is only by what is painted in their masks.
-std::optional<PixelRect> paintedDifference(const PreparedEdit& a, const PreparedEdit& b) {
+std::optional<std::vector<PixelRect>> paintedDifference(const PreparedEdit& a, const PreparedEdit& b) {
   if (!a.isActive() || !b.isActive()) return std::nullopt;
   const Mask& maskA = a.edit->mask;
   const Mask& maskB = b.edit->mask;
@@ -21,16 +25,16 @@ std::optional<PixelRect> paintedDifference(const PreparedEdit& a, const Prepared
       a.edit->lights != b.edit->lights || a.edit->meaning != b.edit->meaning ||
       !(a.edit->operation == b.edit->operation))
     return std::nullopt;
-  PixelRect area;
+  std::vector<PixelRect> areas;
   for (size_t i = 0; i < maskA.size(); ++i) {
     const auto* paintA = std::get_if<PaintShape>(&maskA[i].shape);
     const auto* paintB = std::get_if<PaintShape>(&maskB[i].shape);
     if (paintA && paintB && maskA[i].invert == maskB[i].invert)
-      area = enclosing(area, paintA->painting->mask().difference(paintB->painting->mask()));
+      append(areas, paintA->painting->mask().differences(paintB->painting->mask()), 0);
     else if (!(maskA[i] == maskB[i]))
       return std::nullopt;
   }
-  return area;
+  return areas;
 }
 
 int reachAfter(const std::vector<Prepared>& edits, size_t index) {
@@ -55,28 +59,24 @@ Middle differingPart(const std::vector<Prepared>& before, const std::vector<Prep
 
 }  // namespace
 
-std::optional<size_t> paintedEdit(const std::vector<Prepared>& before, const std::vector<Prepared>& after) {
-  const Middle m = differingPart(before, after);
-  if (!m.isOneEdit() || !paintedDifference(*before[m.first], *after[m.first])) return std::nullopt;
-  return m.first;
+size_t commonEdits(const std::vector<Prepared>& before, const std::vector<Prepared>& after) {
+  return differingPart(before, after).first;
 }
 
-PixelRect changedArea(const std::vector<Prepared>& before, const std::vector<Prepared>& after) {
+std::vector<PixelRect> changedAreas(const std::vector<Prepared>& before, const std::vector<Prepared>& after) {
   const Middle m = differingPart(before, after);
+  std::vector<PixelRect> areas;
   if (m.isOneEdit())
-    if (const auto painted = paintedDifference(*before[m.first], *after[m.first]))
-      return painted->empty() ? PixelRect{} : painted->grown(reachAfter(after, m.first));
-
-  PixelRect area;
-  const auto add = [&](const std::vector<Prepared>& edits, size_t end) {
-    for (size_t i = m.first; i < end; ++i) {
-      const PixelRect bounds = activeBounds(*edits[i]);
-      if (!bounds.empty()) area = enclosing(area, bounds.grown(reachAfter(edits, i)));
+    if (const auto painted = paintedDifference(*before[m.first], *after[m.first])) {
+      append(areas, *painted, reachAfter(after, m.first));
+      return areas;
     }
+  const auto add = [&](const std::vector<Prepared>& edits, size_t end) {
+    for (size_t i = m.first; i < end; ++i) append(areas, activeAreas(*edits[i]), reachAfter(edits, i));
   };
   add(before, m.endBefore);
   add(after, m.endAfter);
-  return area;
+  return areas;
 }
 
 }  // namespace swaplight

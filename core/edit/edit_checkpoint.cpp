@@ -8,10 +8,23 @@ namespace swaplight {
 namespace {
 
 constexpr int kBandsATile = kTileSize / kBandRows;
-constexpr size_t kMostBands = 1024;  // 256 MB with two lights, 512 MB with four
+constexpr size_t kMostBytes = size_t{320} << 20;
+constexpr size_t kMostAbove = 4;  // edits that a dab may cost before the checkpoint follows it
 
 int tilesAcross(int pixels) {
   return (pixels + kTileSize - 1) / kTileSize;
+}
+
+bool looksAround(const EditCheckpoint::Edits& edits, size_t from) {
+  return std::any_of(edits.begin() + static_cast<ptrdiff_t>(from), edits.end(),
+                     [](const auto& edit) { return edit->reach() > 0; });
+}
+
+bool isPainted(const EditCheckpoint::Edits& edits, size_t index) {
+  if (index >= edits.size()) return false;
+  const Mask& mask = edits[index]->edit->mask;
+  return std::any_of(mask.begin(), mask.end(),
+                     [](const MaskShape& shape) { return std::holds_alternative<PaintShape>(shape.shape); });
 }
 
 }  // namespace
@@ -22,20 +35,26 @@ EditCheckpoint::EditCheckpoint(int width, int height) : m_width(width), m_height
 
 void EditCheckpoint::forget() {
   m_below = 0;
+  m_atEnd = false;
   m_bands.clear();
   m_bands.resize(size_t(tilesAcross(m_width)) * size_t(tilesAcross(m_height)) * kBandsATile);
 }
 
-void EditCheckpoint::follow(const Edits& before, const Edits& after) {
-  const auto painted = paintedEdit(before, after);
-  const bool looksAround = painted && std::any_of(after.begin() + static_cast<ptrdiff_t>(*painted),
-                                                  after.end(), [](const auto& e) { return e->reach() > 0; });
-  const auto kept = static_cast<size_t>(
-      std::count_if(m_bands.begin(), m_bands.end(), [](const auto& band) { return band != nullptr; }));
-  // The edits below are the same objects: paintedEdit says so.
-  if (painted && *painted == m_below && !looksAround && kept < kMostBands) return;
+size_t EditCheckpoint::bytes() const {
+  size_t sum = 0;
+  for (const auto& band : m_bands) sum += band ? band->bytes() : 0;
+  return sum;
+}
+
+bool EditCheckpoint::follow(const Edits& before, const Edits& after) {
+  const size_t same = commonEdits(before, after);
+  const bool holds = m_below > 0 && same >= m_below && !looksAround(after, m_below);
+  if (holds && same - m_below <= kMostAbove && bytes() < kMostBytes) return false;
   forget();
-  if (painted && !looksAround) m_below = *painted;
+  if (same == 0 || looksAround(after, same) || !isPainted(after, same)) return true;
+  m_below = same;
+  m_atEnd = same == before.size();
+  return true;
 }
 
 EditTile EditCheckpoint::stateAt(const PixelRect& area,

@@ -19,18 +19,25 @@ class EditCheckpoint {
   EditCheckpoint(int width, int height);
 
   /// Tells how the stack changed. Forgets what is no longer true; starts to remember where it was painted.
-  void follow(const Edits& before, const Edits& after);
+  /// True where it has begun anew.
+  bool follow(const Edits& before, const Edits& after);
   void forget();
 
   /// How many edits of the stack are below the checkpoint; 0 where there is none.
   [[nodiscard]] size_t editsBelow() const { return m_below; }
+  /// True from when edits were added at the end of the stack: a band that is not there yet is still as the
+  /// whole stack was before.
+  [[nodiscard]] bool startedAtTheEnd() const { return m_atEnd; }
   /// The state below, for an area within one band; `evaluate` computes a band that is not there yet.
   [[nodiscard]] EditTile stateAt(const PixelRect& area,
                                  const std::function<EditTile(const PixelRect& band)>& evaluate);
 
  private:
+  [[nodiscard]] size_t bytes() const;
+
   int m_width, m_height;
   size_t m_below = 0;
+  bool m_atEnd = false;
   std::vector<std::unique_ptr<EditTile>> m_bands;
 };
 

@@ -30,6 +30,15 @@ EditTile::EditTile(const SolvedSet& set, int lights, const PixelRect& area)
   }
 }
 
+EditTile::EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRect& area)
+    : EditTile(set, edited.lightCount(), area) {
+  for (int i = 0; i < m_lights; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (int y = area.y; y < area.bottom(); ++y)
+        std::copy_n(edited.contributions[static_cast<size_t>(i)].view().row(c, y) + area.x, area.width,
+                    writableRow(i, c, y));
+}
+
 EditTile::EditTile(const EditTile& whole, const PixelRect& area)
     : m_lights(whole.m_lights),
       m_area(area),
@@ -118,7 +127,7 @@ void EditTile::shadowRow(const PreparedEdit& edit, int y, int x, int count, cons
 
 void EditTile::apply(const PreparedEdit& edit, const PixelRect& part) {
   const PixelRect area = intersection(part, edit.mask->bounds());
-  if (area.empty() || !edit.isActive() || edit.lights.empty()) return;
+  if (area.empty() || !edit.isActive() || edit.lights.empty() || !edit.mask->touches(area)) return;
   std::vector<std::vector<float>> blurred;
   if (const int radius = edit.reach(); radius > 0)
     for (const int light : edit.lights) blurred.push_back(blurredBeta(light, radius));

@@ -7,12 +7,17 @@
 
 namespace swaplight {
 
+constexpr int kTileSize = 256;  ///< pixels: the part of a set that is computed at a time
+
 /// A rectangle of the set while edits are applied to it.
 class EditTile {
  public:
   /// The set's contributions in `area` (inside the picture); `lights` - set.lightCount() new lights without
   /// light.
   EditTile(const SolvedSet& set, int lights, const PixelRect& area);
+
+  /// The same with contributions that have been edited already.
+  EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRect& area);
 
   /// A part of another.
   EditTile(const EditTile& whole, const PixelRect& area);
@@ -22,6 +27,7 @@ class EditTile {
   void apply(const PreparedEdit& edit, const PixelRect& part);
 
   [[nodiscard]] const PixelRect& area() const { return m_area; }
+  [[nodiscard]] size_t bytes() const { return m_data.size() * sizeof(float); }
   /// A contribution's row: x from area().x on.
   [[nodiscard]] const float* row(int light, int channel, int y) const;
 

@@ -82,9 +82,8 @@ EditedSet::EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows)
       m_shadows(std::move(shadows)),
       m_result(emptyResult(*m_set, editedLights(*m_set, {}))),
       m_checkpoint(m_set->width(), m_set->height()) {
-  const int columns = (m_set->width() + kTileSize - 1) / kTileSize;
   const int rows = (m_set->height() + kTileSize - 1) / kTileSize;
-  m_stale.resize(static_cast<size_t>(columns) * static_cast<size_t>(rows));
+  m_stale.resize(static_cast<size_t>(columns()) * static_cast<size_t>(rows));
   markStale({0, 0, m_set->width(), m_set->height()});
 }
 
@@ -102,8 +101,8 @@ void EditedSet::setStack(const EditStack& stack) {
                            : std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_shadows)));
   }
   if (sameLights) {
-    markStale(changedArea(m_prepared, prepared));
-    m_checkpoint.follow(m_prepared, prepared);
+    if (m_checkpoint.follow(m_prepared, prepared)) m_staleBelow = m_stale;
+    for (const PixelRect& area : changedAreas(m_prepared, prepared)) markStale(area);
   } else {
     m_result = emptyResult(*m_set, lights);
     m_checkpoint.forget();
@@ -114,14 +113,14 @@ void EditedSet::setStack(const EditStack& stack) {
 }
 
 void EditedSet::markStale(const PixelRect& area) {
-  const int columns = (m_set->width() + kTileSize - 1) / kTileSize;
-  for (size_t i = 0; i < m_stale.size(); ++i) {
-    const auto tile = static_cast<int>(i);
-    const PixelRect whole =
-        intersection({tile % columns * kTileSize, tile / columns * kTileSize, kTileSize, kTileSize},
-                     {0, 0, m_set->width(), m_set->height()});
-    m_stale[i] = enclosing(m_stale[i], intersection(whole, area));
-  }
+  const PixelRect inside = intersection(area, {0, 0, m_set->width(), m_set->height()});
+  if (inside.empty()) return;
+  for (int row = inside.y / kTileSize; row <= (inside.bottom() - 1) / kTileSize; ++row)
+    for (int column = inside.x / kTileSize; column <= (inside.right() - 1) / kTileSize; ++column) {
+      PixelRect& stale = m_stale[static_cast<size_t>(row * columns() + column)];
+      const PixelRect whole{column * kTileSize, row * kTileSize, kTileSize, kTileSize};
+      stale = enclosing(stale, intersection(whole, inside));
+    }
 }
 
 std::optional<PixelRect> EditedSet::staleTile() const {
@@ -169,14 +168,20 @@ EditTile EditedSet::evaluate(const PixelRect& area, size_t edits) const {
   return tile;
 }
 
+EditTile EditedSet::belowCheckpoint(const PixelRect& band) const {
+  const auto tile = static_cast<size_t>(band.y / kTileSize * columns() + band.x / kTileSize);
+  // Nothing has been computed here since: the result is what is below.
+  if (m_checkpoint.startedAtTheEnd() && m_staleBelow[tile].empty()) return {*m_set, m_result, band};
+  return {evaluate(band, m_checkpoint.editsBelow()), band};
+}
+
 void EditedSet::compute(const PixelRect& area) {
   const size_t below = m_checkpoint.editsBelow();
   if (below == 0) {
     writeBack(evaluate(area, m_prepared.size()), area, m_result);
     return;
   }
-  EditTile tile = m_checkpoint.stateAt(
-      area, [&](const PixelRect& band) { return EditTile(evaluate(band, below), band); });
+  EditTile tile = m_checkpoint.stateAt(area, [&](const PixelRect& band) { return belowCheckpoint(band); });
   for (size_t k = below; k < m_prepared.size(); ++k) tile.apply(*m_prepared[k], area);
   writeBack(tile, area, m_result);
 }

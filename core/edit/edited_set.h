@@ -43,7 +43,9 @@ class EditedSet {
  private:
   using Prepared = std::shared_ptr<const PreparedEdit>;
   void markStale(const PixelRect& area);
+  [[nodiscard]] int columns() const { return (m_set->width() + kTileSize - 1) / kTileSize; }
   [[nodiscard]] EditTile evaluate(const PixelRect& area, size_t edits) const;
+  [[nodiscard]] EditTile belowCheckpoint(const PixelRect& band) const;
   void compute(const PixelRect& area);
 
   std::shared_ptr<const SolvedSet> m_set;
@@ -52,7 +54,8 @@ class EditedSet {
   std::vector<Prepared> m_prepared;
   SolvedSet m_result;
   EditCheckpoint m_checkpoint;
-  std::vector<PixelRect> m_stale;  // a rectangle a tile, empty where the tile is up to date
+  std::vector<PixelRect> m_stale;       // a rectangle a tile, empty where the tile is up to date
+  std::vector<PixelRect> m_staleBelow;  // what it was when the checkpoint began
 };
 
 }  // namespace swaplight

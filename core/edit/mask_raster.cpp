@@ -31,19 +31,19 @@ MaskRaster::MaskRaster(int width, int height)
       m_tiles(static_cast<size_t>(columns()) * static_cast<size_t>(rows())) {}
 
 float MaskRaster::at(int x, int y) const {
-  const auto& tile = m_tiles[tileIndex(x / kTileSize, y / kTileSize)];
+  const auto& tile = m_tiles[tileIndex(x / kMaskTile, y / kMaskTile)];
   if (!tile) return 0;
-  return static_cast<float>(tile->data()[y % kTileSize * kTileSize + x % kTileSize]) / kFull;
+  return static_cast<float>(tile->data()[y % kMaskTile * kMaskTile + x % kMaskTile]) / kFull;
 }
 
 void MaskRaster::multiplyRow(int x, int y, int count, float* factors) const {
-  const auto* tiles = &m_tiles[tileIndex(0, y / kTileSize)];
+  const auto* tiles = &m_tiles[tileIndex(0, y / kMaskTile)];
   for (int done = 0; done < count;) {
-    const int column = (x + done) / kTileSize;
-    const int within = (x + done) % kTileSize;
-    const int here = std::min(count - done, kTileSize - within);
+    const int column = (x + done) / kMaskTile;
+    const int within = (x + done) % kMaskTile;
+    const int here = std::min(count - done, kMaskTile - within);
     if (const auto& tile = tiles[column]) {
-      const uint16_t* in = tile->data() + y % kTileSize * kTileSize + within;
+      const uint16_t* in = tile->data() + y % kMaskTile * kMaskTile + within;
       for (int i = 0; i < here; ++i) factors[done + i] *= static_cast<float>(in[i]) * (1 / kFull);
     } else {
       std::fill_n(factors + done, here, 0.f);
@@ -63,37 +63,63 @@ uint16_t* MaskRaster::writableTile(int column, int row) {
 
 void MaskRaster::set(int x, int y, float value) {
   const auto code = static_cast<uint16_t>(std::lround(std::clamp(value, 0.f, 1.f) * kFull));
-  if (code == 0 && !m_tiles[tileIndex(x / kTileSize, y / kTileSize)]) return;
-  writableTile(x / kTileSize, y / kTileSize)[y % kTileSize * kTileSize + x % kTileSize] = code;
+  if (code == 0 && !m_tiles[tileIndex(x / kMaskTile, y / kMaskTile)]) return;
+  writableTile(x / kMaskTile, y / kMaskTile)[y % kMaskTile * kMaskTile + x % kMaskTile] = code;
+}
+
+PixelRect MaskRaster::tileRect(int column, int row) const {
+  return intersection({column * kMaskTile, row * kMaskTile, kMaskTile, kMaskTile}, {0, 0, m_width, m_height});
 }
 
 PixelRect MaskRaster::bounds() const {
-  return difference(MaskRaster(m_width, m_height));
+  PixelRect area;
+  for (const PixelRect& tile : filledTiles()) area = enclosing(area, tile);
+  return area;
 }
 
-PixelRect MaskRaster::difference(const MaskRaster& other) const {
+std::vector<PixelRect> MaskRaster::filledTiles() const {
+  std::vector<PixelRect> filled;
+  for (int row = 0; row < rows(); ++row)
+    for (int column = 0; column < columns(); ++column)
+      if (m_tiles[tileIndex(column, row)]) filled.push_back(tileRect(column, row));
+  return filled;
+}
+
+bool MaskRaster::touches(const PixelRect& area) const {
+  const PixelRect inside = intersection(area, {0, 0, m_width, m_height});
+  if (inside.empty()) return false;
+  for (int row = inside.y / kMaskTile; row <= (inside.bottom() - 1) / kMaskTile; ++row)
+    for (int column = inside.x / kMaskTile; column <= (inside.right() - 1) / kMaskTile; ++column)
+      if (m_tiles[tileIndex(column, row)]) return true;
+  return false;
+}
+
+std::vector<PixelRect> MaskRaster::differences(const MaskRaster& other) const {
   if (m_width != other.m_width || m_height != other.m_height)
-    return {0, 0, std::max(m_width, other.m_width), std::max(m_height, other.m_height)};
+    return {{0, 0, std::max(m_width, other.m_width), std::max(m_height, other.m_height)}};
   static const Tile nothing{};
-  PixelRect area;
+  std::vector<PixelRect> areas;
   for (int row = 0; row < rows(); ++row)
     for (int column = 0; column < columns(); ++column) {
       const size_t index = tileIndex(column, row);
       if (m_tiles[index] == other.m_tiles[index]) continue;
       const Tile& a = m_tiles[index] ? *m_tiles[index] : nothing;
       const Tile& b = other.m_tiles[index] ? *other.m_tiles[index] : nothing;
-      for (int y = 0; y < kTileSize; ++y) {
-        const auto* rowA = a.data() + y * kTileSize;
-        const auto* rowB = b.data() + y * kTileSize;
-        const auto first = std::mismatch(rowA, rowA + kTileSize, rowB).first - rowA;
-        if (first == kTileSize) continue;
-        int last = kTileSize - 1;
+      PixelRect area;
+      for (int y = 0; y < kMaskTile; ++y) {
+        const auto* rowA = a.data() + y * kMaskTile;
+        const auto* rowB = b.data() + y * kMaskTile;
+        const auto first = std::mismatch(rowA, rowA + kMaskTile, rowB).first - rowA;
+        if (first == kMaskTile) continue;
+        int last = kMaskTile - 1;
         while (rowA[last] == rowB[last]) --last;
-        area = enclosing(area, {column * kTileSize + static_cast<int>(first), row * kTileSize + y,
+        area = enclosing(area, {column * kMaskTile + static_cast<int>(first), row * kMaskTile + y,
                                 last - static_cast<int>(first) + 1, 1});
       }
+      area = intersection(area, {0, 0, m_width, m_height});
+      if (!area.empty()) areas.push_back(area);
     }
-  return intersection(area, {0, 0, m_width, m_height});
+  return areas;
 }
 
 size_t MaskRaster::bytes() const {

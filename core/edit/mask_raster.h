@@ -9,13 +9,13 @@
 
 namespace swaplight {
 
-constexpr int kTileSize = 256;
+constexpr int kMaskTile = 64;  ///< pixels: what a stroke changes, and so what undo keeps, is little
 
 [[nodiscard]] PixelRect intersection(const PixelRect& a, const PixelRect& b);
 /// The smallest rectangle that holds both; an empty one counts for nothing.
 [[nodiscard]] PixelRect enclosing(const PixelRect& a, const PixelRect& b);
 
-/// A mask as pixels, 0..1 in 16 bits, in tiles of 256 x 256; a tile that is all 0 takes no memory. Copies
+/// A mask as pixels, 0..1 in 16 bits, in tiles of 64 x 64; a tile that is all 0 takes no memory. Copies
 /// share their tiles until one of them writes: keeping old states for undo costs what changed.
 class MaskRaster {
  public:
@@ -30,21 +30,26 @@ class MaskRaster {
 
   /// The tile's pixels, row after row, to be written; makes the tile this raster's own first.
   [[nodiscard]] uint16_t* writableTile(int column, int row);
-  [[nodiscard]] int columns() const { return (m_width + kTileSize - 1) / kTileSize; }
-  [[nodiscard]] int rows() const { return (m_height + kTileSize - 1) / kTileSize; }
+  [[nodiscard]] int columns() const { return (m_width + kMaskTile - 1) / kMaskTile; }
+  [[nodiscard]] int rows() const { return (m_height + kMaskTile - 1) / kMaskTile; }
   /// Sets a pixel; slow, for shapes that are drawn once.
   void set(int x, int y, float value);
 
   /// Where pixels may be above 0, to the tile.
   [[nodiscard]] PixelRect bounds() const;
-  /// Where this and the other differ, to the pixel; quick where tiles are shared.
-  [[nodiscard]] PixelRect difference(const MaskRaster& other) const;
+  /// The tiles in which pixels may be above 0.
+  [[nodiscard]] std::vector<PixelRect> filledTiles() const;
+  /// Whether pixels of the area may be above 0.
+  [[nodiscard]] bool touches(const PixelRect& area) const;
+  /// Where this and the other differ: a rectangle a tile, to the pixel; quick where tiles are shared.
+  [[nodiscard]] std::vector<PixelRect> differences(const MaskRaster& other) const;
   [[nodiscard]] size_t bytes() const;
   /// The same without the tiles that are shared with another.
   [[nodiscard]] size_t bytesBeyond(const MaskRaster& other) const;
 
  private:
-  using Tile = std::array<uint16_t, size_t{kTileSize} * kTileSize>;
+  using Tile = std::array<uint16_t, size_t{kMaskTile} * kMaskTile>;
+  [[nodiscard]] PixelRect tileRect(int column, int row) const;
   [[nodiscard]] size_t tileIndex(int column, int row) const {
     return size_t(row) * size_t(columns()) + size_t(column);
   }

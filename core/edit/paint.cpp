@@ -71,16 +71,16 @@ PixelRect Painting::dab(const StrokePoint& at) {
   const float target = stroke.erase ? 0 : stroke.opacity * 65535.f;
 
   // Tile by tile, move each pixel some way towards the target, never past it.
-  for (int row = area.y / kTileSize; !area.empty() && row <= (area.bottom() - 1) / kTileSize; ++row)
-    for (int column = area.x / kTileSize; column <= (area.right() - 1) / kTileSize; ++column) {
+  for (int row = area.y / kMaskTile; !area.empty() && row <= (area.bottom() - 1) / kMaskTile; ++row)
+    for (int column = area.x / kMaskTile; column <= (area.right() - 1) / kMaskTile; ++column) {
       uint16_t* tile = m_mask.writableTile(column, row);
-      const PixelRect part = intersection(area, {column * kTileSize, row * kTileSize, kTileSize, kTileSize});
+      const PixelRect part = intersection(area, {column * kMaskTile, row * kMaskTile, kMaskTile, kMaskTile});
       for (int y = part.y; y < part.bottom(); ++y)
         for (int x = part.x; x < part.right(); ++x) {
           const float dx = (static_cast<float>(x) + .5f - at.x) / radius;
           const float dy = (static_cast<float>(y) + .5f - at.y) / radius;
           const float share = flow * brushProfile(std::sqrt(dx * dx + dy * dy), hardness);
-          uint16_t& pixel = tile[y % kTileSize * kTileSize + x % kTileSize];
+          uint16_t& pixel = tile[y % kMaskTile * kMaskTile + x % kMaskTile];
           const auto now = static_cast<float>(pixel);
           const float step = share * (stroke.erase ? stroke.opacity : 1.f) * (target - now);
           if (stroke.erase ? step < 0 : step > 0) pixel = static_cast<uint16_t>(std::lround(now + step));

@@ -131,6 +131,23 @@ PreparedMask::PreparedMask(const Mask& mask, int width, int height, const Shadow
   }
 }
 
+std::vector<PixelRect> PreparedMask::areas() const {
+  for (const Part& part : m_parts) {
+    if (!part.raster || part.shape.invert) continue;
+    std::vector<PixelRect> tiles = part.raster->filledTiles();
+    for (PixelRect& tile : tiles) tile = intersection(tile, m_bounds);
+    return tiles;
+  }
+  return {m_bounds};
+}
+
+bool PreparedMask::touches(const PixelRect& area) const {
+  if (intersection(area, m_bounds).empty()) return false;
+  return std::all_of(m_parts.begin(), m_parts.end(), [&](const Part& part) {
+    return !part.raster || part.shape.invert || part.raster->touches(area);
+  });
+}
+
 bool PreparedMask::row(int x, int y, int count, float* out) const {
   std::fill_n(out, count, 1.f);
   thread_local std::vector<float> own;

@@ -22,6 +22,10 @@ class PreparedMask {
   bool row(int x, int y, int count, float* out) const;
   /// Where the mask may be above 0.
   [[nodiscard]] const PixelRect& bounds() const { return m_bounds; }
+  /// The same in parts: around what is painted or drawn, many small ones.
+  [[nodiscard]] std::vector<PixelRect> areas() const;
+  /// Whether the mask may be above 0 somewhere in the area.
+  [[nodiscard]] bool touches(const PixelRect& area) const;
 
  private:
   struct Part {

@@ -29,7 +29,7 @@ class DocumentEditor {
   void undo();
   void redo();
   void goTo(size_t position);
-  void markSaved() { m_history.markSaved(); }
+  void markSaved(uint64_t stepId) { m_history.markSaved(stepId); }
   void markUnsaved() { m_history.markUnsaved(); }
   /// True where everything shown is in the file.
   [[nodiscard]] bool saved() const { return m_history.saved() && !m_inGesture; }

@@ -41,6 +41,8 @@ class History {
 
   /// The current step is what the file holds. Undoing back to it is "saved" again.
   void markSaved() { m_savedId = stepId(); }
+  /// An earlier step is what the file holds: it was the current one when saving began.
+  void markSaved(uint64_t id) { m_savedId = id; }
   /// No step is in a file: what was recovered after a crash.
   void markUnsaved() { m_savedId = ~uint64_t{0}; }
   [[nodiscard]] bool saved() const { return m_savedId == stepId(); }

@@ -60,7 +60,7 @@ TEST(EditJson, RoundTripKeepsEverything) {
   // Replayed strokes give the same pixels.
   const auto& before = std::get<PaintShape>(stack.edits[8]->mask[0].shape).painting->mask();
   const auto& after = std::get<PaintShape>(back.edits[8]->mask[0].shape).painting->mask();
-  EXPECT_TRUE(before.difference(after).empty());
+  EXPECT_TRUE(before.differences(after).empty());
 }
 
 TEST(EditJson, SaysWhereSomethingIsWrong) {

@@ -142,6 +142,29 @@ TEST_F(PictureScreenTest, ChangedPixelsAreSeenAfterTheyWereAnnounced) {
   }
 }
 
+TEST_F(PictureScreenTest, APartThatChangedIsDrawnAsItIsWithAllTheRest) {
+  for (const ViewWindow& window :
+       {kWhole, ViewWindow{0, 0, 0.37, 236, 148}, ViewWindow{13.5, 7, 0.8, 300, 200},
+        ViewWindow{150.25, 80, 2.7, 320, 200}, ViewWindow{190, 90, 5, 320, 200}})
+    for (const auto mode : {Comparison::Mode::Off, Comparison::Mode::Wipe, Comparison::Mode::Difference}) {
+      ScreenRequest wanted = request(window);
+      wanted.comparison = {mode, 220, 110, 30};
+      ProcessorScreen screen(m_config);
+      (void)screen.texture(wanted, 0);
+      for (int c = 0; c < 3; ++c)
+        for (int y = 101; y < 140; ++y)
+          for (int x = 201; x < 261; ++x) m_images[0].span().at(c, x, y) *= 1.2F;
+      m_pyramids[0].refresh(201, 101, 60, 39);
+      screen.changed(m_pyramids[0], {201, 101, 60, 39});
+      const std::vector<uint8_t> part = pixelsOf(screen.texture(wanted, 0), window);
+      ProcessorScreen other(m_config);
+      const std::vector<uint8_t> whole = pixelsOf(other.texture(wanted, 0), window);
+      int worst = 0;
+      for (size_t i = 0; i < part.size(); ++i) worst = std::max(worst, std::abs(part[i] - whole[i]));
+      EXPECT_LE(worst, 1) << "zoom " << window.zoom << ", comparison " << static_cast<int>(mode);
+    }
+}
+
 TEST_F(PictureScreenTest, TheProcessorIsChosenOnASoftwareRasteriser) {
   const auto screen = makePictureScreen(Engine::Auto, m_config);
   EXPECT_EQ(screen->words().starts_with("processor"), glInfo().software);
