@@ -27,6 +27,9 @@ void StudioWindow::addBrushActions() {
          m_edits.prepare(m_context);
        },
        hasLights, [this] { return m_tool == Tool::Brush; }});
+  m_actions.add({"brush.new_light", "New light by painting", "",
+                 "A light that is nowhere yet: it gets a row, and shines where you paint it.",
+                 [this] { addPaintedLight(m_context); }, hasLights});
   m_actions.add({"brush.smaller", "Smaller brush", "[", "Also Ctrl and the wheel.",
                  [this] { setBrushRadius(m_context, brushRadius(m_context) / kSizeStep); }, painting});
   m_actions.add({"brush.larger", "Larger brush", "]", "Also Ctrl and the wheel.",

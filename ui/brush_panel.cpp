@@ -1,132 +1,20 @@
 #include "ui/brush_panel.h"
 
-#include <fmt/core.h>
 #include <imgui.h>
 
-#include <array>
-#include <cmath>
-
 #include "ui/brush_tool.h"
-#include "ui/layout_probe.h"
-#include "ui/light_edit.h"
 #include "ui/menu_bar.h"
-#include "ui/theme.h"
+#include "ui/paint_controls.h"
 #include "ui/widgets.h"
 
 namespace swaplight {
-namespace {
-
-using Mode = BrushState::Mode;
-
-/// One of several choices as a button. True when clicked.
-bool choice(const char* words, bool chosen, float width, const char* mark, const char* tip) {
-  if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), ImGui::GetStyle().FramePadding.y));
-  const bool clicked = ImGui::Button(words, ImVec2(width, 0));
-  ImGui::PopStyleVar();
-  if (chosen) ImGui::PopStyleColor();
-  markItem(mark);
-  tooltip(tip);
-  return clicked;
-}
-
-void modes(BrushState& brush) {
-  struct Choice {
-    Mode mode;
-    const char* words;
-    const char* mark;
-    const char* tip;
-  };
-  constexpr std::array<Choice, 4> kChoices{
-      {{Mode::Add, "More light", "brush.add",
-        "The light comes to where you paint, even where it did not reach."},
-       {Mode::Remove, "Less light", "brush.remove", "The light goes away from where you paint."},
-       {Mode::Soften, "Soften", "brush.soften", "The edges of the light and of its shadows become softer."},
-       {Mode::SetTo, "Set to", "brush.set",
-        "The light becomes this strong where you paint, whatever it was."}}};
-  const float gap = px(4);
-  const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
-  for (size_t i = 0; i < kChoices.size(); ++i) {
-    if (i % 2 == 1) ImGui::SameLine(0, gap);
-    const Choice& one = kChoices.at(i);
-    if (choice(one.words, brush.mode == one.mode, width, one.mark, one.tip)) brush.mode = one.mode;
-  }
-}
-
-void meaning(BrushState& brush, const std::string& light) {
-  const float gap = px(4);
-  const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
-  hint("The other lights");
-  if (choice("stay", brush.meaning == Meaning::Add, width, "brush.meaning.add",
-             "Light is added or taken away; the other lights stay as they are. The picture gets brighter or "
-             "darker."))
-    brush.meaning = Meaning::Add;
-  ImGui::SameLine(0, gap);
-  if (choice("give way", brush.meaning == Meaning::Share, width, "brush.meaning.share",
-             ("What " + light +
-              " gets, the other lights lose, and the other way round. Under white lights the picture stays.")
-                 .c_str()))
-    brush.meaning = Meaning::Share;
-}
-
-bool slider(const char* label, const char* mark, float* value, float low, float high, const char* format,
-            const char* tip, ImGuiSliderFlags flags = 0) {
-  ImGui::AlignTextToFramePadding();
-  hint(label);
-  ImGui::SameLine(px(70));
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  const std::string id = std::string("##") + mark;
-  const bool changed =
-      ImGui::SliderFloat(id.c_str(), value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
-  markItem(mark);
-  tooltip(tip);
-  return changed;
-}
-
-bool percentSlider(const char* label, const char* mark, float* part, float most, const char* tip) {
-  float percent = 100 * *part;
-  if (!slider(label, mark, &percent, 0, most, "%.0f %%", tip)) return false;
-  *part = percent / 100;
-  return true;
-}
-
-void amount(BrushState& brush) {
-  switch (brush.mode) {
-    case Mode::Add:
-      percentSlider("Light", "brush.light", &brush.light, 200,
-                    "How much comes: 100 % is as much as all lights together give there.");
-      break;
-    case Mode::Remove:
-      break;
-    case Mode::Soften: {
-      float pixels = static_cast<float>(brush.softness);
-      if (slider("Over", "brush.softness", &pixels, 1, 256, "%.0f px", "Over how many pixels of the picture.",
-                 ImGuiSliderFlags_Logarithmic))
-        brush.softness = static_cast<int>(pixels);
-      break;
-    }
-    case Mode::SetTo:
-      percentSlider("Light", "brush.level", &brush.level, 200,
-                    "How strong it becomes: 100 % is as much as all lights together give there.");
-      break;
-  }
-}
-
-}  // namespace
 
 void drawBrushPanel(StudioContext& studio) {
   BrushState& brush = studio.editing.brush;
-  const std::string light = studio.document().rig.lights[shownLight(studio)].title();
-  ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted(("Paint with " + light).c_str());
-  ImGui::PopFont();
-  tooltip("Another light: choose it in the list at the right.");
-  modes(brush);
-  amount(brush);
-  meaning(brush, light);
+  drawPaintModes(studio);
   float size = 2 * brushRadius(studio);
-  if (slider("Size", "brush.size", &size, 2, 2000, "%.0f px",
-             "Pixels of the picture.  ([ and ], Ctrl + wheel)", ImGuiSliderFlags_Logarithmic))
+  if (labelledSlider("Size", "brush.size", &size, 2, 2000, "%.0f px",
+                     "Pixels of the picture.  ([ and ], Ctrl + wheel)", ImGuiSliderFlags_Logarithmic))
     setBrushRadius(studio, size / 2);
   percentSlider("Hardness", "brush.hardness", &brush.hardness, 100,
                 "How sharply the brush ends.  (Shift + [ and ])");
@@ -134,6 +22,8 @@ void drawBrushPanel(StudioContext& studio) {
                 "What a stroke builds up to, however often it crosses itself.  (1 .. 9, 0 is 100 %)");
   percentSlider("Flow", "brush.flow", &brush.flow, 100, "How fast a stroke builds up to its opacity.");
   actionTextButton(studio.actions, "brush.erase", "Take paint off", ImGui::GetContentRegionAvail().x);
+  actionTextButton(studio.actions, "brush.new_light", "New light by painting",
+                   ImGui::GetContentRegionAvail().x);
   hint("Shift + click: a straight line");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/edit/selection.h"
 #include "ui/light_edit.h"
 #include "ui/theme.h"
 
@@ -30,9 +31,14 @@ bool isFor(const Edit& edit, const std::string& light) {
   return edit.lights == std::vector<std::string>{light};
 }
 
+/// Whether two edits are restricted alike, whatever is painted in them.
+bool sameLimits(const Edit& a, const Edit& b) {
+  return std::equal(a.mask.begin() + 1, a.mask.end(), b.mask.begin() + 1, b.mask.end());
+}
+
 /// Whether a stroke can go into an edit that is there.
 bool takesStroke(const Edit& edit, const Edit& wanted) {
-  return paintingOf(edit) && edit.on && edit.mask.size() == 1 && edit.lights == wanted.lights &&
+  return paintingOf(edit) && edit.on && sameLimits(edit, wanted) && edit.lights == wanted.lights &&
          edit.meaning == wanted.meaning && edit.operation == wanted.operation;
 }
 
@@ -48,9 +54,13 @@ int placeOfStroke(const StudioContext& studio, const Edit& wanted) {
     if (chosen) return takesStroke(*chosen, wanted) ? state.chosen : count;
     return count > 0 && takesStroke(*edits.back(), wanted) ? count - 1 : count;
   }
-  if (chosen && paintingOf(*chosen)) return state.chosen;
+  // Within a selection only what was painted within the same one can be taken off.
+  const auto erasable = [&](const Edit& edit) {
+    return paintingOf(edit) && (studio.document().selection.empty() || sameLimits(edit, wanted));
+  };
+  if (chosen && erasable(*chosen)) return state.chosen;
   for (int i = count - 1; i >= 0; --i)
-    if (paintingOf(*edits[static_cast<size_t>(i)]) &&
+    if (erasable(*edits[static_cast<size_t>(i)]) &&
         isFor(*edits[static_cast<size_t>(i)], wanted.lights.front()))
       return i;
   return -1;
@@ -84,10 +94,13 @@ void showStroke(StudioContext& studio) {
 
 void beginStroke(StudioContext& studio, const StrokePoint& at) {
   BrushState& brush = studio.editing.brush;
-  const Edit wanted = brushEdit(studio);
+  Edit wanted = brushEdit(studio);
+  wanted.mask = maskWithin({{PaintShape{}, false}}, studio.document().selection);
   const int place = placeOfStroke(studio, wanted);
   if (place < 0) {
-    studio.messages.info("There is no paint on this light to take off.");
+    studio.messages.info(studio.document().selection.empty()
+                             ? "There is no paint on this light to take off."
+                             : "Nothing was painted inside this selection. Ctrl+D clears it.");
     return;
   }
   const ViewPictures& pictures = *studio.set()->pictures;
@@ -99,7 +112,6 @@ void beginStroke(StudioContext& studio, const StrokePoint& at) {
     going.painting = *paintingOf(going.base);
   } else {
     going.base = wanted;
-    going.base.mask = {{PaintShape{}, false}};
     going.painting = Painting(pictures.width(), pictures.height());
   }
   Stroke stroke = strokeOf(studio);
@@ -133,6 +145,27 @@ float brushRadius(const StudioContext& studio) {
 
 void setBrushRadius(StudioContext& studio, float radius) {
   studio.editing.brush.radius = std::clamp(radius, kLeastRadius, kMostRadius);
+}
+
+void addPaintedLight(StudioContext& studio) {
+  Document next = studio.document();
+  std::string name = "painted";
+  const auto taken = [&] {
+    const auto& lights = next.rig.lights;
+    return std::any_of(lights.begin(), lights.end(), [&](const auto& light) { return light.light == name; });
+  };
+  for (int number = 2; taken(); ++number) name = "painted" + std::to_string(number);
+  next.edits.newLights.push_back(name);
+  next.edits.width = studio.set()->pictures->width();
+  next.edits.height = studio.set()->pictures->height();
+  next.rig = fitRig(next.rig, withNewLights(studio.set()->original->capture, next.edits));
+  studio.view.selectedLight = static_cast<int>(next.rig.lights.size()) - 1;
+  studio.view.selectedLights.clear();
+  studio.editing.brush.mode = BrushState::Mode::Add;
+  studio.editing.brush.meaning = Meaning::Add;
+  studio.editing.brush.erase = false;
+  studio.tool = Tool::Brush;
+  studio.editor.edit("New light: " + name, std::move(next));
 }
 
 Edit brushEdit(const StudioContext& studio) {

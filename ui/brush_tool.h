@@ -17,6 +17,9 @@ void drawBrushRing(StudioContext& studio, const ViewWindow& window, ImVec2 origi
 [[nodiscard]] float brushRadius(const StudioContext& studio);
 void setBrushRadius(StudioContext& studio, float radius);
 
+/// A light of its own without any light yet, for the brush to paint; takes the brush.
+void addPaintedLight(StudioContext& studio);
+
 /// What the brush does, as an edit without its mask.
 [[nodiscard]] Edit brushEdit(const StudioContext& studio);
 

@@ -186,6 +186,18 @@ std::shared_ptr<const LightShadows> EditController::shadows(StudioContext& studi
   return nullptr;
 }
 
+std::shared_ptr<const MaskRaster> EditController::raster(StudioContext& studio, const MaskShape& shape) {
+  if (!m_room.edited) {
+    prepare(studio);
+    return nullptr;
+  }
+  if (m_found->empty() && usesShadows(Mask{shape})) {
+    findShadows(studio);
+    return nullptr;
+  }
+  return m_room.edited->ground().raster(shape);
+}
+
 void EditController::findShadows(StudioContext& studio) {
   if (m_finding.running() || !studio.set()) return;
   m_finding.start(

@@ -29,6 +29,9 @@ class EditController {
   /// A light's shadows, of the set as solved; begins to look for them where nobody has yet: nullptr until
   /// they are there.
   std::shared_ptr<const LightShadows> shadows(StudioContext& studio, const std::string& light);
+  /// A shape of a mask as pixels; nullptr while there is no room for edits or the shadows are being looked
+  /// for, and for shapes that are formulas. Throws InputError as MaskGround does.
+  std::shared_ptr<const MaskRaster> raster(StudioContext& studio, const MaskShape& shape);
   [[nodiscard]] bool findingShadows() const { return m_finding.running(); }
   /// Something goes on after which the picture changes.
   [[nodiscard]] bool busy() const { return m_making.running() || m_finding.running(); }

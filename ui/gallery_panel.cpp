@@ -161,7 +161,9 @@ void GalleryPanel::drawLook(StudioContext& studio, size_t index, float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("##look", size)) recallLook(studio, look);
   markItem(mark);
-  tooltip((look.name + (look.note.empty() ? "" : "\n" + look.note) + "\nClick: light the set so.").c_str());
+  tooltip((look.name + (look.note.empty() ? "" : "\n" + look.note) +
+           "\nClick: light the set so. Edits stay as they are.")
+              .c_str());
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 high(at.x + size.x, at.y + size.y);
   draw->AddRectFilled(at, high, kViewerGround);
@@ -205,13 +207,16 @@ void GalleryPanel::draw(StudioContext& studio) {
   const float button = px(46);
   if (ImGui::Button(kIconAdd, ImVec2(button, room.y))) studio.actions.run("looks.keep");
   markItem("gallery.keep");
-  tooltip("Keep the lighting of now as a look  (Shift+K)");
+  tooltip(
+      "Keep the lighting of now as a look: colours, dimmers and switches. Edits (F4) are not in it.  "
+      "(Shift+K)");
   ImGui::SameLine(0, px(kGap));
   ImGui::BeginChild("##looks", ImVec2(room.x - button - px(kFaderWidth) - 2 * px(kGap), room.y), false,
                     ImGuiWindowFlags_HorizontalScrollbar);
   const size_t count = studio.document().looks.size();
   if (count == 0) {
-    ImGui::TextDisabled("No looks yet. The plus keeps the lighting of now: colours, dimmers and switches.");
+    ImGui::TextDisabled(
+        "No looks yet. The plus keeps the lighting of now: colours, dimmers and switches, not the edits.");
   }
   // Pictures as high as there is room, less a bar where they do not fit side by side.
   float height = room.y - px(kNameHeight) - ImGui::GetStyle().ItemSpacing.y;

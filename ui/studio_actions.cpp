@@ -5,6 +5,7 @@ namespace swaplight {
 void StudioWindow::addActions() {
   addFileActions();
   addBrushActions();  // before the viewer's: while the brush is in the hand digits are its opacity
+  addSelectionActions();
   addLightActions();
   addViewActions();
   addCompareActions();

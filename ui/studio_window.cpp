@@ -35,8 +35,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_layout(readPanelLayout(m_layoutFile)),
       m_layoutOnDisk(m_layout),
       m_sets([&screen] { screen.wake(); }),
-      m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder(),
-                [&screen] { screen.wake(); }),
+      m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder(), [&screen] { screen.wake(); }),
       m_pictures(makePictureScreen(options.engine, ColorConfig::current())),
       m_exports([&screen] { screen.wake(); }),
       m_subjects([&screen] { screen.wake(); }),
@@ -117,6 +116,19 @@ void StudioWindow::open(const fs::path& path) {
     m_wizard.start(path);
   else
     m_session.open(path);
+}
+
+void StudioWindow::askForStencilPicture() {
+  m_chooser.ask({"A picture as a stencil",
+                 "Use",
+                 {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr"},
+                 false,
+                 "",
+                 m_editor.document().source.parent_path(),
+                 [this](const fs::path& file) {
+                   m_editing.stencil.kind.kind = ShapeKind::Kind::Picture;
+                   m_editing.stencil.kind.file = fs::absolute(file).lexically_normal().string();
+                 }});
 }
 
 void StudioWindow::askForSaveName(const std::function<void()>& then) {
@@ -206,6 +218,7 @@ void StudioWindow::frame() {
     m_viewer = {};
     m_looks = {};
     m_editing.brush.last.reset();
+    m_editing.selection.outlineKnown = false;
     m_editing.chosen = -1;
   }
   if (m_setShown != m_session.setRevision() || m_subjectsShown != m_subjects.revision()) m_pictures->forget();

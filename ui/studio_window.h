@@ -58,6 +58,8 @@ class StudioWindow {
   void addWindowActions();
   void addLookActions();
   void addBrushActions();
+  void addSelectionActions();
+  void askForStencilPicture();
   void drawToolbar();
   void drawPanels();
   /// Does it at once, or after the person has decided about unsaved work.

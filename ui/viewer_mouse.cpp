@@ -6,6 +6,8 @@
 
 #include "ui/brush_tool.h"
 #include "ui/pick_tool.h"
+#include "ui/selection_tool.h"
+#include "ui/stencil_tool.h"
 #include "ui/theme.h"
 #include "ui/viewer_request.h"
 
@@ -114,17 +116,23 @@ WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2
 void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
-  const bool paints = studio.tool == Tool::Brush && !io.KeyAlt && !studio.keyboard.isHeld("E") &&
-                      !studio.keyboard.isHeld("Space");
+  const bool moves = studio.keyboard.isHeld("E") || studio.keyboard.isHeld("Space");
+  const bool paints = studio.tool == Tool::Brush && !io.KeyAlt && !moves;
+  const bool selects = studio.tool == Tool::Select && !moves;
+  const bool places = studio.tool == Tool::Stencil && !io.KeyAlt && !moves;
   if (hovered && io.MouseWheel != 0 && !(paints && io.KeyCtrl))
     studio.view.zoomAt(window, io.MousePos.x - origin.x, io.MousePos.y - origin.y,
                        std::pow(kWheelStep, io.MouseWheel));
-  const Tool tool = io.KeyAlt ? Tool::Match : studio.tool;
+  const Tool tool = io.KeyAlt && !selects ? Tool::Match : studio.tool;
   const bool picks = tool == Tool::Neutral || tool == Tool::Match;
   Grab& grab = studio.viewer.grab;
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) grab = Grab::Pan;
   if (paints || studio.editing.brush.going) {
     handleBrush(studio, window, origin);
+  } else if (selects || studio.editing.selection.going) {
+    handleSelection(studio, window, origin);
+  } else if (places || studio.editing.stencil.going) {
+    handleStencil(studio, window, origin);
   } else if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     if (picks) {
       if (const auto pixel = pixelAt(studio, window, origin)) pickPixel(studio, tool, pixel->x, pixel->y);
@@ -135,7 +143,7 @@ void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 o
   }
   if (!io.MouseDown[ImGuiMouseButton_Left] && !io.MouseDown[ImGuiMouseButton_Middle]) grab = Grab::None;
   drag(studio, window, origin);
-  if (!hovered || paints) return;
+  if (!hovered || paints || selects || places) return;
   const Grab over = grab == Grab::None ? grabbed(studio, window, origin) : grab;
   if (picks || over == Grab::WipeMove || over == Grab::WipeTurn)
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

@@ -10,6 +10,8 @@
 #include "core/view/subject_image.h"
 #include "ui/brush_tool.h"
 #include "ui/layout_probe.h"
+#include "ui/selection_tool.h"
+#include "ui/stencil_tool.h"
 #include "ui/theme.h"
 #include "ui/viewer_mouse.h"
 #include "ui/viewer_request.h"
@@ -171,6 +173,10 @@ void drawViewerOverlay(StudioContext& studio, const ViewWindow& window, ImVec2 o
     markRect("viewer.badge", at.x, at.y, at.x + words.x, at.y + words.y);
   }
   drawLegends(studio, origin, size);
+  ImGui::GetWindowDrawList()->PushClipRect(origin, ImVec2(origin.x + size.x, origin.y + size.y), true);
+  drawSelection(studio, window, origin);
+  if (studio.tool == Tool::Stencil) drawStencilFrame(studio, window, origin);
+  ImGui::GetWindowDrawList()->PopClipRect();
   if (studio.tool == Tool::Brush) drawBrushRing(studio, window, origin);
 }
 

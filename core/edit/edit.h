@@ -120,5 +120,6 @@ struct EditStack {
 [[nodiscard]] EditStack fitEdits(const EditStack& stack, int width, int height);
 /// Whether something in it needs the lights' shadows.
 [[nodiscard]] bool usesShadows(const Edit& edit);
+[[nodiscard]] bool usesShadows(const Mask& mask);
 
 }  // namespace swaplight

@@ -79,10 +79,17 @@ EditStack fitEdits(const EditStack& stack, int width, int height) {
   return fitted;
 }
 
+bool usesShadows(const Mask& mask) {
+  return std::any_of(mask.begin(), mask.end(), [](const MaskShape& shape) {
+    const auto* selection = std::get_if<SelectionShape>(&shape.shape);
+    if (!selection) return std::holds_alternative<ShadowShape>(shape.shape);
+    return std::any_of(selection->parts->begin(), selection->parts->end(),
+                       [](const SelectionPart& part) { return usesShadows(Mask{part.shape}); });
+  });
+}
+
 bool usesShadows(const Edit& edit) {
-  return std::holds_alternative<ShadowOperation>(edit.operation) ||
-         std::any_of(edit.mask.begin(), edit.mask.end(),
-                     [](const MaskShape& shape) { return std::holds_alternative<ShadowShape>(shape.shape); });
+  return std::holds_alternative<ShadowOperation>(edit.operation) || usesShadows(edit.mask);
 }
 
 }  // namespace swaplight

@@ -70,8 +70,9 @@ void writeBack(const EditTile& tile, const PixelRect& part, SolvedSet& result) {
 SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowSource& shadows) {
   const EditedLights lights = editedLights(set, stack);
   const PixelRect all{0, 0, set.width(), set.height()};
+  MaskGround ground(set, shadows);
   EditTile picture(set, static_cast<int>(lights.names.size()), all);
-  for (const auto& edit : stack.edits) picture.apply(prepareEdit(edit, lights, shadows), all);
+  for (const auto& edit : stack.edits) picture.apply(prepareEdit(edit, lights, ground), all);
   SolvedSet result = emptyResult(set, lights);
   writeBack(picture, all, result);
   return result;
@@ -79,7 +80,7 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
 
 EditedSet::EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows)
     : m_set(std::move(set)),
-      m_shadows(std::move(shadows)),
+      m_ground(*m_set, std::move(shadows)),
       m_result(emptyResult(*m_set, editedLights(*m_set, {}))),
       m_checkpoint(m_set->width(), m_set->height()) {
   const int rows = (m_set->height() + kTileSize - 1) / kTileSize;
@@ -98,7 +99,7 @@ void EditedSet::setStack(const EditStack& stack) {
                                     [&](const Prepared& p) { return p->edit == edit; });
     prepared.push_back(sameLights && known != m_prepared.end()
                            ? *known
-                           : std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_shadows)));
+                           : std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_ground)));
   }
   if (sameLights) {
     if (m_checkpoint.follow(m_prepared, prepared)) m_staleBelow = m_stale;

@@ -39,6 +39,8 @@ class EditedSet {
   /// in: it is that of the set as solved.
   [[nodiscard]] const SolvedSet& result() const { return m_result; }
   [[nodiscard]] const SolvedSet& original() const { return *m_set; }
+  /// What the masks of its edits are drawn on.
+  [[nodiscard]] MaskGround& ground() { return m_ground; }
 
  private:
   using Prepared = std::shared_ptr<const PreparedEdit>;
@@ -49,7 +51,7 @@ class EditedSet {
   void compute(const PixelRect& area);
 
   std::shared_ptr<const SolvedSet> m_set;
-  ShadowSource m_shadows;
+  MaskGround m_ground;
   EditStack m_stack;
   std::vector<Prepared> m_prepared;
   SolvedSet m_result;

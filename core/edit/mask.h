@@ -75,12 +75,39 @@ struct ShadowShape {
   bool operator==(const ShadowShape&) const = default;
 };
 
+/// What looks like one place in the set as solved: see selection_drawing.h.
+struct SimilarShape {
+  enum class By {
+    Color,  ///< in the all-white picture
+    Share,  ///< in the lights' proportions
+  };
+  By by = By::Color;
+  int x = 0, y = 0;       ///< the place
+  float tolerance = .1f;  ///< the largest difference that counts as alike, 0..1
+  bool connected = true;  ///< only what hangs together with the place
+  bool operator==(const SimilarShape&) const = default;
+};
+struct SelectionPart;
+/// Parts that are put together, one after the other, and softened: what a person has selected.
+struct SelectionShape {
+  std::shared_ptr<const std::vector<SelectionPart>> parts;  ///< never nullptr
+  float feather = 0;
+  bool operator==(const SelectionShape& other) const;
+};
+
 struct MaskShape {
   std::variant<RectangleShape, EllipseShape, PolygonShape, LinearGradientShape, RadialGradientShape,
-               PatternShape, TextShape, PictureShape, PaintShape, ShadowShape>
+               PatternShape, TextShape, PictureShape, PaintShape, ShadowShape, SimilarShape, SelectionShape>
       shape;
   bool invert = false;
   bool operator==(const MaskShape&) const = default;
+};
+
+struct SelectionPart {
+  enum class Combine { Add, Subtract, Intersect };
+  MaskShape shape;
+  Combine how = Combine::Add;
+  bool operator==(const SelectionPart&) const = default;
 };
 
 /// Shapes multiplied with each other: each restricts the others. Without a shape: everywhere.

@@ -17,8 +17,7 @@ constexpr int kShift = 4;  // OpenCV draws at 1/16 of a pixel
 MaskRaster rasterOf(const cv::Mat& pixels, int x0, int y0, int width, int height) {
   MaskRaster raster(width, height);
   const PixelRect area = intersection({x0, y0, pixels.cols, pixels.rows}, {0, 0, width, height});
-  for (int y = area.y; y < area.bottom(); ++y)
-    for (int x = area.x; x < area.right(); ++x) raster.set(x, y, pixels.at<float>(y - y0, x - x0));
+  for (int y = area.y; y < area.bottom(); ++y) raster.writeRow(x0, y, pixels.cols, pixels.ptr<float>(y - y0));
   return raster;
 }
 
@@ -33,21 +32,37 @@ cv::Mat softened(const cv::Mat& drawn, float feather) {
 }  // namespace
 
 MaskRaster drawShape(const PolygonShape& shape, int width, int height) {
-  cv::Mat drawn(height, width, CV_8U, cv::Scalar(0));
+  if (shape.points.size() < 3) return {width, height};
+  const int air = cvCeil(shape.feather) + 2;
+  PixelRect box;
+  for (const auto& p : shape.points)
+    box = enclosing(box,
+                    {cvFloor(std::clamp(p[0], -1e5f, 1e5f)), cvFloor(std::clamp(p[1], -1e5f, 1e5f)), 1, 1});
+  const PixelRect area = intersection(box.grown(air), {-air, -air, width + 2 * air, height + 2 * air});
+  if (area.empty()) return {width, height};
+  cv::Mat drawn(area.height, area.width, CV_8U, cv::Scalar(0));
   std::vector<std::vector<cv::Point>> line(1);
   for (const auto& p : shape.points)
-    line[0].emplace_back(cvRound((p[0] - .5f) * (1 << kShift)), cvRound((p[1] - .5f) * (1 << kShift)));
-  if (line[0].size() > 2) cv::fillPoly(drawn, line, cv::Scalar(255), cv::LINE_AA, kShift);
-  return rasterOf(softened(drawn, shape.feather), 0, 0, width, height);
+    line[0].emplace_back(cvRound((p[0] - static_cast<float>(area.x) - .5f) * (1 << kShift)),
+                         cvRound((p[1] - static_cast<float>(area.y) - .5f) * (1 << kShift)));
+  cv::fillPoly(drawn, line, cv::Scalar(255), cv::LINE_AA, kShift);
+  return rasterOf(softened(drawn, shape.feather), area.x, area.y, width, height);
 }
 
 MaskRaster drawShape(const TextShape& shape, int width, int height) {
-  cv::Mat drawn(height, width, CV_8UC3, cv::Scalar::all(0));
-  drawText(drawn, shape.text, {cvRound(shape.x), cvRound(shape.y)}, std::max(1, cvRound(shape.height)),
-           cv::Scalar::all(255));
+  // Only as much as the words may cover, with what hangs below the line and what is softened.
+  const int line = std::max(1, cvRound(shape.height));
+  const int air = line + cvCeil(shape.feather);
+  const cv::Point baseline(cvRound(shape.x), cvRound(shape.y));
+  const PixelRect area = intersection({baseline.x - air, baseline.y - line - air,
+                                       textSize(shape.text, line).width + 2 * air, 2 * line + 2 * air},
+                                      {-air, -air, width + 2 * air, height + 2 * air});
+  if (area.empty()) return {width, height};
+  cv::Mat drawn(area.height, area.width, CV_8UC3, cv::Scalar::all(0));
+  drawText(drawn, shape.text, {baseline.x - area.x, baseline.y - area.y}, line, cv::Scalar::all(255));
   cv::Mat grey;
   cv::extractChannel(drawn, grey, 0);
-  return rasterOf(softened(grey, shape.feather), 0, 0, width, height);
+  return rasterOf(softened(grey, shape.feather), area.x, area.y, width, height);
 }
 
 MaskRaster drawShape(const PictureShape& shape, int width, int height) {

@@ -32,11 +32,17 @@ void visitNumbers(Shape& s, const Visit& visit) {
     visit("x", s.x), visit("y", s.y), visit("height", s.height), visit("feather", s.feather);
   } else if constexpr (std::is_same_v<T, PictureShape>) {
     visit("x", s.x), visit("y", s.y), visit("width", s.width), visit("height", s.height);
+  } else if constexpr (std::is_same_v<T, SimilarShape>) {
+    visit("tolerance", s.tolerance);
+  } else if constexpr (std::is_same_v<T, SelectionShape>) {
+    visit("feather", s.feather);
   }
 }
 
-constexpr const char* kShapeNames[] = {"rectangle", "ellipse", "polygon", "linear",  "radial",
-                                       "pattern",   "text",    "picture", "painted", "shadow"};
+constexpr const char* kShapeNames[] = {"rectangle", "ellipse", "polygon", "linear", "radial",  "pattern",
+                                       "text",      "picture", "painted", "shadow", "similar", "selection"};
+constexpr const char* kLikenessNames[] = {"color", "share"};
+constexpr const char* kCombineNames[] = {"add", "subtract", "intersect"};
 constexpr const char* kPatternNames[] = {"stripes", "checks", "dots"};
 
 Json jsonFromShape(const MaskShape& shape) {
@@ -60,11 +66,43 @@ Json jsonFromShape(const MaskShape& shape) {
         } else if constexpr (std::is_same_v<T, ShadowShape>) {
           json["light"] = s.light;
           if (s.region) json["at"] = {s.x, s.y};
+        } else if constexpr (std::is_same_v<T, SimilarShape>) {
+          json["by"] = kLikenessNames[static_cast<size_t>(s.by)];
+          json["at"] = {s.x, s.y};
+          json["connected"] = s.connected;
+        } else if constexpr (std::is_same_v<T, SelectionShape>) {
+          Json& parts = json["parts"] = Json::array();
+          for (const SelectionPart& part : *s.parts)
+            parts.emplace_back(jsonFromShape(part.shape))["combine"] =
+                kCombineNames[static_cast<size_t>(part.how)];
         }
       },
       shape.shape);
   if (shape.invert) json["invert"] = true;
   return json;
+}
+
+// The place of a word in a list of words.
+template <size_t N>
+size_t wordFromJson(JsonFields& fields, const char* key, const char* const (&words)[N]) {
+  const std::string word = fields.text(key).value_or(words[0]);
+  const auto* found = std::find(std::begin(words), std::end(words), word);
+  if (found == std::end(words))
+    throw InputError("{}: \"{}\" is \"{}\", expected one of {}.", fields.where(), key, word,
+                     fmt::join(words, ", "));
+  return static_cast<size_t>(found - std::begin(words));
+}
+
+MaskShape shapeFromFields(JsonFields& fields, int width, int height);
+
+SelectionPart partFromJson(const Json& json, int width, int height, const std::string& where) {
+  JsonFields fields(json, where);
+  SelectionPart part{shapeFromFields(fields, width, height), {}};
+  if (std::holds_alternative<PaintShape>(part.shape.shape) ||
+      std::holds_alternative<PictureShape>(part.shape.shape))
+    throw InputError("{}: what is painted and pictures cannot be parts of a selection.", where);
+  part.how = static_cast<SelectionPart::Combine>(wordFromJson(fields, "combine", kCombineNames));
+  return part;
 }
 
 // A pair of numbers [x, y].
@@ -84,11 +122,7 @@ T shapeFromJson(JsonFields& fields, int width, int height) {
     for (const Json& p : fields.list("points", "a list of [x, y]"))
       s.points.push_back(pairFromJson(p, fields.where() + ": points"));
   } else if constexpr (std::is_same_v<T, PatternShape>) {
-    const std::string kind = fields.text("kind").value_or("stripes");
-    const auto* found = std::find(std::begin(kPatternNames), std::end(kPatternNames), kind);
-    if (found == std::end(kPatternNames))
-      throw InputError("{}: the pattern is \"{}\", expected stripes, checks or dots.", fields.where(), kind);
-    s.kind = static_cast<PatternShape::Kind>(found - kPatternNames);
+    s.kind = static_cast<PatternShape::Kind>(wordFromJson(fields, "kind", kPatternNames));
     if (!(s.size > 0)) throw InputError("{}: \"size\" is {}, expected more than 0.", fields.where(), s.size);
   } else if constexpr (std::is_same_v<T, TextShape>) {
     s.text = fields.text("text").value_or("");
@@ -108,6 +142,20 @@ T shapeFromJson(JsonFields& fields, int width, int height) {
       s.x = static_cast<int>(pixel[0]);
       s.y = static_cast<int>(pixel[1]);
     }
+  } else if constexpr (std::is_same_v<T, SimilarShape>) {
+    s.by = static_cast<SimilarShape::By>(wordFromJson(fields, "by", kLikenessNames));
+    const Json* at = fields.find("at");
+    if (!at) throw InputError("{}: \"at\" is missing, expected [x, y].", fields.where());
+    const auto pixel = pairFromJson(*at, fields.where() + ": at");
+    s.x = static_cast<int>(pixel[0]);
+    s.y = static_cast<int>(pixel[1]);
+    s.connected = fields.boolean("connected").value_or(true);
+  } else if constexpr (std::is_same_v<T, SelectionShape>) {
+    std::vector<SelectionPart> parts;
+    for (const Json& part : fields.list("parts", "a list of shapes"))
+      parts.push_back(
+          partFromJson(part, width, height, fields.where() + ": part " + std::to_string(parts.size() + 1)));
+    s.parts = std::make_shared<const std::vector<SelectionPart>>(std::move(parts));
   }
   return s;
 }
@@ -122,6 +170,18 @@ void readShape(size_t index, MaskShape& out, JsonFields& fields, int width, int 
     else
       readShape<I + 1>(index, out, fields, width, height);
   }
+}
+
+MaskShape shapeFromFields(JsonFields& fields, int width, int height) {
+  const std::string name = fields.text("shape").value_or("");
+  const auto* found = std::find(std::begin(kShapeNames), std::end(kShapeNames), name);
+  if (found == std::end(kShapeNames))
+    throw InputError("{}: \"{}\" is no shape, expected one of {}.", fields.where(), name,
+                     fmt::join(kShapeNames, ", "));
+  MaskShape shape;
+  readShape(static_cast<size_t>(found - kShapeNames), shape, fields, width, height);
+  shape.invert = fields.boolean("invert").value_or(false);
+  return shape;
 }
 
 }  // namespace
@@ -146,14 +206,7 @@ Mask maskFromJson(const Json& json, int width, int height, const std::string& wh
   Mask mask;
   for (const Json& item : json) {
     JsonFields fields(item, where + ": shape " + std::to_string(mask.size() + 1));
-    const std::string name = fields.text("shape").value_or("");
-    const auto* found = std::find(std::begin(kShapeNames), std::end(kShapeNames), name);
-    if (found == std::end(kShapeNames))
-      throw InputError("{}: \"{}\" is no shape, expected one of {}.", fields.where(), name,
-                       fmt::join(kShapeNames, ", "));
-    MaskShape& shape = mask.emplace_back();
-    readShape(static_cast<size_t>(found - kShapeNames), shape, fields, width, height);
-    shape.invert = fields.boolean("invert").value_or(false);
+    mask.push_back(shapeFromFields(fields, width, height));
   }
   return mask;
 }

@@ -67,6 +67,22 @@ void MaskRaster::set(int x, int y, float value) {
   writableTile(x / kMaskTile, y / kMaskTile)[y % kMaskTile * kMaskTile + x % kMaskTile] = code;
 }
 
+void MaskRaster::writeRow(int x, int y, int count, const float* values) {
+  const PixelRect inside = intersection({x, y, count, 1}, {0, 0, m_width, m_height});
+  for (int at = inside.x; at < inside.right() && !inside.empty();) {
+    const int end = std::min(inside.right(), (at / kMaskTile + 1) * kMaskTile);
+    const float* in = values + (at - x);
+    const bool filled = std::any_of(in, in + (end - at), [](float v) { return v >= .5f / kFull; });
+    if (filled || m_tiles[tileIndex(at / kMaskTile, y / kMaskTile)]) {
+      uint16_t* row =
+          writableTile(at / kMaskTile, y / kMaskTile) + y % kMaskTile * kMaskTile + at % kMaskTile;
+      std::transform(in, in + (end - at), row,
+                     [](float v) { return static_cast<uint16_t>(std::clamp(v, 0.f, 1.f) * kFull + .5f); });
+    }
+    at = end;
+  }
+}
+
 PixelRect MaskRaster::tileRect(int column, int row) const {
   return intersection({column * kMaskTile, row * kMaskTile, kMaskTile, kMaskTile}, {0, 0, m_width, m_height});
 }

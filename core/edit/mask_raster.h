@@ -32,6 +32,8 @@ class MaskRaster {
   [[nodiscard]] uint16_t* writableTile(int column, int row);
   [[nodiscard]] int columns() const { return (m_width + kMaskTile - 1) / kMaskTile; }
   [[nodiscard]] int rows() const { return (m_height + kMaskTile - 1) / kMaskTile; }
+  /// Sets the pixels x.. of row y, in any tile; those outside of the raster are left out.
+  void writeRow(int x, int y, int count, const float* values);
   /// Sets a pixel; slow, for shapes that are drawn once.
   void set(int x, int y, float value);
 

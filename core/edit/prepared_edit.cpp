@@ -37,11 +37,11 @@ int PreparedEdit::reach() const {
   return 0;
 }
 
-PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights,
-                         const ShadowSource& shadows) {
+PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights, MaskGround& ground) {
+  const ShadowSource& shadows = ground.shadows();
   PreparedEdit prepared;
   prepared.lights = chosenLights(*edit, lights);
-  prepared.mask = std::make_unique<PreparedMask>(edit->mask, lights.width, lights.height, shadows);
+  prepared.mask = std::make_unique<PreparedMask>(edit->mask, ground);
   if (const auto* curve = std::get_if<CurveOperation>(&edit->operation)) {
     prepared.curve = curveTable(curve->points, kCurveSteps);
   } else if (const auto* picture = std::get_if<PictureOperation>(&edit->operation)) {

@@ -35,6 +35,6 @@ struct PreparedEdit {
 /// Throws InputError: an unknown light (the known ones listed), a picture that does not fit, a curve that is
 /// none.
 [[nodiscard]] PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights,
-                                       const ShadowSource& shadows);
+                                       MaskGround& ground);
 
 }  // namespace swaplight

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/edit/mask_drawing.h"
-#include "core/error.h"
-
 namespace swaplight {
 namespace {
 
@@ -108,24 +105,11 @@ PixelRect boundsOf(const MaskShape& mask, const MaskRaster* raster, const PixelR
 
 }  // namespace
 
-PreparedMask::PreparedMask(const Mask& mask, int width, int height, const ShadowSource& shadows)
-    : m_bounds{0, 0, width, height} {
+PreparedMask::PreparedMask(const Mask& mask, MaskGround& ground)
+    : m_bounds{0, 0, ground.width(), ground.height()} {
   const PixelRect all = m_bounds;
   for (const MaskShape& shape : mask) {
-    Part part{shape, nullptr};
-    std::visit(
-        [&](const auto& s) {
-          using T = std::decay_t<decltype(s)>;
-          if constexpr (std::is_same_v<T, PaintShape>) {
-            part.raster = std::shared_ptr<const MaskRaster>(s.painting, &s.painting->mask());
-          } else if constexpr (std::is_same_v<T, ShadowShape>) {
-            if (!shadows) throw InputError("the edits use shadows, which are not at hand here.");
-            part.raster = std::make_shared<MaskRaster>(drawShape(s, *shadows(s.light)));
-          } else if constexpr (isDrawn<T>) {
-            part.raster = std::make_shared<MaskRaster>(drawShape(s, width, height));
-          }
-        },
-        shape.shape);
+    Part part{shape, ground.raster(shape)};
     m_bounds = intersection(m_bounds, boundsOf(shape, part.raster.get(), all));
     m_parts.push_back(std::move(part));
   }

@@ -1,22 +1,16 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
-#include "core/edit/mask.h"
-#include "core/shadow/light_shadows.h"
+#include "core/edit/mask_ground.h"
 
 namespace swaplight {
-
-/// Finds a light's shadows on the set as solved; may take long the first time. Throws InputError for a name
-/// that is not a light of the set.
-using ShadowSource = std::function<std::shared_ptr<const LightShadows>(const std::string& light)>;
 
 /// A mask ready to be asked for rows: text, lines and pictures are drawn, shadows found.
 class PreparedMask {
  public:
-  /// Throws InputError: a picture that cannot be read, a light without shadows.
-  PreparedMask(const Mask& mask, int width, int height, const ShadowSource& shadows);
+  /// Throws InputError as the ground does.
+  PreparedMask(const Mask& mask, MaskGround& ground);
 
   /// Fills out[0..count) with the mask at the pixels x.. of row y. Returns whether any is above 0.
   bool row(int x, int y, int count, float* out) const;

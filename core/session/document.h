@@ -25,6 +25,7 @@ struct Document {
   std::filesystem::path source;       ///< a capture or a solved set, absolute; empty where nothing is open
   SolveOptions solve;                 ///< how a capture is solved; without meaning for a solved set
   EditStack edits;                    ///< of the source's lights, before they are mixed
+  Mask selection;                     ///< what restricts new edits: see core/edit/selection.h
   Rig rig;                            ///< in the source's order of lights, then those that the edits add
   std::filesystem::path colorConfig;  ///< an OpenColorIO configuration, absolute; empty: none chosen
   DisplayChoice display;

@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include "core/edit/selection.h"
 #include "core/error.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
@@ -75,6 +76,7 @@ Json jsonFromSession(const Session& session, const std::filesystem::path& folder
   json["rig"] = jsonFromRig(document.rig);
   if (document.edits != EditStack{}) json["edits"] = jsonFromEdits(document.edits, folder);
   if (!document.colorConfig.empty()) json["color_config"] = writtenPath(document.colorConfig, folder);
+  if (!document.selection.empty()) json["selection"] = jsonFromMask(document.selection);
   json["display"] = jsonFromDisplay(document.display);
   if (!document.looks.empty()) json["looks"] = jsonFromSavedLooks(document.looks);
   if (!session.studio.empty()) json["studio"] = session.studio;
@@ -93,6 +95,8 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& folder, c
     session.document.solve = solveOptionsFromJson(*solve, name + ": solve");
   if (const Json* edits = fields.find("edits"))
     session.document.edits = editsFromJson(*edits, folder, name + ": edits");
+  if (const Json* selection = fields.find("selection"))
+    session.document.selection = selectionOf(maskFromJson(*selection, 1, 1, name + ": selection"));
   if (const Json* rig = fields.find("rig")) session.document.rig = rigFromJson(*rig, name + ": rig");
   session.document.colorConfig = readPath(fields.text("color_config").value_or(""), folder);
   if (const Json* display = fields.find("display"))

@@ -1,0 +1,47 @@
+#include "core/edit/mask_ground.h"
+
+#include <algorithm>
+
+#include "core/edit/mask_drawing.h"
+#include "core/edit/selection_drawing.h"
+#include "core/error.h"
+
+namespace swaplight {
+
+MaskGround::MaskGround(const SolvedSet& set, ShadowSource shadows)
+    : m_set(set), m_shadows(std::move(shadows)) {}
+
+std::shared_ptr<const MaskRaster> MaskGround::raster(const MaskShape& shape) {
+  if (const auto* paint = std::get_if<PaintShape>(&shape.shape))
+    return {paint->painting, &paint->painting->mask()};
+  std::erase_if(m_drawn, [](const Drawn& drawn) { return drawn.raster.expired(); });
+  const auto known = std::find_if(m_drawn.begin(), m_drawn.end(),
+                                  [&](const Drawn& drawn) { return drawn.shape.shape == shape.shape; });
+  if (known != m_drawn.end())
+    if (auto raster = known->raster.lock()) return raster;
+  auto raster = draw(shape);
+  if (raster) m_drawn.push_back({shape, raster});
+  return raster;
+}
+
+std::shared_ptr<const MaskRaster> MaskGround::draw(const MaskShape& shape) {
+  return std::visit(
+      [&](const auto& s) -> std::shared_ptr<const MaskRaster> {
+        using T = std::decay_t<decltype(s)>;
+        if constexpr (std::is_same_v<T, ShadowShape>) {
+          if (!m_shadows) throw InputError("the edits use shadows, which are not at hand here.");
+          return std::make_shared<const MaskRaster>(drawShape(s, *m_shadows(s.light)));
+        } else if constexpr (std::is_same_v<T, SimilarShape>) {
+          return std::make_shared<const MaskRaster>(drawSimilar(s, m_set));
+        } else if constexpr (std::is_same_v<T, SelectionShape>) {
+          return std::make_shared<const MaskRaster>(drawSelection(s, *this));
+        } else if constexpr (requires { drawShape(s, 0, 0); }) {
+          return std::make_shared<const MaskRaster>(drawShape(s, width(), height()));
+        } else {
+          return nullptr;
+        }
+      },
+      shape.shape);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/edit/mask.h"
+#include "core/shadow/light_shadows.h"
+#include "core/solve/solved_set.h"
+
+namespace swaplight {
+
+/// Finds a light's shadows on the set as solved; may take long the first time. Throws InputError for a name
+/// that is not a light of the set.
+using ShadowSource = std::function<std::shared_ptr<const LightShadows>(const std::string& light)>;
+
+/// What masks are drawn on: the set as solved, and its shadows. A shape is drawn once as long as somebody
+/// holds it. Not for use by several threads at once.
+class MaskGround {
+ public:
+  /// The set must outlive it.
+  explicit MaskGround(const SolvedSet& set, ShadowSource shadows = {});
+
+  [[nodiscard]] int width() const { return m_set.width(); }
+  [[nodiscard]] int height() const { return m_set.height(); }
+  [[nodiscard]] const SolvedSet& set() const { return m_set; }
+  [[nodiscard]] const ShadowSource& shadows() const { return m_shadows; }
+
+  /// A shape as pixels, before it is inverted; nullptr for shapes that are formulas (rectangles, ellipses,
+  /// gradients, patterns). Throws InputError: a picture that cannot be read, a light without shadows, a place
+  /// outside the picture.
+  std::shared_ptr<const MaskRaster> raster(const MaskShape& shape);
+
+ private:
+  struct Drawn {
+    MaskShape shape;
+    std::weak_ptr<const MaskRaster> raster;
+  };
+  std::shared_ptr<const MaskRaster> draw(const MaskShape& shape);
+
+  const SolvedSet& m_set;
+  ShadowSource m_shadows;
+  std::vector<Drawn> m_drawn;
+};
+
+}  // namespace swaplight

@@ -1,0 +1,200 @@
+"""Selections, stencils, gradients and painted lights in a real window: the picture, and what the command line makes."""
+import json
+import os
+import subprocess
+import unittest
+
+import numpy as np
+
+from studio_session import PROGRAM, StudioTest
+from test_paint import read_float
+
+
+class Tools(StudioTest):
+    def save(self, name):
+        path = self.path(name + '.swaplight')
+        self.studio.key('ctrl+shift+s')
+        self.studio.item('chooser.name')
+        self.studio.key('ctrl+a')
+        self.studio.type(path)
+        self.studio.key('Return')
+        self.studio.wait(lambda layout: layout.get('title', '').startswith(name), 'the session has a name')
+        with open(path) as file:
+            return path, json.load(file)
+
+    def open(self, light='fill', key='shift+l'):
+        studio = self.open_sample()
+        studio.click(f'mixer.{light}.chip')
+        studio.move(*studio.point('viewer.picture', 0.5, 0.2))
+        studio.key(key)
+        return studio
+
+    def at(self, x, y):
+        return self.studio.point('viewer.picture', x, y)
+
+    def drag(self, x0, y0, x1, y1, steps=8):
+        self.studio.drag(self.at(x0, y0), self.at(x1, y1), steps=steps)
+
+    def lasso(self, *places):
+        studio = self.studio
+        studio.move(*self.at(*places[0]))
+        studio.xdotool('mousedown', 1)
+        for place in places[1:]:
+            studio.move(*self.at(*place))
+        studio.xdotool('mouseup', 1)
+        studio.settle()
+
+    def part(self, picture, x0, y0, x1, y1):
+        height, width = picture.shape[:2]
+        return picture[int(height * y0):int(height * y1), int(width * x0):int(width * x1)].astype(float)
+
+    def export(self):
+        self.studio.key('ctrl+e')
+        self.studio.item('export.file')
+        self.studio.key('ctrl+a')
+        frame = self.path('studio.exr')
+        self.studio.type(frame)
+        self.studio.key('Return')
+        self.studio.wait(lambda layout: os.path.exists(frame), 'the frame')
+        self.studio.settle()
+        return frame
+
+    def same_as_command_line(self, name):
+        path, session = self.save(name)
+        frame, other = self.export(), self.path('line.exr')
+        subprocess.run([PROGRAM, 'relight', '--session', path, '-o', other, '-q'], check=True)
+        np.testing.assert_array_equal(read_float(frame), read_float(other))
+        return session
+
+
+class Select(Tools):
+    def test_a_stroke_stays_inside_a_lasso(self):
+        studio = self.open()
+        studio.click('select.lasso')
+        before = studio.picture('select_before')
+        self.lasso((0.3, 0.1), (0.5, 0.1), (0.5, 0.4), (0.3, 0.4), (0.3, 0.12))
+        studio.key('shift+b')
+        self.drag(0.1, 0.25, 0.9, 0.25, steps=10)
+        studio.move(*self.at(0.5, 0.8))
+        after = studio.picture('select_stroke_in_lasso')
+        inside = self.part(after, 0.35, 0.22, 0.45, 0.28) - self.part(before, 0.35, 0.22, 0.45, 0.28)
+        self.assertGreater(inside.mean(), 8)
+        for x0, x1 in ((0.12, 0.27), (0.53, 0.88)):
+            outside = self.part(after, x0, 0.22, x1, 0.28) - self.part(before, x0, 0.22, x1, 0.28)
+            self.assertEqual(np.abs(outside).max(), 0, 'beside the lasso nothing changes')
+        session = self.same_as_command_line('lasso')
+        shapes = [shape['shape'] for shape in session['edits']['edits'][0]['mask']]
+        self.assertEqual(shapes, ['painted', 'selection'])
+        self.assertEqual(session['selection'][0]['parts'][0]['shape'], 'polygon')
+
+    def test_parts_are_added_taken_away_inverted_and_cleared(self):
+        studio = self.open()
+        studio.click('select.rectangle')
+        self.drag(0.2, 0.2, 0.5, 0.6)
+        studio.xdotool('keydown', 'shift')
+        self.drag(0.6, 0.2, 0.8, 0.6)
+        studio.xdotool('keyup', 'shift')
+        studio.xdotool('keydown', 'alt')
+        self.drag(0.3, 0.3, 0.4, 0.5)
+        studio.xdotool('keyup', 'alt')
+        studio.picture('select_parts')
+        studio.key('ctrl+shift+i')
+        _, session = self.save('parts')
+        self.assertEqual([part['combine'] for part in session['selection'][0]['parts']], ['add', 'add', 'subtract'])
+        self.assertTrue(session['selection'][0]['invert'])
+        self.assertTrue(studio.has('select.feather'))
+        studio.key('ctrl+d')
+        studio.wait(lambda layout: 'select.feather' not in layout['items'], 'nothing is selected')
+        studio.key('ctrl+z')
+        studio.item('select.feather')
+
+    def test_what_is_alike_is_selected_by_a_click(self):
+        studio = self.open()
+        studio.click('select.similar')
+        studio.item('select.tolerance')
+        studio.click_at(*self.at(0.5, 0.15))
+        studio.picture('select_similar')
+        _, session = self.save('alike')
+        part = session['selection'][0]['parts'][0]
+        self.assertEqual((part['shape'], part['by'], part['connected']), ('similar', 'color', True))
+
+    def test_all_shadows_of_a_light_are_selected(self):
+        studio = self.open('key')
+        studio.click('select.shadow')
+        studio.click('select.all_shadows')
+        studio.settle()
+        studio.settle()
+        studio.picture('select_shadows')
+        _, session = self.save('shadows')
+        self.assertEqual(session['selection'][0]['parts'][0], {'shape': 'shadow', 'light': 'key', 'combine': 'add'})
+
+
+class Stencil(Tools):
+    def test_a_word_is_written_in_light(self):
+        studio = self.open(key='shift+t')
+        studio.click('stencil.text')
+        studio.click('stencil.words')
+        studio.key('ctrl+a')
+        studio.type('HI')
+        before = studio.picture('stencil_before')
+        self.drag(0.3, 0.1, 0.5, 0.4)
+        studio.move(*self.at(0.9, 0.9))
+        after = studio.picture('stencil_text')
+        change = np.abs(after - before).sum(axis=2)
+        height, width = change.shape
+        inside = change[int(height * 0.1):int(height * 0.38), int(width * 0.31):int(width * 0.49)]
+        lit = (inside > 12).mean()
+        self.assertGreater(lit, 0.1, 'the letters are lit')
+        self.assertLess(lit, 0.9, 'and what is between them is not')
+        session = self.same_as_command_line('word')
+        edit = session['edits']['edits'][0]
+        self.assertEqual((edit['mask'][0]['shape'], edit['mask'][0]['text']), ('text', 'HI'))
+        self.assertEqual(edit['lights'], ['fill'])
+
+        # Dragged from inside it is moved, not copied; typed again it says something else.
+        x0, y0, x1, y1 = studio.item('stencil.frame')
+        middle = ((x0 + x1) / 2, (y0 + y1) / 2)
+        studio.drag(middle, (middle[0] + 80, middle[1] + 20))
+        moved = studio.item('stencil.frame')
+        self.assertAlmostEqual(moved[0] - x0, 80, delta=4)
+        studio.click('stencil.words')
+        studio.key('ctrl+a')
+        studio.type('OH')
+        studio.key('Return')
+        _, session = self.save('moved')
+        self.assertEqual([edit['mask'][0]['text'] for edit in session['edits']['edits']], ['OH'])
+
+    def test_light_falls_off_along_a_gradient(self):
+        studio = self.open(key='shift+t')
+        studio.click('stencil.linear')
+        before = studio.picture('gradient_before')
+        self.drag(0.2, 0.3, 0.8, 0.3)
+        studio.move(*self.at(0.9, 0.9))
+        after = studio.picture('gradient')
+        gain = [(self.part(after, x, 0.15, x + 0.04, 0.25) - self.part(before, x, 0.15, x + 0.04, 0.25)).mean()
+                for x in (0.1, 0.45, 0.9)]
+        self.assertGreater(gain[0], 4)  # the view is not linear, and the wall not evenly bright
+        self.assertGreater(gain[1], 2)
+        self.assertLess(abs(gain[2]), 1)
+        self.same_as_command_line('gradient')
+
+
+class PaintedLight(Tools):
+    def test_a_new_light_is_painted_and_gets_a_row(self):
+        studio = self.open(key='shift+b')
+        before = studio.picture('light_before')
+        studio.click('button.brush.new_light')
+        studio.item('mixer.painted.chip')
+        self.drag(0.3, 0.25, 0.6, 0.25)
+        studio.move(*self.at(0.5, 0.8))
+        after = studio.picture('light_painted')
+        self.assertGreater((self.part(after, 0.4, 0.22, 0.5, 0.28) - self.part(before, 0.4, 0.22, 0.5, 0.28)).mean(), 8)
+        session = self.same_as_command_line('light')
+        self.assertEqual(session['edits']['new_lights'], ['painted'])
+        self.assertEqual(session['edits']['edits'][0]['lights'], ['painted'])
+        studio.key('ctrl+z', 'ctrl+z')
+        studio.wait(lambda layout: 'mixer.painted.chip' not in layout['items'], 'the row has gone')
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/studio_context.h"
+
+namespace swaplight {
+
+// What the panels of the brush, of stencils and of selections are made of.
+
+/// One of several choices as a button. True when clicked.
+bool choiceButton(const char* words, bool chosen, float width, const char* mark, const char* tip);
+/// A slider behind its name.
+bool labelledSlider(const char* label, const char* mark, float* value, float low, float high,
+                    const char* format, const char* tip, ImGuiSliderFlags flags = 0);
+/// The same for a part of 1, in percent up to `most`.
+bool percentSlider(const char* label, const char* mark, float* part, float most, const char* tip);
+
+/// Which light is laid on, what happens to it, how much, and what becomes of the other lights: for the brush
+/// as for stencils.
+void drawPaintModes(StudioContext& studio);
+
+}  // namespace swaplight
