@@ -34,9 +34,9 @@ class StudioWindow {
   void open(const std::filesystem::path& path);
   /// Shows the wizard for a folder of photographs, whether or not there is a capture in it.
   void bringIn(const std::filesystem::path& folder) { m_wizard.start(folder); }
-  /// Something is being read, solved, guessed or saved.
+  /// Something is being read, solved, guessed, saved or exported.
   [[nodiscard]] bool busy() const {
-    return m_sets.busy() || m_wizard.busy() || m_edits.busy() || m_session.saving();
+    return m_sets.busy() || m_wizard.busy() || m_edits.busy() || m_session.saving() || m_exports.busy();
   }
 
   /// Ends the studio, after asking what to do with unsaved work.

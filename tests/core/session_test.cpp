@@ -37,7 +37,8 @@ TEST(SessionFile, KeepsItsColourConfigurationRelativeToItsFolder) {
   session.document.colorConfig = folder / "show/config.ocio";
   writeSession(session, folder / "a.swaplight");
   EXPECT_EQ(readJson(folder / "a.swaplight")["color_config"], "show/config.ocio");
-  EXPECT_EQ(readSession(folder / "a.swaplight").document, session.document);
+  const Session read = readSession(folder / "a.swaplight");
+  EXPECT_EQ(read.document, session.document);
   session.document.colorConfig.clear();
   writeSession(session, folder / "a.swaplight");
   EXPECT_FALSE(readJson(folder / "a.swaplight").contains("color_config"));
