@@ -75,11 +75,12 @@ std::string temporaryBegin(const fs::path& target) {
 void removeStale(const fs::path& folder, const std::string& begin, const std::string& extension) {
   const std::string end = ".tmp" + extension;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
     if (!name.starts_with(begin) || !name.ends_with(end)) continue;
     const int process = std::atoi(name.c_str() + begin.size());  // NOLINT(cert-err34-c)
-    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), error);
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) ::unlink(entry->path().c_str());
   }
 }
 

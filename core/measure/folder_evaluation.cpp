@@ -21,7 +21,8 @@ using Files = std::map<std::string, fs::path>;
 Files picturesBelow(const fs::path& folder) {
   static const std::set<std::string> extensions = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".hdr"};
   Files files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+  for (const fs::directory_entry& entry :
+       fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied)) {
     std::string extension = entry.path().extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
