@@ -143,7 +143,7 @@ void SequenceArguments::addTo(CLI::App& verb) {
 }
 
 std::vector<int> SequenceArguments::frames() const {
-  const std::vector<int> all = framesFromRange(m_frames);
+  std::vector<int> all = framesFromRange(m_frames);
   if (m_index.has_value() != m_count.has_value())
     throw InputError("--frame-index and --frame-count belong together: give both");
   if (m_index) return shareOfFrames(all, *m_index, *m_count);
