@@ -21,6 +21,8 @@ struct Arguments {
   std::string rotation = "guess";
   bool oneAtATime = false;
   std::string colorSpace;
+  std::string crop;
+  double scale = 1;
   bool force = false;
 };
 
@@ -116,6 +118,14 @@ void placeCards(const Arguments& arguments, const CapturePixels& pixels, Capture
   }
 }
 
+/// Places given by --card are of the whole photographs: cropping comes last.
+void placeFrame(const Arguments& arguments, const CapturePixels& pixels, CaptureDraft& draft) {
+  draft.frame.scale = checkedScale(arguments.scale);
+  if (arguments.crop.empty()) return;
+  draft.frame.crop = cropFromText(arguments.crop);
+  static_cast<void>(croppedImage(pixels.shots.front(), *draft.frame.crop, draft.folder.shots.front().file));
+}
+
 Description describe(const CaptureDraft& draft, const std::filesystem::path& file, const std::string& how,
                      const std::vector<std::string>& warnings) {
   std::vector<std::vector<std::string>> rows{{"shot", "file"}};
@@ -140,6 +150,10 @@ Description describe(const CaptureDraft& draft, const std::filesystem::path& fil
             {"order", draft.folder.timed ? "time" : "name"},
             {"colors", how},
             {"color_space", draft.colorSpace},
+            {"crop", draft.frame.crop ? Json{draft.frame.crop->x, draft.frame.crop->y,
+                                             draft.frame.crop->width, draft.frame.crop->height}
+                                      : Json()},
+            {"scale", draft.frame.scale},
             {"warnings", warnings}};
   return d;
 }
@@ -165,6 +179,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   std::vector<std::string> warnings = folder.notes;
   for (auto&& more : {pictureWarnings(draft, pixels), colorWarnings(draft)})
     warnings.insert(warnings.end(), more.begin(), more.end());
+  placeFrame(arguments, pixels, draft);
   const std::filesystem::path file = writeDraft(draft, arguments.force);
   const Description d = describe(draft, file, how, warnings);
   terminal.say("wrote {}", file.string());
@@ -205,6 +220,11 @@ void addNewVerb(Program& program) {
       ->type_name("FILE,FILE");
   verb.add_option("--color-space", a->colorSpace, "Of the pictures (default: what the files say)")
       ->type_name("NAME");
+  verb.add_option("--crop", a->crop, "Use only this part of the photographs, in their pixels")
+      ->type_name("X,Y,WIDTH,HEIGHT");
+  verb.add_option("--scale", a->scale, "Make them smaller: 0.5 is half the width and height")
+      ->type_name("X")
+      ->capture_default_str();
   verb.add_flag("--force", a->force, "Replace a capture.json that is there");
 }
 

@@ -56,6 +56,8 @@ void CaptureWizard::close() {
   m_cells.clear();
   m_guess.clear();
   m_picking.reset();
+  m_frame = {};
+  m_cropping.reset();
   m_replace = false;
   m_solve = {};
 }
@@ -108,6 +110,7 @@ std::string CaptureWizard::mistake() const {
 
 CaptureDraft CaptureWizard::draft() const {
   CaptureDraft draft = draftOf(m_found->folder, m_lights);
+  draft.frame = m_frame;
   for (size_t k = 0; k < m_cells.size(); ++k)
     for (size_t i = 0; i < m_lights.size(); ++i) draft.colors[k][i] = shotColorFromText(m_cells[k][i].text);
   return draft;
@@ -254,8 +257,9 @@ void CaptureWizard::draw(Messages& messages, const Solve& solve) {
     drawLights();
     const float line = ImGui::GetFrameHeightWithSpacing();
     const float warnings = std::min(px(96), 0.18F * ImGui::GetWindowHeight());
-    drawTable(ImGui::GetContentRegionAvail().y - 2 * line - warnings - px(24));
+    drawTable(ImGui::GetContentRegionAvail().y - 3 * line - warnings - px(24));
     drawGuess();
+    drawFrame();
     ImGui::Separator();
     drawWarnings(warnings);
     ImGui::Separator();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <imgui.h>
+
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -59,6 +61,8 @@ class CaptureWizard {
   void drawTable(float height);
   void drawShot(size_t shot);
   void drawThumbnail(size_t shot);
+  void cropOnThumbnail(ImVec2 at, ImVec2 size);
+  void drawFrame();
   void drawCell(size_t shot, size_t light);
   void drawGuess();
   void drawWarnings(float height);
@@ -75,6 +79,8 @@ class CaptureWizard {
   std::string m_guess;                                 ///< in words
   std::string m_filter;                                ///< typed into the list of gels
   std::optional<std::pair<size_t, size_t>> m_picking;  ///< the cell whose colour a click takes from its shot
+  CaptureFrame m_frame;
+  std::optional<std::pair<float, float>> m_cropping;  ///< where a drag over a thumbnail began, 0..1
   bool m_replace = false;
   SolveOptions m_solve;
 };

@@ -227,7 +227,7 @@ void drawEditList(StudioContext& studio) {
   const size_t count = studio.document().edits.edits.size();
   if (studio.editing.chosen >= static_cast<int>(count)) studio.editing.chosen = -1;
   if (count == 0) {
-    hint("None yet. Take the brush (Shift+B) and paint.");
+    hint("None yet: take the brush and paint.");
     return;
   }
   opacity(studio);

@@ -92,7 +92,9 @@ void drawStencilPanel(StudioContext& studio) {
     edit.mask.front().invert = state.invert;
     previewEdit(studio, static_cast<size_t>(studio.editing.chosen), edit.name + ": stencil", std::move(edit));
   }
-  hint(chosenStencil(studio) ? "Drag it to move it" : "Drag in the picture to place it");
+  const Edit* placed = chosenStencil(studio);
+  const bool movable = placed && !boxOf(placed->mask.front()).empty();
+  hint(movable ? "Drag it to move it" : "Drag in the picture to place it");
 }
 
 }  // namespace swaplight

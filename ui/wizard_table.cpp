@@ -3,8 +3,10 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/color/srgb.h"
+#include "core/edit/mask_raster.h"
 #include "core/error.h"
 #include "ui/capture_wizard.h"
 #include "ui/gel_list.h"
@@ -38,7 +40,79 @@ Rgb chipOf(const Rgb& color) {
   return brightest > 0 ? srgbFromLinear(color / brightest) : Rgb(0);
 }
 
+/// What is cropped away, darker.
+void drawCrop(const CaptureFrame& frame, const CapturePixels& pixels, ImVec2 at, ImVec2 size) {
+  if (!frame.crop) return;
+  const auto x = [&](int place) {
+    return at.x + size.x * static_cast<float>(place) / static_cast<float>(pixels.width());
+  };
+  const auto y = [&](int place) {
+    return at.y + size.y * static_cast<float>(place) / static_cast<float>(pixels.height());
+  };
+  const ImVec2 low(x(frame.crop->x), y(frame.crop->y)), high(x(frame.crop->right()), y(frame.crop->bottom()));
+  const ImVec2 end(at.x + size.x, at.y + size.y);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  constexpr ImU32 kAway = IM_COL32(0, 0, 0, 170);
+  draw->AddRectFilled(at, ImVec2(end.x, low.y), kAway);
+  draw->AddRectFilled(ImVec2(at.x, high.y), end, kAway);
+  draw->AddRectFilled(ImVec2(at.x, low.y), ImVec2(low.x, high.y), kAway);
+  draw->AddRectFilled(ImVec2(high.x, low.y), ImVec2(end.x, high.y), kAway);
+  draw->AddRect(low, high, kText);
+}
+
 }  // namespace
+
+void CaptureWizard::cropOnThumbnail(ImVec2 at, ImVec2 size) {
+  constexpr float kLeast = 0.03F;  // of the picture: less is a click
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const std::pair place(std::clamp((mouse.x - at.x) / size.x, 0.0F, 1.0F),
+                        std::clamp((mouse.y - at.y) / size.y, 0.0F, 1.0F));
+  if (ImGui::IsItemActivated()) m_cropping = place;
+  if (!ImGui::IsItemActive() || !m_cropping) return;
+  const float x = std::min(place.first, m_cropping->first), y = std::min(place.second, m_cropping->second);
+  const float width = std::abs(place.first - m_cropping->first);
+  const float height = std::abs(place.second - m_cropping->second);
+  if (width < kLeast || height < kLeast) return;
+  const auto pixels = [](float part, int count) {
+    return static_cast<int>(std::lround(part * static_cast<float>(count)));
+  };
+  const int across = m_found->pixels->width(), down = m_found->pixels->height();
+  m_frame.crop =
+      intersection({pixels(x, across), pixels(y, down), pixels(width, across), pixels(height, down)},
+                   {0, 0, across, down});
+}
+
+void CaptureWizard::drawFrame() {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Use");
+  ImGui::SameLine(0, px(10));
+  constexpr double kScales[] = {1, 0.5, 0.25, 0.125};
+  const auto* shown = std::find(std::begin(kScales), std::end(kScales), m_frame.scale);
+  int scale = static_cast<int>(shown - std::begin(kScales));
+  ImGui::SetNextItemWidth(px(120));
+  if (ImGui::Combo("##scale", &scale, "full size\0half size\0a quarter\0an eighth\0"))
+    m_frame.scale = kScales[scale];
+  markItem("wizard.scale");
+  tooltip("Smaller pictures are solved faster; the photographs stay as they are.");
+  ImGui::SameLine(0, px(10));
+  const int across = m_found->pixels->width(), down = m_found->pixels->height();
+  if (!m_frame.crop) {
+    ImGui::TextDisabled("of all of the photographs: drag over one of them to crop");
+    return;
+  }
+  int numbers[4] = {m_frame.crop->x, m_frame.crop->y, m_frame.crop->width, m_frame.crop->height};
+  ImGui::SetNextItemWidth(px(320));
+  if (ImGui::InputInt4("##crop", numbers)) {
+    const PixelRect crop =
+        intersection({numbers[0], numbers[1], numbers[2], numbers[3]}, {0, 0, across, down});
+    if (!crop.empty()) m_frame.crop = crop;
+  }
+  markItem("wizard.crop");
+  tooltip("Left, top, width and height of what is used, in pixels of the photographs.");
+  ImGui::SameLine(0, px(10));
+  if (ImGui::Button("All of them")) m_frame.crop.reset();
+  markItem("wizard.uncrop");
+}
 
 void CaptureWizard::drawThumbnail(size_t shot) {
   const ShotThumbnail& picture = m_found->thumbnails[shot];
@@ -50,9 +124,11 @@ void CaptureWizard::drawThumbnail(size_t shot) {
   const bool clicked = ImGui::InvisibleButton("##picture", size);
   markItem(fmt::format("wizard.picture.{}", shot));
   const bool picking = m_picking && m_picking->first == shot;
+  if (!picking) cropOnThumbnail(at, size);
   drawTexture(m_textures[shot].id(), at, ImVec2(at.x + size.x, at.y + size.y));
   if (picking)
     ImGui::GetWindowDrawList()->AddRect(at, ImVec2(at.x + size.x, at.y + size.y), kAccent, 0, 0, px(2));
+  drawCrop(m_frame, *m_found->pixels, at, size);
   if (!picking || !clicked) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const auto pixel = [](float place, float length, int count) {

@@ -1,5 +1,7 @@
 #include "core/capture/capture.h"
 
+#include <cmath>
+
 #include <array>
 #include <utility>
 
@@ -37,6 +39,15 @@ int Capture::lightIndex(const std::string& light) const {
   for (size_t i = 0; i < lights.size(); ++i)
     if (lights[i].name == light) return static_cast<int>(i);
   return -1;
+}
+
+std::optional<SensorNoise> noiseInFrame(const Capture& capture) {
+  std::optional<SensorNoise> noise = capture.noise;
+  if (!noise) return noise;
+  const double averaged = 1 / (capture.frame.scale * capture.frame.scale);
+  noise->fullWell *= averaged;
+  noise->read /= std::sqrt(averaged);
+  return noise;
 }
 
 }  // namespace swaplight

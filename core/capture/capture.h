@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/capture/capture_frame.h"
 #include "core/color/rgb.h"
 #include "core/json.h"
 
@@ -47,9 +48,10 @@ struct Capture {
   std::string colorSpace = "lin_rec709";  ///< of the image files
   std::vector<Light> lights;
   std::vector<Shot> shots;
-  std::optional<std::string> ambient;  ///< picture of the set with every controlled light off
-  std::optional<std::string> dark;     ///< picture with the lens capped
-  std::optional<SensorNoise> noise;
+  std::optional<std::string> ambient;        ///< picture of the set with every controlled light off
+  std::optional<std::string> dark;           ///< picture with the lens capped
+  std::optional<SensorNoise> noise;          ///< of the files' pixels
+  CaptureFrame frame;                        ///< the part of the pictures that is used, and its size
   std::map<std::string, std::string> truth;  ///< test material: each light's contribution
   Json extra = Json::object();
   std::vector<std::string> warnings;  ///< unknown keys and the like, in words
@@ -59,6 +61,9 @@ struct Capture {
   /// The index of a light by name, or -1.
   [[nodiscard]] int lightIndex(const std::string& name) const;
 };
+
+/// The noise of the pictures as they are used: averaging has taken some of it.
+[[nodiscard]] std::optional<SensorNoise> noiseInFrame(const Capture& capture);
 
 /// Reads and checks a manifest. Throws InputError: one line that names the file, what is wrong, what to do
 /// (JSON errors with line and column). Does not open the pictures.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/capture/capture.h"
@@ -194,6 +195,23 @@ void assumeColorSpace(Capture& capture, const std::string& where) {
                                          byRule.empty() ? "" : " by the colour configuration's file rules"));
 }
 
+CaptureFrame frameFromJson(JsonFields& fields) {
+  CaptureFrame frame;
+  if (const Json* crop = fields.find("crop"); crop && !crop->is_null()) {
+    const bool numbers =
+        crop->is_array() && crop->size() == 4 && std::all_of(crop->begin(), crop->end(), [](const Json& n) {
+          return n.is_number_integer() && n >= 0 && n <= 1 << 16;
+        });
+    if (!numbers)
+      throw InputError("{}: \"crop\" is {}, expected [x, y, width, height] in pixels of the pictures.",
+                       fields.where(), crop->dump());
+    frame.crop = PixelRect{(*crop)[0], (*crop)[1], (*crop)[2], (*crop)[3]};
+    if (frame.crop->empty()) throw InputError("{}: \"crop\" is empty. Crop less.", fields.where());
+  }
+  frame.scale = fields.number("scale", 0.02, 1).value_or(1);
+  return frame;
+}
+
 }  // namespace
 
 Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
@@ -213,6 +231,7 @@ Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
   capture.dark = optionalPath(fields, "dark");
   Json noiseExtra = Json::object();
   capture.noise = noiseFromJson(fields, noiseExtra, capture.warnings);
+  capture.frame = frameFromJson(fields);
   capture.truth = truthFromJson(fields);
   capture.extra = keepUnknown(fields, capture.warnings);
   addExtra(capture.extra, noiseExtra);
@@ -234,6 +253,8 @@ Json jsonFromCapture(const Capture& capture) {
   if (capture.ambient) json["ambient"] = *capture.ambient;
   if (capture.dark) json["dark"] = *capture.dark;
   if (capture.noise) json["noise"] = {{"read", capture.noise->read}, {"full_well", capture.noise->fullWell}};
+  if (const auto& crop = capture.frame.crop) json["crop"] = {crop->x, crop->y, crop->width, crop->height};
+  if (capture.frame.scale != 1) json["scale"] = capture.frame.scale;
   if (!capture.truth.empty()) json["truth"] = jsonFromTruth(capture);
   addExtra(json, capture.extra);
   return json;

@@ -78,8 +78,12 @@ Picture readPicture(const Capture& capture, const std::string& path) {
   picture.file = capture.folder / path;
   ImageFile file = readImage(picture.file);
   picture.info = std::move(file.info);
-  picture.carried = carriedData(file.image, picture.info, rgbChannels(file.image, picture.file));
+  // What a file holds beside its colour is of all its pixels.
+  if (capture.frame.isWhole())
+    picture.carried = carriedData(file.image, picture.info, rgbChannels(file.image, picture.file));
   picture.image = rgbImage(std::move(file.image), picture.file);
+  if (capture.frame.crop)
+    picture.image = croppedImage(picture.image, *capture.frame.crop, picture.file.string());
   const std::string to = linearSpaceOf(capture.colorSpace);
   std::string from = capture.colorSpace;
   if (picture.info.format == "raw" && from != to) {
@@ -127,6 +131,12 @@ void subtractDark(Image& image, const Image& dark, float clip) {
         if (value[p] < clip && std::isfinite(offset[p])) value[p] -= offset[p];
     }
   });
+}
+
+void scaleDown(CapturePixels& pixels, double scale) {
+  for (size_t k = 0; k < pixels.shots.size(); ++k)
+    pixels.shots[k] = scaledImage(pixels.shots[k], scale, pixels.clipLevel[k]);
+  if (pixels.ambient) pixels.ambient = scaledImage(*pixels.ambient, scale, kNoClip);
 }
 
 /// Reads every picture, several at a time: most decoders use one core.
@@ -179,6 +189,7 @@ CapturePixels loadCapturePixels(const Capture& capture, const Progress& progress
     for (size_t k = 0; k < shotCount; ++k) subtractDark(pixels.shots[k], dark, pixels.clipLevel[k]);
     if (pixels.ambient) subtractDark(*pixels.ambient, dark, kNoClip);
   }
+  if (capture.frame.scale != 1) scaleDown(pixels, capture.frame.scale);
   for (Picture& picture : pictures)
     for (std::string& warning : picture.warnings) pixels.warnings.push_back(std::move(warning));
   return pixels;

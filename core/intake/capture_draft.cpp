@@ -42,7 +42,7 @@ std::vector<float> exposuresOf(const ShotFolder& folder) {
 CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& lights) {
   checkLightNames(lights, "the lights");
   if (lights.empty()) throw InputError("name at least one light");
-  CaptureDraft draft{folder, lights, {}, colorSpaceOf(folder)};
+  CaptureDraft draft{folder, lights, {}, colorSpaceOf(folder), {}};
   draft.colors.assign(folder.shots.size(), std::vector<ShotColor>(lights.size(), ShotColor{"unknown", {}}));
   return draft;
 }
@@ -55,6 +55,7 @@ Capture captureOf(const CaptureDraft& draft) {
   capture.lights = lightsOf(draft);
   capture.ambient = draft.folder.ambient;
   capture.dark = draft.folder.dark;
+  capture.frame = draft.frame;
   const std::vector<float> exposures = exposuresOf(draft.folder);
   for (size_t k = 0; k < draft.folder.shots.size(); ++k) {
     Shot shot;

@@ -15,6 +15,7 @@ struct CaptureDraft {
   std::vector<std::string> lights;             ///< names, see checkLightNames
   std::vector<std::vector<ShotColor>> colors;  ///< [shot][light]
   std::string colorSpace;                      ///< of the pictures
+  CaptureFrame frame;                          ///< the part of them that is used, and its size
 };
 
 /// A draft in which every colour is unknown. Throws InputError: names that cannot be, colour spaces that

@@ -237,7 +237,7 @@ SolvedSet solve(const Capture& given, const CapturePixels& photographs, const So
   report.model = modelName(info.model);
   report.noiseGiven = options.noise || capture.noise;
   report.noise = options.noise   ? *options.noise
-                 : capture.noise ? *capture.noise
+                 : capture.noise ? *noiseInFrame(capture)
                                  : estimateSensorNoise(pixels);
   std::vector<float> exposure;
   for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(shot.exposureStops));

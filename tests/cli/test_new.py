@@ -43,6 +43,29 @@ class New(cli.CliTest):
         for light in ('key', 'fill', 'back'):
             np.testing.assert_array_equal(cli.read_rgb(self.path('a.exr'), light), cli.read_rgb(self.path('b.exr'), light))
 
+    def test_a_crop_and_a_scale_are_used_by_the_solve(self):
+        folder = self.photographs()
+        self.succeed('new', folder, '--lights', 'key,fill,back', '--colors', RING)
+        self.succeed('solve', folder, '-o', self.path('all.exr'), '--float')
+        result = self.succeed_json('new', folder, '--lights', 'key,fill,back', '--colors', RING, '--force',
+                                   '--crop', '8,4,40,32')
+        self.assertEqual((result['crop'], self.manifest()['crop']), ([8, 4, 40, 32],) * 2)
+        self.succeed('solve', folder, '-o', self.path('part.exr'), '--float')
+        self.assertEqual(cli.read_rgb(self.path('part.exr')).shape, (32, 40, 3))
+        whole = cli.read_rgb(self.path('all.exr'))[4:36, 8:48]
+        self.assertLess(np.abs(cli.read_rgb(self.path('part.exr')) - whole).mean(), 0.01)
+        self.succeed('new', folder, '--lights', 'key,fill,back', '--colors', RING, '--force', '--crop', '8,4,40,32',
+                     '--scale', '0.5')
+        self.succeed('solve', folder, '-o', self.path('half.exr'), '--float')
+        half = cli.read_rgb(self.path('half.exr'))
+        self.assertEqual(half.shape, (16, 20, 3))
+        mean = whole.reshape(16, 2, 20, 2, 3).mean(axis=(1, 3))
+        self.assertLess(np.abs(half - mean).mean(), 0.02)
+        arguments = ['new', folder, '--lights', 'key,fill,back', '--colors', RING, '--force']
+        self.fail(*arguments, '--crop', '40,4,40,32', naming=['64 x 48', '40,4,40,32'])
+        self.fail(*arguments, '--crop', 'much', naming='X,Y,WIDTH,HEIGHT')
+        self.fail(*arguments, '--scale', '3', naming='0.5 for half')
+
     def test_gels_are_known_by_their_numbers(self):
         folder = self.photographs(('key', 'fill'))
         result = self.succeed_json('new', folder, '--lights', 'key,fill', '--gels', 'L106,L124')

@@ -138,5 +138,30 @@ class Wizard(StudioTest):
         self.assertFalse(studio.has('wizard.cell.0.0'))
 
 
+    def test_the_photographs_are_cropped_by_a_drag_and_made_smaller(self):
+        manifest = self.photographs('three_point')
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        for shot, description in enumerate(manifest['shots']):
+            self.fill_in(shot, *('/'.join(map(str, color)) for color in description['light_colors']))
+        studio.drag(studio.point('wizard.picture.0', 0.25, 0.1), studio.point('wizard.picture.0', 0.75, 0.9))
+        studio.item('wizard.crop')
+        x, y = studio.point('wizard.scale')
+        studio.click_at(x, y)
+        studio.click_at(x, y + 56)  # half size
+        studio.screenshot('wizard_cropped')
+        studio.click('wizard.solve')
+        studio.wait_ready()
+        x, y, width, height = self.written()['crop']
+        self.assertAlmostEqual(x, 120, delta=6)
+        self.assertAlmostEqual(width, 240, delta=8)
+        self.assertAlmostEqual(height, 216, delta=8)
+        scale = self.written().get('scale', 1)
+        x0, y0, x1, y1 = studio.item('viewer.picture')
+        self.assertAlmostEqual((x1 - x0) / (y1 - y0), width / height, delta=0.03)
+        self.assertEqual(scale, 0.5)
+
+
 if __name__ == '__main__':
     unittest.main()

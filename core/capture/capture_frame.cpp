@@ -1,0 +1,62 @@
+#include "core/capture/capture_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <opencv2/imgproc.hpp>
+
+#include "core/error.h"
+
+namespace swaplight {
+
+PixelRect cropFromText(const std::string& text) {
+  PixelRect rect;
+  char end = 0;
+  if (std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &rect.x, &rect.y, &rect.width,  // NOLINT(cert-err34-c)
+                  &rect.height, &end) != 4 ||
+      rect.x < 0 || rect.y < 0 || rect.empty())
+    throw InputError("the crop \"{}\" is none: give X,Y,WIDTH,HEIGHT in pixels of the photographs.", text);
+  return rect;
+}
+
+double checkedScale(double scale) {
+  if (!(scale >= .02 && scale <= 1))
+    throw InputError("the scale {} is not to be had: give 0.02 to 1, 0.5 for half the width and height.",
+                     scale);
+  return scale;
+}
+
+Image croppedImage(const Image& image, const PixelRect& crop, const std::string& name) {
+  if (crop.empty() || crop.x < 0 || crop.y < 0 || crop.right() > image.width() ||
+      crop.bottom() > image.height())
+    throw InputError("{}: is {} x {} pixels, the crop {},{},{},{} does not lie inside. Crop less.", name,
+                     image.width(), image.height(), crop.x, crop.y, crop.width, crop.height);
+  ImageSpec spec = image.spec();
+  spec.width = crop.width;
+  spec.height = crop.height;
+  Image part(spec);
+  for (int c = 0; c < image.channelCount(); ++c)
+    for (int y = 0; y < crop.height; ++y)
+      std::copy_n(image.view().row(c, crop.y + y) + crop.x, crop.width, part.span().row(c, y));
+  return part;
+}
+
+Image scaledImage(const Image& image, double scale, float clip) {
+  ImageSpec spec = image.spec();
+  spec.width = std::max(1, static_cast<int>(std::lround(scale * image.width())));
+  spec.height = std::max(1, static_cast<int>(std::lround(scale * image.height())));
+  Image small(spec);
+  for (int c = 0; c < image.channelCount(); ++c) {
+    const cv::Mat from(image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(c)));
+    cv::Mat to(spec.height, spec.width, CV_32F, small.plane(c));
+    cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
+    if (!std::isfinite(clip)) continue;
+    cv::Mat saturated, share;
+    cv::Mat(from >= clip).convertTo(saturated, CV_32F);
+    cv::resize(saturated, share, to.size(), 0, 0, cv::INTER_AREA);
+    cv::Mat(cv::max(to, clip)).copyTo(to, share > 0);
+  }
+  return small;
+}
+
+}  // namespace swaplight
