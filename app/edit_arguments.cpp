@@ -18,6 +18,7 @@ SolvedSet EditArguments::applyTo(SolvedSet set, const EditStack& session) const 
     const EditStack added = readEdits(file, original->width(), original->height());
     stack.edits.insert(stack.edits.end(), added.edits.begin(), added.edits.end());
     stack.newLights.insert(stack.newLights.end(), added.newLights.begin(), added.newLights.end());
+    for (const auto& [light, threshold] : added.shadowThresholds) stack.shadowThresholds[light] = threshold;
   }
   try {
     return withEdits(original, stack);

@@ -17,20 +17,28 @@ namespace {
 struct Arguments {
   std::string source;
   std::vector<std::string> lights;
-  std::string threshold = "auto";
+  std::vector<std::string> thresholds;
   std::string output;
   std::string overlay;
   SolveArguments solve;
 };
 
-std::optional<float> thresholdOf(const std::string& text) {
-  if (text == "auto") return std::nullopt;
+float thresholdFromText(const std::string& text) {
   char* end = nullptr;
   const float value = std::strtof(text.c_str(), &end);
   if (text.empty() || *end != '\0' || !(value > 0 && value < 1))
     throw InputError("--threshold {}: give auto, or the shading over that of lit pixels, between 0 and 1",
                      text);
   return value;
+}
+
+/// auto, X, or LIGHT=X.
+void applyThreshold(const std::string& text, ShadowOptions& options) {
+  const size_t sign = text.find('=');
+  if (sign != std::string::npos)
+    options.thresholds[text.substr(0, sign)] = thresholdFromText(text.substr(sign + 1));
+  else
+    options.threshold = text == "auto" ? std::nullopt : std::optional(thresholdFromText(text));
 }
 
 std::vector<std::string> chosenLights(const Arguments& arguments, const Capture& capture) {
@@ -55,7 +63,7 @@ std::string textOf(const NamedShadows& light) {
 
 int run(const Arguments& arguments, Terminal& terminal) {
   ShadowOptions options;
-  options.threshold = thresholdOf(arguments.threshold);
+  for (const std::string& text : arguments.thresholds) applyThreshold(text, options);
   const SolveOptions solving = arguments.solve.resolve();
   std::filesystem::path overlay = arguments.overlay;
   if (overlay.empty()) overlay = std::filesystem::path(arguments.output).replace_extension(".png");
@@ -90,9 +98,10 @@ void addShadowsVerb(Program& program) {
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("SOLVED", a->source, "A solved set, or a capture to solve")->required();
   verb.add_option("--light", a->lights, "Only this light (may be given again)")->type_name("NAME");
-  verb.add_option("--threshold", a->threshold,
-                  "Where shadow begins: auto, or the shading over that of lit pixels, 0..1 (default: auto)")
-      ->type_name("auto|X");
+  verb.add_option("--threshold", a->thresholds,
+                  "Where shadow begins: auto, or the shading over that of lit pixels, 0..1 (default: auto); "
+                  "LIGHT=X for one light (may be given again)")
+      ->type_name("auto|X|LIGHT=X");
   verb.add_option("-o,--output", a->output, "Visibility and labels, a layer a light")
       ->required()
       ->type_name("SHADOWS.exr");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <variant>
@@ -96,6 +97,8 @@ struct EditStack {
   std::vector<std::shared_ptr<const Edit>> edits;
   std::vector<std::string> newLights;
   int width = 0, height = 0;  ///< of the picture that the masks are for; 0: nobody has said
+  /// Where a light's shadows begin (ShadowOptions::thresholds); a light that is not named finds it by itself.
+  std::map<std::string, float> shadowThresholds;
 
   void append(Edit edit) { edits.push_back(std::make_shared<const Edit>(std::move(edit))); }
   void replace(size_t index, Edit edit) { edits[index] = std::make_shared<const Edit>(std::move(edit)); }

@@ -113,6 +113,22 @@ std::vector<std::string> readNames(JsonFields& fields, const char* key) {
   return names;
 }
 
+std::map<std::string, float> readThresholds(JsonFields& fields) {
+  std::map<std::string, float> thresholds;
+  const Json* json = fields.find("shadow_thresholds");
+  if (!json) return thresholds;
+  if (!json->is_object())
+    throw InputError("{}: \"shadow_thresholds\" is {}, expected numbers by light.", fields.where(),
+                     describeJson(*json));
+  for (const auto& [light, value] : json->items()) {
+    if (!value.is_number() || !(value.get<float>() > 0 && value.get<float>() < 1))
+      throw InputError("{}: the shadow threshold of \"{}\" is {}, expected a number between 0 and 1.",
+                       fields.where(), light, value.dump());
+    thresholds[light] = value.get<float>();
+  }
+  return thresholds;
+}
+
 }  // namespace
 
 std::string operationName(const Operation& operation) {
@@ -132,7 +148,10 @@ Json jsonFromEditStack(const EditStack& stack) {
     json.update(std::visit([](const auto& operation) { return fieldsOf(operation); }, edit->operation));
     json["mask"] = jsonFromMask(edit->mask);
   }
-  return {{"new_lights", stack.newLights}, {"edits", std::move(edits)}};
+  Json json = {{"new_lights", stack.newLights}, {"edits", std::move(edits)}};
+  for (const auto& [light, threshold] : stack.shadowThresholds)
+    json["shadow_thresholds"][light] = jsonNumber(threshold);
+  return json;
 }
 
 EditStack editStackFromJson(const Json& json, int width, int height, const std::string& where) {
@@ -141,6 +160,7 @@ EditStack editStackFromJson(const Json& json, int width, int height, const std::
   stack.height = height;
   JsonFields fields(json, where);
   stack.newLights = readNames(fields, "new_lights");
+  stack.shadowThresholds = readThresholds(fields);
   for (const Json& item : fields.list("edits", "a list of edits")) {
     JsonFields one(item, where + ": edit " + std::to_string(stack.edits.size() + 1));
     Edit edit;

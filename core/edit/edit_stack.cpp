@@ -25,7 +25,7 @@ size_t paintingBytes(const Painting& painting, const Painting* before) {
 }  // namespace
 
 bool EditStack::operator==(const EditStack& other) const {
-  return newLights == other.newLights &&
+  return newLights == other.newLights && shadowThresholds == other.shadowThresholds &&
          std::equal(edits.begin(), edits.end(), other.edits.begin(), other.edits.end(),
                     [](const auto& a, const auto& b) { return a == b || *a == *b; });
 }

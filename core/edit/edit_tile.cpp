@@ -110,18 +110,15 @@ void EditTile::swapRow(const PreparedEdit& edit, int y, int x, int count, const 
 }
 
 void EditTile::shadowRow(const PreparedEdit& edit, int y, int x, int count, const float* mask) {
+  const auto& operation = std::get<ShadowOperation>(edit.edit->operation);
+  thread_local std::vector<float> weight;
+  weight.resize(static_cast<size_t>(count));
   for (size_t k = 0; k < edit.lights.size(); ++k) {
     const ShadowChange& change = edit.shadows[k];
-    const float* weight = change.weight->view().row(0, y) + x;
-    for (int c = 0; c < 3; ++c) {
-      float* t = writableRow(edit.lights[k], c, y) + (x - m_area.x);
-      const float* direct = change.shadows->direct.view().row(c, y) + x;
-      if (change.multiplies)
-        for (int i = 0; i < count; ++i) t[i] *= 1 + mask[i] * weight[i];
-      else
-        for (int i = 0; i < count; ++i)
-          t[i] = std::max(0.f, t[i] + mask[i] * weight[i] * change.color[c] * direct[i]);
-    }
+    shadowWeightRow(operation, change, x, y, mask, count, weight.data());
+    for (int c = 0; c < 3; ++c)
+      changeShadowRow(operation, c, weight.data(), change.shadows->direct.view().row(c, y) + x, count,
+                      writableRow(edit.lights[k], c, y) + (x - m_area.x));
   }
 }
 

@@ -93,19 +93,29 @@ void EditedSet::setStack(const EditStack& stack) {
   const bool sameLights = stack.newLights == m_stack.newLights;
 
   // Prepare what is new; what failed to prepare leaves the old stack in force.
+  const bool sameShadows = stack.shadowThresholds == m_stack.shadowThresholds;
+  const auto stays = [&](const Edit& edit) { return sameLights && (sameShadows || !usesShadows(edit)); };
+  if (!sameShadows) m_ground.forgetDrawn();
   std::vector<Prepared> prepared;
   for (const auto& edit : stack.edits) {
     const auto known = std::find_if(m_prepared.begin(), m_prepared.end(),
                                     [&](const Prepared& p) { return p->edit == edit; });
-    prepared.push_back(sameLights && known != m_prepared.end()
-                           ? *known
-                           : std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_ground)));
+    if (known != m_prepared.end() && stays(*edit)) {
+      prepared.push_back(*known);
+      continue;
+    }
+    const size_t place = prepared.size();
+    const PreparedEdit* earlier =
+        place < m_prepared.size() && stays(*m_prepared[place]->edit) ? m_prepared[place].get() : nullptr;
+    prepared.push_back(std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_ground, earlier)));
   }
-  if (sameLights) {
+  const bool otherShadows = !sameShadows && std::any_of(stack.edits.begin(), stack.edits.end(),
+                                                        [](const auto& edit) { return usesShadows(*edit); });
+  if (sameLights && !otherShadows) {
     if (m_checkpoint.follow(m_prepared, prepared)) m_staleBelow = m_stale;
     for (const PixelRect& area : changedAreas(m_prepared, prepared)) markStale(area);
   } else {
-    m_result = emptyResult(*m_set, lights);
+    if (!sameLights) m_result = emptyResult(*m_set, lights);
     m_checkpoint.forget();
     markStale({0, 0, m_set->width(), m_set->height()});
   }

@@ -24,7 +24,8 @@ class EditedSet {
   /// Keeps the set: it must not change. Shadows are asked for when an edit needs them.
   explicit EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows = {});
 
-  /// Takes a new stack. Computes nothing yet. Throws InputError, and keeps the old stack then.
+  /// Takes a new stack. Computes nothing yet; asks for shadows again where their thresholds have changed.
+  /// Throws InputError, and keeps the old stack then.
   void setStack(const EditStack& stack);
   [[nodiscard]] const EditStack& stack() const { return m_stack; }
 

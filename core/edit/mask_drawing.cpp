@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/image/image_io.h"
 #include "core/image/text_drawing.h"
+#include "core/shadow/label_mask.h"
 
 namespace swaplight {
 namespace {
@@ -27,6 +28,25 @@ cv::Mat softened(const cv::Mat& drawn, float feather) {
   drawn.convertTo(pixels, CV_32F, 1 / 255.);
   if (feather > 1) cv::GaussianBlur(pixels, pixels, {}, feather / 4., 0, cv::BORDER_CONSTANT);
   return pixels;
+}
+
+// The number of the shadow that holds the shape's pixel.
+int regionAt(const ShadowShape& shape, const cv::Mat& regions) {
+  const bool inside = shape.x >= 0 && shape.y >= 0 && shape.x < regions.cols && shape.y < regions.rows;
+  const int region = inside ? regions.at<int>(shape.y, shape.x) : 0;
+  if (region == 0)
+    throw InputError(
+        "there is no shadow of \"{}\" at {}, {}. Choose a pixel within one of its shadows "
+        "(`swaplight shadows` draws their outlines).",
+        shape.light, shape.x, shape.y);
+  return region;
+}
+
+// The part of the picture that holds a region and `margin` pixels around it.
+cv::Rect areaAround(const cv::Mat& regions, int region, int margin) {
+  const cv::Rect box = cv::boundingRect(regions == region);
+  const cv::Rect wide(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin);
+  return wide & cv::Rect(0, 0, regions.cols, regions.rows);
 }
 
 }  // namespace
@@ -94,26 +114,32 @@ MaskRaster drawShape(const ShadowShape& shape, const LightShadows& shadows) {
   const int height = visibility.height();
   cv::Mat chosen(height, width, CV_8U, cv::Scalar(1));
   if (shape.region) {
-    // Only the shadow that is connected with the pixel.
-    cv::Mat shadow(height, width, CV_8U);
-    for (size_t p = 0; p < shadows.labels.size(); ++p)
-      shadow.data[p] = shadows.labels[p] == ShadowLabel::Umbra || shadows.labels[p] == ShadowLabel::Penumbra;
-    cv::Mat regions;
-    cv::connectedComponents(shadow, regions, 8, CV_32S);
-    const bool inside = shape.x >= 0 && shape.y >= 0 && shape.x < width && shape.y < height;
-    const int region = inside ? regions.at<int>(shape.y, shape.x) : 0;
-    if (region == 0)
-      throw InputError(
-          "there is no shadow of \"{}\" at {}, {}. Choose a pixel within one of its shadows "
-          "(`swaplight shadows` draws their outlines).",
-          shape.light, shape.x, shape.y);
-    chosen = cv::Mat((regions == region) / 255);
+    const cv::Mat regions = shadowRegions(shadows);
+    chosen = cv::Mat((regions == regionAt(shape, regions)) / 255);
     cv::dilate(chosen, chosen, {}, {-1, -1}, 2);  // with the faint rim around it
   }
   MaskRaster raster(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       if (chosen.at<uchar>(y, x)) raster.set(x, y, 1 - visibility.view().at(0, x, y));
+  return raster;
+}
+
+MaskRaster drawShadowZone(const ShadowShape& shape, const LightShadows& shadows, int zone) {
+  const cv::Mat regions = shadowRegions(shadows);
+  const int region = regionAt(shape, regions);
+  const cv::Rect area = areaAround(regions, region, zone);
+
+  // Each pixel belongs to the shadow that is nearest.
+  const cv::Mat lit = regions(area) == 0;
+  cv::Mat distance, nearest;
+  cv::distanceTransform(lit, distance, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_CCOMP);
+  const int own = nearest.at<int>(shape.y - area.y, shape.x - area.x);
+  MaskRaster raster(regions.cols, regions.rows);
+  for (int y = 0; y < area.height; ++y)
+    for (int x = 0; x < area.width; ++x)
+      if (nearest.at<int>(y, x) == own && distance.at<float>(y, x) <= static_cast<float>(zone))
+        raster.set(area.x + x, area.y + y, 1);
   return raster;
 }
 

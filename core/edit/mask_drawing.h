@@ -13,5 +13,8 @@ namespace swaplight {
 [[nodiscard]] MaskRaster drawShape(const PictureShape& shape, int width, int height);
 /// Throws InputError where `region` is asked for and the pixel lies in no shadow.
 [[nodiscard]] MaskRaster drawShape(const ShadowShape& shape, const LightShadows& shadows);
+/// The whole of one shadow (`shape.region`) and what is nearer to it than to another, up to `zone` pixels
+/// away. For changes that are themselves measured by the visibility. Throws as above.
+[[nodiscard]] MaskRaster drawShadowZone(const ShadowShape& shape, const LightShadows& shadows, int zone);
 
 }  // namespace swaplight

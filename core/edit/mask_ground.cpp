@@ -11,26 +11,29 @@ namespace swaplight {
 MaskGround::MaskGround(const SolvedSet& set, ShadowSource shadows)
     : m_set(set), m_shadows(std::move(shadows)) {}
 
-std::shared_ptr<const MaskRaster> MaskGround::raster(const MaskShape& shape) {
+std::shared_ptr<const MaskRaster> MaskGround::raster(const MaskShape& shape, int shadowZone) {
   if (const auto* paint = std::get_if<PaintShape>(&shape.shape))
     return {paint->painting, &paint->painting->mask()};
   std::erase_if(m_drawn, [](const Drawn& drawn) { return drawn.raster.expired(); });
-  const auto known = std::find_if(m_drawn.begin(), m_drawn.end(),
-                                  [&](const Drawn& drawn) { return drawn.shape.shape == shape.shape; });
+  const auto known = std::find_if(m_drawn.begin(), m_drawn.end(), [&](const Drawn& drawn) {
+    return drawn.shadowZone == shadowZone && drawn.shape.shape == shape.shape;
+  });
   if (known != m_drawn.end())
     if (auto raster = known->raster.lock()) return raster;
-  auto raster = draw(shape);
-  if (raster) m_drawn.push_back({shape, raster});
+  auto raster = draw(shape, shadowZone);
+  if (raster) m_drawn.push_back({shape, shadowZone, raster});
   return raster;
 }
 
-std::shared_ptr<const MaskRaster> MaskGround::draw(const MaskShape& shape) {
+std::shared_ptr<const MaskRaster> MaskGround::draw(const MaskShape& shape, int shadowZone) {
   return std::visit(
       [&](const auto& s) -> std::shared_ptr<const MaskRaster> {
         using T = std::decay_t<decltype(s)>;
         if constexpr (std::is_same_v<T, ShadowShape>) {
           if (!m_shadows) throw InputError("the edits use shadows, which are not at hand here.");
-          return std::make_shared<const MaskRaster>(drawShape(s, *m_shadows(s.light)));
+          const auto found = m_shadows(s.light);
+          return std::make_shared<const MaskRaster>(
+              shadowZone > 0 && s.region ? drawShadowZone(s, *found, shadowZone) : drawShape(s, *found));
         } else if constexpr (std::is_same_v<T, SimilarShape>) {
           return std::make_shared<const MaskRaster>(drawSimilar(s, m_set));
         } else if constexpr (std::is_same_v<T, SelectionShape>) {

@@ -29,14 +29,19 @@ class MaskGround {
   /// A shape as pixels, before it is inverted; nullptr for shapes that are formulas (rectangles, ellipses,
   /// gradients, patterns). Throws InputError: a picture that cannot be read, a light without shadows, a place
   /// outside the picture.
-  std::shared_ptr<const MaskRaster> raster(const MaskShape& shape);
+  /// `shadowZone`: edits of shadows are measured by the visibility themselves: for them a shadow that was
+  /// chosen counts in whole, with so many pixels around it.
+  std::shared_ptr<const MaskRaster> raster(const MaskShape& shape, int shadowZone = 0);
+  /// To be called when the shadows are others.
+  void forgetDrawn() { m_drawn.clear(); }
 
  private:
   struct Drawn {
     MaskShape shape;
+    int shadowZone = 0;
     std::weak_ptr<const MaskRaster> raster;
   };
-  std::shared_ptr<const MaskRaster> draw(const MaskShape& shape);
+  std::shared_ptr<const MaskRaster> draw(const MaskShape& shape, int shadowZone);
 
   const SolvedSet& m_set;
   ShadowSource m_shadows;

@@ -28,6 +28,11 @@ std::vector<int> chosenLights(const Edit& edit, const EditedLights& lights) {
   return chosen;
 }
 
+int zoneOf(const Operation& operation, int width) {
+  const auto* shadow = std::get_if<ShadowOperation>(&operation);
+  return shadow ? shadowZone(*shadow, width) : 0;
+}
+
 }  // namespace
 
 int PreparedEdit::reach() const {
@@ -37,22 +42,35 @@ int PreparedEdit::reach() const {
   return 0;
 }
 
-PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights, MaskGround& ground) {
+PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights, MaskGround& ground,
+                         const PreparedEdit* earlier) {
   const ShadowSource& shadows = ground.shadows();
   PreparedEdit prepared;
   prepared.lights = chosenLights(*edit, lights);
-  prepared.mask = std::make_unique<PreparedMask>(edit->mask, ground);
+  const int zone = zoneOf(edit->operation, lights.width);
+  if (earlier && earlier->edit->mask == edit->mask && zoneOf(earlier->edit->operation, lights.width) == zone)
+    prepared.mask = earlier->mask;
+  else
+    prepared.mask = std::make_shared<PreparedMask>(edit->mask, ground, zone);
   if (const auto* curve = std::get_if<CurveOperation>(&edit->operation)) {
     prepared.curve = curveTable(curve->points, kCurveSteps);
   } else if (const auto* picture = std::get_if<PictureOperation>(&edit->operation)) {
-    for (const int i : prepared.lights)
-      prepared.pictures.push_back(std::make_shared<Image>(readBetaMap(picture->file, picture->channel,
-                                                                      lights.names[static_cast<size_t>(i)],
-                                                                      lights.width, lights.height)));
+    const auto* before = earlier ? std::get_if<PictureOperation>(&earlier->edit->operation) : nullptr;
+    if (before && earlier->lights == prepared.lights && *before == *picture)
+      prepared.pictures = earlier->pictures;
+    else
+      for (const int i : prepared.lights)
+        prepared.pictures.push_back(std::make_shared<Image>(readBetaMap(picture->file, picture->channel,
+                                                                        lights.names[static_cast<size_t>(i)],
+                                                                        lights.width, lights.height)));
   } else if (const auto* shadow = std::get_if<ShadowOperation>(&edit->operation)) {
     if (!shadows) throw InputError("the edit \"{}\" uses shadows, which are not at hand here.", edit->name);
-    for (const int i : prepared.lights)
-      prepared.shadows.push_back(shadowChange(*shadow, shadows(lights.names[static_cast<size_t>(i)])));
+    const auto* before = earlier ? std::get_if<ShadowOperation>(&earlier->edit->operation) : nullptr;
+    if (before && earlier->lights == prepared.lights && sameShadowChange(*before, *shadow))
+      prepared.shadows = earlier->shadows;
+    else
+      for (const int i : prepared.lights)
+        prepared.shadows.push_back(shadowChange(*shadow, shadows(lights.names[static_cast<size_t>(i)])));
   }
   prepared.edit = std::move(edit);
   return prepared;

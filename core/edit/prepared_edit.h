@@ -21,7 +21,7 @@ struct EditedLights {
 struct PreparedEdit {
   std::shared_ptr<const Edit> edit;
   std::vector<int> lights;  ///< those chosen, ascending
-  std::unique_ptr<PreparedMask> mask;
+  std::shared_ptr<const PreparedMask> mask;
   std::vector<float> curve;                            ///< beta 0..1 in even steps, for CurveOperation
   std::vector<std::shared_ptr<const Image>> pictures;  ///< one a chosen light, for PictureOperation
   std::vector<ShadowChange> shadows;                   ///< one a chosen light, for ShadowOperation
@@ -32,9 +32,9 @@ struct PreparedEdit {
   [[nodiscard]] int reach() const;
 };
 
-/// Throws InputError: an unknown light (the known ones listed), a picture that does not fit, a curve that is
-/// none.
+/// `earlier`, if there is one, is what the edit was before: what has not changed is taken from it. Throws
+/// InputError: an unknown light (the known ones listed), a picture that does not fit, a curve that is none.
 [[nodiscard]] PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights,
-                                       MaskGround& ground);
+                                       MaskGround& ground, const PreparedEdit* earlier = nullptr);
 
 }  // namespace swaplight

@@ -105,11 +105,11 @@ PixelRect boundsOf(const MaskShape& mask, const MaskRaster* raster, const PixelR
 
 }  // namespace
 
-PreparedMask::PreparedMask(const Mask& mask, MaskGround& ground)
+PreparedMask::PreparedMask(const Mask& mask, MaskGround& ground, int shadowZone)
     : m_bounds{0, 0, ground.width(), ground.height()} {
   const PixelRect all = m_bounds;
   for (const MaskShape& shape : mask) {
-    Part part{shape, ground.raster(shape)};
+    Part part{shape, ground.raster(shape, shadowZone)};
     m_bounds = intersection(m_bounds, boundsOf(shape, part.raster.get(), all));
     m_parts.push_back(std::move(part));
   }

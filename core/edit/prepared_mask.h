@@ -9,8 +9,8 @@ namespace swaplight {
 /// A mask ready to be asked for rows: text, lines and pictures are drawn, shadows found.
 class PreparedMask {
  public:
-  /// Throws InputError as the ground does.
-  PreparedMask(const Mask& mask, MaskGround& ground);
+  /// `shadowZone`: 0 for most edits; see MaskGround::raster. Throws InputError as the ground does.
+  PreparedMask(const Mask& mask, MaskGround& ground, int shadowZone = 0);
 
   /// Fills out[0..count) with the mask at the pixels x.. of row y. Returns whether any is above 0.
   bool row(int x, int y, int count, float* out) const;

@@ -63,7 +63,9 @@ SolvedSet openSource(const fs::path& path, const SolveOptions& options, const Pr
 
 SolvedSet withEdits(std::shared_ptr<const SolvedSet> set, const EditStack& edits) {
   const EditStack fitted = fitEdits(edits, set->width(), set->height());
-  return applyEdits(*set, fitted, shadowSource(set));
+  ShadowOptions shadows;
+  shadows.thresholds = fitted.shadowThresholds;
+  return applyEdits(*set, fitted, shadowSource(set, shadows));
 }
 
 }  // namespace swaplight

@@ -47,14 +47,21 @@ double penumbraPixels(const LightShadows& shadows) {
   return outline > 0 ? 2 * area / (outline * .785) : 0;
 }
 
+void checkNames(const ShadowOptions& options, const Capture& capture) {
+  for (const auto& [light, threshold] : options.thresholds)
+    if (capture.lightIndex(light) < 0)
+      throw InputError("a threshold of shadows is for the light \"{}\", which the set does not have.", light);
+}
+
 }  // namespace
 
 std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOptions& options,
                                         const Progress& progress) {
   progress.update(0, "telling surfaces from shadows");
-  const SetEvidence evidence = gatherShadowEvidence(set);
-  const int smallest = std::max(
-      4, static_cast<int>(std::lround(options.smallestShare * static_cast<float>(evidence.known.total()))));
+  checkNames(options, set.capture);
+  const Progress gathering = progress.part(0, .3f);
+  const SetEvidence evidence = gatherShadowEvidence(set, gathering);
+  const int smallest = smallestShadow(options, evidence.known);
 
   std::vector<LightShadows> all(evidence.lights.size());
   std::vector<cv::Mat> visibilities;
@@ -62,8 +69,9 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
     progress.update(.3f + .3f * static_cast<float>(i) / static_cast<float>(all.size()), "finding shadows");
     const ShadowEvidence& light = evidence.lights[i];
     const float lit = litLevel(light, evidence.known);
-    const float threshold = options.threshold ? lit + std::log(std::max(*options.threshold, 1e-6f))
-                                              : shadowThreshold(light, evidence.known);
+    const std::optional<float> given = options.thresholdOf(set.capture.lights[i].name);
+    const float threshold =
+        given ? lit + std::log(std::max(*given, 1e-6f)) : shadowThreshold(light, evidence.known);
     visibilities.push_back(visibilityOf(light, evidence.known, threshold));
     static_cast<void>(labelShadows(visibilities[i], evidence.known, smallest));
     all[i].threshold = std::exp(threshold - lit);

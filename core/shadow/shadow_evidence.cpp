@@ -111,7 +111,8 @@ void findEdges(const cv::Mat& own, const cv::Mat& others, ShadowEvidence& eviden
 
 }  // namespace
 
-SetEvidence gatherShadowEvidence(const SolvedSet& set) {
+SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress) {
+  constexpr const char* kWhat = "telling surfaces from shadows";
   SetEvidence all;
   const size_t count = set.contributions.size();
   const cv::Size size(set.width(), set.height());
@@ -130,6 +131,7 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set) {
   std::vector<cv::Mat> greys;
   cv::Mat sum(size, CV_32F, cv::Scalar(0));
   for (const Image& t : set.contributions) {
+    progress.update(.5f * static_cast<float>(greys.size()) / static_cast<float>(count), kWhat);
     cv::Mat channels[3];
     for (int c = 0; c < 3; ++c) channels[c] = denoised(planeOf(t, c) / all.white, sigma.mul(sigma) * 3);
     cv::Mat rgb;
@@ -149,9 +151,11 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set) {
   std::vector<cv::Mat> across(count);
   std::vector<cv::Mat> down(count);
   for (size_t i = 0; i < count; ++i) gradients(logs[i], across[i], down[i]);
+  progress.update(.5f, kWhat);
   const cv::Mat reflectance = integrateGradients(sharedGradient(across), sharedGradient(down));
 
   for (size_t i = 0; i < count; ++i) {
+    progress.update(.7f + .3f * static_cast<float>(i) / static_cast<float>(count), kWhat);
     ShadowEvidence& light = all.lights.emplace_back();
     light.level = logs[i] - .5 * reflectance;
     light.shading = logs[i] - reflectance;

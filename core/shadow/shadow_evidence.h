@@ -3,6 +3,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/solve/solved_set.h"
 
 namespace swaplight {
@@ -33,6 +34,6 @@ struct SetEvidence {
 /// share (the smaller of two; the median of three and more, after Weiss, "Deriving intrinsic images from
 /// image sequences", ICCV 2001), integrated. Noise is taken out by a local Wiener filter with the set's own
 /// sigma.
-[[nodiscard]] SetEvidence gatherShadowEvidence(const SolvedSet& set);
+[[nodiscard]] SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress = {});
 
 }  // namespace swaplight

@@ -1,14 +1,14 @@
 #include "core/shadow/shadow_regions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/ximgproc/edge_filter.hpp>
 
 namespace swaplight {
 namespace {
 
-constexpr float kMarkerMargin = .7f;  // in log units: a factor of two either side of the threshold
-constexpr float kGuideScale = .2f;    // brings the level's steps to the filter's scale
+constexpr float kGuideScale = .2f;  // brings the level's steps to the filter's scale
 constexpr double kGuideEpsilon = 1e-4;
 constexpr float kUmbra = .1f;  // below: umbra
 constexpr float kLit = .7f;    // above: lit
@@ -41,11 +41,16 @@ void removeSmallParts(cv::Mat& mask, int smallest) {
 
 }  // namespace
 
+int smallestShadow(const ShadowOptions& options, const cv::Mat& known) {
+  const float share = options.smallestShare * static_cast<float>(known.total());
+  return std::max(4, static_cast<int>(std::lround(share)));
+}
+
 cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& known, float threshold) {
   // Divide.
   cv::Mat markers(light.level.size(), CV_32S, cv::Scalar(0));
-  markers.setTo(kShadowMarker, light.level < threshold - kMarkerMargin);
-  markers.setTo(kLitMarker, light.level > threshold + kMarkerMargin);
+  markers.setTo(kShadowMarker, light.level < threshold - kShadowMargin);
+  markers.setTo(kLitMarker, light.level > threshold + kShadowMargin);
   cv::watershed(eightBits(light.shading, known), markers);
   cv::Mat lit(light.level.size(), CV_32F);
   for (int y = 0; y < lit.rows; ++y)

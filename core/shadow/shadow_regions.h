@@ -2,6 +2,7 @@
 
 #include "core/shadow/light_shadows.h"
 #include "core/shadow/shadow_evidence.h"
+#include "core/shadow/shadow_options.h"
 
 namespace swaplight {
 
@@ -9,6 +10,13 @@ namespace swaplight {
 /// markers, a watershed (Meyer's, as in OpenCV) on the shading divides the rest along its edges, and a guided
 /// filter (He, Sun and Tang 2013) on the level makes the border as soft as the penumbra is.
 [[nodiscard]] cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& known, float threshold);
+
+/// Shadows of fewer pixels are noise in a picture of the size of `known`.
+[[nodiscard]] int smallestShadow(const ShadowOptions& options, const cv::Mat& known);
+
+/// How far below the threshold a pixel is surely in shadow, and how far above it surely lit (natural
+/// logarithm); between, the edges decide.
+inline constexpr float kShadowMargin = .7f;
 
 /// Umbra, penumbra, lit and unknown from the visibility; then morphology: shadows of fewer than `smallest`
 /// pixels become lit (in the visibility too), holes of fewer become umbra.

@@ -85,6 +85,7 @@ Image subjectImage(const SolvedSet& set, const ViewSubject& subject) {
     case ViewSubject::Kind::Relit:
     case ViewSubject::Kind::Contribution:
     case ViewSubject::Kind::Photograph:
+    case ViewSubject::Kind::Visibility:
       break;
   }
   throw InputError("this subject is made from other pictures");

@@ -13,6 +13,7 @@ struct ViewSubject {
     Sigma,         ///< the relative standard error of the solve
     Flags,         ///< quality.flags, a colour a bit
     Photograph,    ///< a shot as taken
+    Visibility,    ///< how much of a light each pixel sees, 0..1 as grey
   };
   Kind kind = Kind::Relit;
   int index = 0;  ///< light or shot

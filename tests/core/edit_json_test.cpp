@@ -37,6 +37,7 @@ EditStack everyKind() {
                                          {ShadowShape{"key", true, 7, 8}, false}};
   EditStack stack;
   stack.newLights = {"sun"};
+  stack.shadowThresholds = {{"key", .125f}};
   for (size_t i = 0; i < shapes.size(); ++i) {
     Edit edit;
     edit.name = "edit " + std::to_string(i);
@@ -76,6 +77,8 @@ TEST(EditJson, SaysWhereSomethingIsWrong) {
               HasSubstr("share or add"));
   EXPECT_THAT(message(R"({"edits": [{"operation": "fill", "mask": [{"shape": "blob"}]}]})"),
               testing::AllOf(HasSubstr("shape 1"), HasSubstr("ellipse")));
+  EXPECT_THAT(message(R"({"edits": [], "shadow_thresholds": {"key": 7}})"),
+              testing::AllOf(HasSubstr("key"), HasSubstr("between 0 and 1")));
   EXPECT_THAT(message(R"({"edits": [{"operation": "curve", "points": [[0, 1], 3]}]})"), HasSubstr("[x, y]"));
   EXPECT_THAT(
       message(

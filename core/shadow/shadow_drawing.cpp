@@ -5,6 +5,7 @@
 #include "core/color/srgb.h"
 #include "core/image/text_drawing.h"
 #include "core/measure/difference.h"
+#include "core/shadow/label_mask.h"
 #include "core/shadow/shadow_file.h"
 
 namespace swaplight {
@@ -27,13 +28,11 @@ cv::Mat displayed(const Image& linear) {
   return picture;
 }
 
-void outline(cv::Mat& picture, const LightShadows& shadows, ShadowLabel darkest, const cv::Scalar& color,
+void outline(cv::Mat& picture, const LightShadows& shadows, ShadowLabel lightest, const cv::Scalar& color,
              int thickness) {
-  cv::Mat inside(picture.size(), CV_8U);
-  for (size_t p = 0; p < shadows.labels.size(); ++p)
-    inside.data[p] = shadows.labels[p] != ShadowLabel::Unknown && shadows.labels[p] <= darkest ? 255 : 0;
   std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(inside, contours, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
+  cv::findContours(labelMask(shadows.labels, picture.cols, lightest), contours, cv::RETR_LIST,
+                   cv::CHAIN_APPROX_NONE);
   cv::drawContours(picture, contours, -1, color, thickness, cv::LINE_AA);
 }
 

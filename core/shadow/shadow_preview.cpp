@@ -1,0 +1,108 @@
+#include "core/shadow/shadow_preview.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+#include "core/shadow/shadow_evidence.h"
+#include "core/shadow/shadow_regions.h"
+#include "core/shadow/shadow_threshold.h"
+
+namespace swaplight {
+namespace {
+
+constexpr double kPixels = 1.2e6;
+
+Image shrunk(const Image& image, int width, int height) {
+  ImageSpec spec = image.spec();
+  const cv::Size from(spec.width, spec.height);
+  spec.width = width;
+  spec.height = height;
+  Image small(std::move(spec));
+  for (int c = 0; c < image.channelCount(); ++c) {
+    const cv::Mat in(from, CV_32F, const_cast<float*>(image.plane(c)));
+    cv::Mat out(height, width, CV_32F, small.plane(c));
+    cv::resize(in, out, out.size(), 0, 0, cv::INTER_AREA);
+  }
+  return small;
+}
+
+// What the search for shadows looks at, smaller by a whole factor.
+SolvedSet shrunk(const SolvedSet& set, int factor, const Progress& progress) {
+  SolvedSet small;
+  small.capture = set.capture;
+  const int width = std::max(1, set.width() / factor);
+  const int height = std::max(1, set.height() / factor);
+  for (const Image& contribution : set.contributions) {
+    progress.update(0, "making a small picture");
+    small.contributions.push_back(shrunk(contribution, width, height));
+  }
+  updateBeta(small);
+  if (set.quality.empty()) return small;
+  small.quality = shrunk(set.quality, width, height);
+  // The mean of many pixels is surer than one of them.
+  float* sigma = small.quality.plane(kSigma);
+  for (size_t p = 0; p < small.quality.pixelCount(); ++p) sigma[p] /= static_cast<float>(factor);
+  return small;
+}
+
+ShadowHistogram histogramOf(const cv::Mat& level, const cv::Mat& known, float lit) {
+  ShadowHistogram histogram;
+  constexpr float kRange = ShadowHistogram::kHighestStops - ShadowHistogram::kLowestStops;
+  double count = 0;
+  for (int y = 0; y < level.rows; ++y)
+    for (int x = 0; x < level.cols; ++x) {
+      if (!known.at<uchar>(y, x)) continue;
+      const float stops = (level.at<float>(y, x) - lit) / std::numbers::ln2_v<float>;
+      const float bin =
+          (stops - ShadowHistogram::kLowestStops) / kRange * static_cast<float>(ShadowHistogram::kBins);
+      histogram
+          .share[static_cast<size_t>(std::clamp(bin, 0.f, static_cast<float>(ShadowHistogram::kBins - 1)))] +=
+          1;
+      count += 1;
+    }
+  for (float& share : histogram.share) share /= static_cast<float>(std::max(count, 1.));
+  return histogram;
+}
+
+}  // namespace
+
+ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress) {
+  const auto pixels = static_cast<double>(set.contributions.front().pixelCount());
+  const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kPixels))));
+  const Progress gathering = progress.part(.1f, 1);
+  auto evidence = std::make_shared<SetEvidence>(
+      factor > 1 ? gatherShadowEvidence(shrunk(set, factor, progress), gathering)
+                 : gatherShadowEvidence(set, gathering));
+  m_scale = static_cast<float>(set.width()) / static_cast<float>(evidence->known.cols);
+  evidence->contributions.clear();
+  for (ShadowEvidence& light : evidence->lights) {
+    const float lit = litLevel(light, evidence->known);
+    const float threshold = std::exp(shadowThreshold(light, evidence->known) - lit);
+    m_lights.push_back({histogramOf(light.level, evidence->known, lit), lit, threshold});
+    for (cv::Mat* used : {&light.slope, &light.edge, &light.ratio}) used->release();
+  }
+  m_evidence = std::move(evidence);
+}
+
+PreviewedShadows ShadowPreview::shadows(size_t light, const std::optional<float>& threshold) const {
+  const float given = std::max(threshold.value_or(m_lights[light].threshold), 1e-6f);
+  const cv::Mat& known = m_evidence->known;
+  cv::Mat visibility = visibilityOf(m_evidence->lights[light], known, m_lights[light].lit + std::log(given));
+  return {labelShadows(visibility, known, smallestShadow({}, known)), known.cols, m_scale};
+}
+
+float stopsFromThreshold(float threshold) {
+  return std::log2(threshold);
+}
+
+float thresholdFromStops(float stops) {
+  return std::exp2(stops);
+}
+
+float shadowMarginStops() {
+  return kShadowMargin / std::numbers::ln2_v<float>;
+}
+
+}  // namespace swaplight
