@@ -29,9 +29,12 @@ void EditController::show(StudioContext& studio, const PixelRect& visible) {
     m_finding.cancel();
     m_followed = false;
     m_complaint.clear();
+    m_foundFor.clear();
+    m_needsShadows = m_stopped = false;
   }
   takeJobs(studio);
   follow(studio);
+  seekShadows(studio);
   if (m_room.edited) update(studio, visible);
 }
 
@@ -47,6 +50,7 @@ void EditController::takeJobs(StudioContext& studio) {
     auto found = m_finding.take();
     if (found && found->set == m_set) {
       *m_found = std::move(found->found);
+      m_foundFor = std::move(found->thresholds);
       m_followed = false;
     }
   } catch (const Stopped&) {
@@ -60,7 +64,7 @@ void EditController::follow(StudioContext& studio) {
   if (m_followed && wanted == m_wanted) return;
   const bool sameLights =
       m_room.edited ? m_room.edited->stack().newLights == wanted.newLights : wanted.newLights.empty();
-  if (!m_room.edited && wanted == EditStack{}) {
+  if (!m_room.edited && wanted.edits.empty() && wanted.newLights.empty()) {
     m_wanted = wanted;
     m_followed = true;
     return;
@@ -76,7 +80,7 @@ void EditController::follow(StudioContext& studio) {
   }
   m_wanted = wanted;
   m_followed = true;
-  setStack(studio, usable(studio, wanted));
+  setStack(studio, usable(wanted));
 }
 
 void EditController::prepare(StudioContext& studio) {
@@ -115,14 +119,15 @@ void EditController::adopt(StudioContext& studio, Room room) {
   ++m_revision;
 }
 
-EditStack EditController::usable(StudioContext& studio, const EditStack& wanted) {
+EditStack EditController::usable(const EditStack& wanted) {
   EditStack stack = fitEdits(wanted, m_set->width(), m_set->height());
+  stack.shadowThresholds = m_foundFor;
+  const auto needs = [](const auto& edit) { return usesShadows(*edit); };
+  if (std::any_of(stack.edits.begin(), stack.edits.end(), needs)) m_needsShadows = true;
   if (!m_found->empty()) return stack;
-  const auto end = std::remove_if(stack.edits.begin(), stack.edits.end(),
-                                  [](const auto& edit) { return usesShadows(*edit); });
-  if (end == stack.edits.end()) return stack;
-  stack.edits.erase(end, stack.edits.end());
-  findShadows(studio);
+  const size_t all = stack.edits.size();
+  stack.edits.erase(std::remove_if(stack.edits.begin(), stack.edits.end(), needs), stack.edits.end());
+  if (stack.edits.size() < all) m_stopped = false;  // they are needed now
   return stack;
 }
 
@@ -180,10 +185,10 @@ void EditController::refresh(StudioContext& studio, const std::vector<PixelRect>
 }
 
 std::shared_ptr<const LightShadows> EditController::shadows(StudioContext& studio, const std::string& light) {
+  m_needsShadows = true;
+  if (m_found->empty()) seekShadows(studio);
   const auto known = m_found->find(light);
-  if (known != m_found->end()) return known->second;
-  if (m_found->empty()) findShadows(studio);
-  return nullptr;
+  return known == m_found->end() ? nullptr : known->second;
 }
 
 std::shared_ptr<const MaskRaster> EditController::raster(StudioContext& studio, const MaskShape& shape) {
@@ -192,18 +197,36 @@ std::shared_ptr<const MaskRaster> EditController::raster(StudioContext& studio, 
     return nullptr;
   }
   if (m_found->empty() && usesShadows(Mask{shape})) {
-    findShadows(studio);
+    m_needsShadows = true;
+    seekShadows(studio);
     return nullptr;
   }
   return m_room.edited->ground().raster(shape);
 }
 
-void EditController::findShadows(StudioContext& studio) {
-  if (m_finding.running() || !studio.set()) return;
+bool EditController::shadowsCurrent(const StudioContext& studio) const {
+  return !m_found->empty() && m_foundFor == studio.document().edits.shadowThresholds;
+}
+
+void EditController::stopFindingShadows() {
+  m_finding.cancel();
+  m_stopped = true;
+}
+
+void EditController::seekShadows(StudioContext& studio) {
+  if (!m_needsShadows || m_stopped || shadowsCurrent(studio) || studio.editor.inGesture()) return;
+  const Thresholds& thresholds = studio.document().edits.shadowThresholds;
+  if (m_finding.running()) {
+    if (m_findingFor != thresholds) m_finding.cancel();
+    return;
+  }
+  m_findingFor = thresholds;
   m_finding.start(
-      [set = m_set](const Progress& progress) {
-        FoundOf all{set, {}};
-        std::vector<LightShadows> shadows = detectShadows(*set, {}, progress);
+      [set = m_set, thresholds](const Progress& progress) {
+        FoundOf all{set, thresholds, {}};
+        ShadowOptions options;
+        options.thresholds = thresholds;
+        std::vector<LightShadows> shadows = detectShadows(*set, options, progress);
         for (size_t i = 0; i < shadows.size(); ++i)
           all.found[set->capture.lights[i].name] =
               std::make_shared<const LightShadows>(std::move(shadows[i]));

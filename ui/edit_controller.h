@@ -27,12 +27,19 @@ class EditController {
   void prepare(StudioContext& studio);
 
   /// A light's shadows, of the set as solved; begins to look for them where nobody has yet: nullptr until
-  /// they are there.
+  /// they are there. For the document's thresholds, or still for those before.
   std::shared_ptr<const LightShadows> shadows(StudioContext& studio, const std::string& light);
   /// A shape of a mask as pixels; nullptr while there is no room for edits or the shadows are being looked
   /// for, and for shapes that are formulas. Throws InputError as MaskGround does.
   std::shared_ptr<const MaskRaster> raster(StudioContext& studio, const MaskShape& shape);
+  /// Whether shadows() are for the document's thresholds.
+  [[nodiscard]] bool shadowsCurrent(const StudioContext& studio) const;
   [[nodiscard]] bool findingShadows() const { return m_finding.running(); }
+  [[nodiscard]] float findingFraction() const { return m_finding.fraction(); }
+  /// Stops looking for shadows until somebody asks again.
+  void stopFindingShadows();
+  [[nodiscard]] bool stoppedFindingShadows() const { return m_stopped && !m_finding.running(); }
+  void findShadowsAgain() { m_stopped = false; }
   /// Something goes on after which the picture changes.
   [[nodiscard]] bool busy() const { return m_making.running() || m_finding.running(); }
   /// Counts up whenever pixels have changed.
@@ -45,8 +52,10 @@ class EditController {
     std::shared_ptr<ViewPictures> pictures;
   };
   using Found = std::map<std::string, std::shared_ptr<const LightShadows>>;
+  using Thresholds = std::map<std::string, float>;
   struct FoundOf {
     std::shared_ptr<const SolvedSet> set;
+    Thresholds thresholds;
     Found found;
   };
 
@@ -55,9 +64,10 @@ class EditController {
   [[nodiscard]] static Room makeRoom(std::shared_ptr<const SolvedSet> set, std::shared_ptr<Found> found,
                                      const std::vector<std::string>& newLights);
   void adopt(StudioContext& studio, Room room);
-  void findShadows(StudioContext& studio);
+  /// Looks for shadows where somebody needs them and there are none for the thresholds of now.
+  void seekShadows(StudioContext& studio);
   /// What of the document can be shown now.
-  [[nodiscard]] EditStack usable(StudioContext& studio, const EditStack& wanted);
+  [[nodiscard]] EditStack usable(const EditStack& wanted);
   void setStack(StudioContext& studio, const EditStack& stack);
   void update(StudioContext& studio, const PixelRect& visible);
   void refresh(StudioContext& studio, const std::vector<PixelRect>& changed);
@@ -68,7 +78,11 @@ class EditController {
   EditStack m_wanted;  ///< the document's when it was looked at last
   bool m_followed = false;
   std::shared_ptr<Found> m_found = std::make_shared<Found>();
-  std::string m_complaint;  ///< about the edits, said already
+  Thresholds m_foundFor;        ///< thresholds of what was found
+  Thresholds m_findingFor;      ///< thresholds of what is looked for
+  bool m_needsShadows = false;  ///< somebody has asked for them
+  bool m_stopped = false;       ///< the person has stopped the search
+  std::string m_complaint;      ///< about the edits, said already
   uint64_t m_revision = 0;
   Job<Room> m_making;
   Job<FoundOf> m_finding;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "ui/edit_parameters.h"
 #include "ui/icons.h"
 #include "ui/layout_probe.h"
 #include "ui/theme.h"
@@ -16,6 +17,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kRowHeight = 44;
+constexpr float kLeastHeight = 140;  ///< of the list, below whatever else the panel holds
 constexpr const char* kDragged = "swaplight edit";
 
 std::string operationWords(const Edit& edit) {
@@ -25,7 +27,10 @@ std::string operationWords(const Edit& edit) {
     return fill->value == 0 ? "none" : fmt::format("to {:.0f} %", 100 * fill->value);
   if (const auto* shadow = std::get_if<ShadowOperation>(&edit.operation)) {
     constexpr const char* kWords[] = {"lighten", "deepen", "soften", "sharpen", "recolour"};
-    return std::string("shadows: ") + kWords[static_cast<size_t>(shadow->kind)];
+    const std::string how = shadow->kind == ShadowOperation::Kind::Soften
+                                ? fmt::format("{} px", shadow->radius)
+                                : fmt::format("{:.0f} %", 100 * shadow->amount);
+    return fmt::format("{} {}", kWords[static_cast<size_t>(shadow->kind)], how);
   }
   return operationName(edit.operation);
 }
@@ -149,12 +154,16 @@ bool drawRow(StudioContext& studio, size_t index) {
   // All of the row but the eye: what can be dragged would take the eye's clicks.
   const float eye = px(36);
   ImGui::SetCursorPos(ImVec2(start.x + eye, start.y));
-  if (ImGui::InvisibleButton("##row", ImVec2(size.x - eye, size.y)))
+  if (ImGui::InvisibleButton("##row", ImVec2(size.x - eye, size.y))) {
     state.chosen = chosen ? -1 : static_cast<int>(index);
+    state.focused = true;
+  }
   ImGui::SetItemAllowOverlap();
   markItem(mark);
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    state.chosen = static_cast<int>(index);
     beginRename(state, index, *edit);
+  }
   if (dragAndDrop(studio, index)) return false;
   if (ImGui::BeginPopupContextItem("##menu")) {
     menu(studio, index);
@@ -181,26 +190,11 @@ bool drawRow(StudioContext& studio, size_t index) {
     ImGui::PopClipRect();
   }
   ImGui::SetCursorPos(ImVec2(start.x, start.y + size.y + px(4)));
-  return true;
-}
-
-void opacity(StudioContext& studio) {
-  const EditStack& edits = studio.document().edits;
-  const int chosen = studio.editing.chosen;
-  if (chosen < 0 || chosen >= static_cast<int>(edits.edits.size())) return;
-  const auto index = static_cast<size_t>(chosen);
-  float percent = 100 * edits.edits[index]->opacity;
-  ImGui::AlignTextToFramePadding();
-  hint("Opacity");
-  ImGui::SameLine(px(70));
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  if (ImGui::SliderFloat("##opacity", &percent, 0, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
-    Edit edit = *edits.edits[index];
-    edit.opacity = percent / 100;
-    previewEdit(studio, index, nameOf(edit) + ": opacity", std::move(edit));
+  if (chosen && state.renaming != static_cast<int>(index)) {
+    drawEditParameters(studio, index);
+    ImGui::Dummy(ImVec2(0, px(4)));
   }
-  markItem("edits.opacity");
-  tooltip("How much of the chosen edit is seen.");
+  return true;
 }
 
 }  // namespace
@@ -223,15 +217,25 @@ void previewEdit(StudioContext& studio, size_t index, const std::string& step, E
   studio.editor.preview(step, std::move(next));
 }
 
+void renameEdit(StudioContext& studio, size_t index) {
+  beginRename(studio.editing, index, *studio.document().edits.edits[index]);
+}
+
+void deleteEdit(StudioContext& studio, size_t index) {
+  remove(studio, index);
+}
+
 void drawEditList(StudioContext& studio) {
+  // Clicks elsewhere take the keys away from the list.
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows))
+    studio.editing.focused = false;
   const size_t count = studio.document().edits.edits.size();
   if (studio.editing.chosen >= static_cast<int>(count)) studio.editing.chosen = -1;
   if (count == 0) {
-    hint("None yet: take the brush and paint.");
+    hint("None yet: paint, change shadows,\nor add one.");
     return;
   }
-  opacity(studio);
-  ImGui::BeginChild("##edits");
+  ImGui::BeginChild("##edits", ImVec2(0, std::max(ImGui::GetContentRegionAvail().y, px(kLeastHeight))));
   for (size_t i = count; i-- > 0;) {
     ImGui::PushID(static_cast<int>(i));
     const bool same = drawRow(studio, i);

@@ -7,6 +7,10 @@ namespace swaplight {
 /// The edits of the document, the last on top: on or off, name, order, opacity.
 void drawEditList(StudioContext& studio);
 
+/// Begins to type another name for an edit of the list.
+void renameEdit(StudioContext& studio, size_t index);
+void deleteEdit(StudioContext& studio, size_t index);
+
 /// Changes the list as one step.
 void editEdits(StudioContext& studio, const std::string& step, EditStack edits);
 /// Changes an edit of the list as one step.

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "ui/brush_state.h"
+#include "ui/curve_widget.h"
 #include "ui/selection_state.h"
+#include "ui/shadow_state.h"
 #include "ui/stencil_state.h"
 
 namespace swaplight {
@@ -13,10 +17,14 @@ struct EditsState {
   BrushState brush;
   StencilState stencil;
   SelectionState selection;
-  int chosen = -1;    ///< edit of the list; -1: none
-  int renaming = -1;  ///< the edit whose name is being typed
+  ShadowState shadow;
+  int chosen = -1;       ///< edit of the list; -1: none
+  bool focused = false;  ///< the list was clicked last: keys are for its chosen edit
+  int renaming = -1;     ///< the edit whose name is being typed
   bool nameFocused = false;
   std::string name;  ///< what has been typed
+  CurveGrab curve;
+  std::map<int, std::vector<float>> histograms;  ///< of beta, by light; -1: all
 };
 
 }  // namespace swaplight

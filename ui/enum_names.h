@@ -21,7 +21,7 @@ template <typename Enum, size_t N>
 }
 
 /// Of ViewSubject::Kind.
-inline constexpr std::array<const char*, 8> kSubjectNames = {
-    "relit", "contribution", "beta", "reflectance", "residual", "sigma", "flags", "photograph"};
+inline constexpr std::array<const char*, 9> kSubjectNames = {
+    "relit", "contribution", "beta", "reflectance", "residual", "sigma", "flags", "photograph", "visibility"};
 
 }  // namespace swaplight

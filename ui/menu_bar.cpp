@@ -24,7 +24,7 @@ const std::vector<Menu>& menus() {
         "file.close", "file.quit"}},
       {"Edit",
        {"edit.undo", "edit.redo", "edit.history", "-", "brush.take", "stencil.take", "brush.new_light", "-",
-        "select.take", "select.invert", "select.clear", "-", "view.edits"}},
+        "select.take", "select.invert", "select.clear", "-", "view.shadows", "view.edits"}},
       {"Lights",
        {"light.solo",
         "light.solo_alone",
@@ -72,8 +72,8 @@ const std::vector<Menu>& menus() {
        {"compare.off", "compare.wipe", "compare.split", "compare.difference", "compare.toggle", "-",
         "compare.keep", "side_b", "compare.center_line"}},
       {"Window",
-       {"view.mixer", "view.three_point", "view.scopes", "view.gallery", "view.edits", "view.tools",
-        "scopes.region", "-", "view.hide_panels", "view.full_screen", "window.reset"}},
+       {"view.mixer", "view.three_point", "view.scopes", "view.gallery", "view.edits", "view.shadows",
+        "view.tools", "scopes.region", "-", "view.hide_panels", "view.full_screen", "window.reset"}},
       {"Help", {"help.palette", "help.keys", "help.about"}},
   };
   return all;

@@ -47,6 +47,7 @@ PanelLayout readPanelLayout(const std::filesystem::path& file) {
     layout.scopes = json.value("scopes", layout.scopes);
     layout.tools = json.value("tools", layout.tools);
     layout.edits = json.value("edits", layout.edits);
+    layout.shadows = json.value("shadows", layout.shadows);
     layout.gallery = json.value("gallery", layout.gallery);
     layout.threePoint = json.value("three_point", layout.threePoint);
     if (json.contains("scope_options")) layout.scopeOptions = scopeOptionsFromJson(json["scope_options"]);
@@ -65,6 +66,7 @@ void writePanelLayout(const PanelLayout& layout, const std::filesystem::path& fi
                    {"scopes", layout.scopes},
                    {"tools", layout.tools},
                    {"edits", layout.edits},
+                   {"shadows", layout.shadows},
                    {"gallery", layout.gallery},
                    {"three_point", layout.threePoint},
                    {"scope_options", jsonFromScopeOptions(layout.scopeOptions)},

@@ -21,6 +21,7 @@ struct PanelLayout {
   bool scopes = false;
   bool tools = true;
   bool edits = false;
+  bool shadows = false;  ///< over the list of the edits
   bool gallery = false;
   bool threePoint = false;  ///< in the place of the light's colour
   bool hidden = false;      ///< everything but the viewer

@@ -6,6 +6,8 @@ void StudioWindow::addActions() {
   addFileActions();
   addBrushActions();  // before the viewer's: while the brush is in the hand digits are its opacity
   addSelectionActions();
+  addShadowActions();
+  addEditActions();  // before the lights': F2 is for the list that was clicked last
   addLightActions();
   addViewActions();
   addCompareActions();

@@ -12,6 +12,7 @@
 #include "ui/panel_layout.h"
 #include "ui/session_controller.h"
 #include "ui/set_controller.h"
+#include "ui/shadow_controller.h"
 #include "ui/subject_pictures.h"
 #include "ui/tool.h"
 #include "ui/view_state.h"
@@ -51,6 +52,7 @@ struct StudioContext {
   EditController& edits;
   EditsState& editing;
   const ColorChoice& colors;
+  ShadowController& shadows;
 
   [[nodiscard]] const Document& document() const { return editor.document(); }
   [[nodiscard]] const OpenSet* set() const { return session.set(); }

@@ -18,7 +18,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kToolbarWidth = 46;
-constexpr float kEditsWidth = 236;
+constexpr float kEditsWidth = 248;
 constexpr float kSplitter = 4;
 constexpr float kLeastViewer = 160;  ///< height that the viewer keeps, however small the window
 

@@ -40,6 +40,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_exports([&screen] { screen.wake(); }),
       m_subjects([&screen] { screen.wake(); }),
       m_edits([&screen] { screen.wake(); }),
+      m_shadows([&screen] { screen.wake(); }),
       m_scopes([&screen] { screen.wake(); }),
       m_context{m_editor,  m_view,     m_layout,
                 m_session, m_sets,     *m_pictures,
@@ -47,7 +48,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
                 m_shown,   m_mixer,    m_tool,
                 m_viewer,  m_subjects, m_table,
                 m_looks,   m_edits,    m_editing,
-                m_colors},
+                m_colors,  m_shadows},
       m_export(stateFolder() / "export.json"),
       m_wizard([&screen] { screen.wake(); }),
       m_keys(configFolder() / "keys.txt") {
@@ -220,6 +221,7 @@ void StudioWindow::frame() {
     m_editing.brush.last.reset();
     m_editing.selection.outlineKnown = false;
     m_editing.chosen = -1;
+    m_editing.histograms.clear();
   }
   if (m_setShown != m_session.setRevision() || m_subjectsShown != m_subjects.revision()) m_pictures->forget();
   m_setShown = m_session.setRevision();

@@ -34,9 +34,10 @@ class StudioWindow {
   void open(const std::filesystem::path& path);
   /// Shows the wizard for a folder of photographs, whether or not there is a capture in it.
   void bringIn(const std::filesystem::path& folder) { m_wizard.start(folder); }
-  /// Something is being read, solved, guessed, saved or exported.
+  /// Something is being read, solved, guessed, looked for, saved or exported.
   [[nodiscard]] bool busy() const {
-    return m_sets.busy() || m_wizard.busy() || m_edits.busy() || m_session.saving() || m_exports.busy();
+    return m_sets.busy() || m_wizard.busy() || m_edits.busy() || m_shadows.busy() || m_session.saving() ||
+           m_exports.busy();
   }
 
   /// Ends the studio, after asking what to do with unsaved work.
@@ -60,6 +61,8 @@ class StudioWindow {
   void addBrushActions();
   void addSelectionActions();
   void askForStencilPicture();
+  void addShadowActions();
+  void addEditActions();
   void drawToolbar();
   void drawPanels();
   /// Does it at once, or after the person has decided about unsaved work.
@@ -73,6 +76,7 @@ class StudioWindow {
   void askForGels();
   void askForColorConfig();
   void useColorConfig(const std::filesystem::path& file);
+  void askForBetaMap(const std::function<void(const std::string&)>& answer);
 
   Screen& m_screen;
   std::filesystem::path m_layoutFile;
@@ -100,6 +104,7 @@ class StudioWindow {
   LookState m_looks;
   EditController m_edits;
   EditsState m_editing;
+  ShadowController m_shadows;
   ScopesPanel m_scopes;
   GalleryPanel m_gallery;
   StudioContext m_context;

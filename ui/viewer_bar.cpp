@@ -137,8 +137,9 @@ void drawSubjectMenu(StudioContext& studio, bool sideB) {
     if (subjectLine(studio, {Kind::Photograph, shot}, current == ViewSubject{Kind::Photograph, shot}))
       choose({Kind::Photograph, shot});
   ImGui::Separator();
-  for (const Kind kind : {Kind::Contribution, Kind::Beta}) {
-    for (int light = 0; light < set->solved->lightCount(); ++light)
+  for (const Kind kind : {Kind::Contribution, Kind::Beta, Kind::Visibility}) {
+    const SolvedSet& of = kind == Kind::Visibility ? *set->original : *set->solved;
+    for (int light = 0; light < of.lightCount(); ++light)
       if (subjectLine(studio, {kind, light}, current == ViewSubject{kind, light})) choose({kind, light});
     ImGui::Separator();
   }

@@ -8,6 +8,7 @@
 #include "ui/pick_tool.h"
 #include "ui/selection_tool.h"
 #include "ui/stencil_tool.h"
+#include "ui/shadow_edit.h"
 #include "ui/theme.h"
 #include "ui/viewer_request.h"
 
@@ -20,6 +21,7 @@ constexpr double kWheelStep = 1.15;  // zoom a notch of the wheel
 constexpr float kStopsPerPixel = 0.01F;
 constexpr float kHandleReach = 9;  // pixels at scale 1
 constexpr float kTurnDistance = 90;
+constexpr float kClickReach = 4;  ///< a button that was held over more is a drag
 
 float distance(ImVec2 a, ImVec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
@@ -141,6 +143,10 @@ void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 o
       if (grab == Grab::Region) drawRegion(studio, window, origin, true);
     }
   }
+  const bool clicked = hovered && grab == Grab::Pan && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+                       io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < px(kClickReach) * px(kClickReach);
+  if (clicked && shadowsShown(studio))
+    if (const auto pixel = pixelAt(studio, window, origin)) studio.shadows.choose(studio, pixel->x, pixel->y);
   if (!io.MouseDown[ImGuiMouseButton_Left] && !io.MouseDown[ImGuiMouseButton_Middle]) grab = Grab::None;
   drag(studio, window, origin);
   if (!hovered || paints || selects || places) return;

@@ -12,6 +12,7 @@
 #include "ui/layout_probe.h"
 #include "ui/selection_tool.h"
 #include "ui/stencil_tool.h"
+#include "ui/shadow_overlay.h"
 #include "ui/theme.h"
 #include "ui/viewer_mouse.h"
 #include "ui/viewer_request.h"
@@ -163,6 +164,7 @@ void drawRegion(StudioContext& studio, const ViewWindow& window, ImVec2 origin) 
 }  // namespace
 
 void drawViewerOverlay(StudioContext& studio, const ViewWindow& window, ImVec2 origin, ImVec2 size) {
+  drawShadowOverlay(studio, window, origin, size);
   drawRegion(studio, window, origin);
   if (studio.view.compare.mode == CompareState::Mode::Wipe) drawWipe(studio, window, origin, size);
   drawSides(studio, origin, size);

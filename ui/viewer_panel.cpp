@@ -1,5 +1,6 @@
 #include "ui/viewer_panel.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -141,6 +142,7 @@ void drawViewerPanel(StudioContext& studio) {
   handleViewerMouse(studio, seen(), under);
   const ViewWindow window = seen();
   studio.shown = {true, window, under.x, under.y, ImGui::IsItemHovered(), studio.editor.revision()};
+  markState("viewer.window", fmt::format("{} {} {}", window.left, window.top, window.zoom));
   studio.edits.show(studio, visiblePart(window));
   drawPanes(studio, window, origin);
   drawViewerOverlay(studio, window, origin, size);

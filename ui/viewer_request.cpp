@@ -18,6 +18,10 @@ std::optional<LayeredPicture> sidePicture(StudioContext& studio, ViewSubject sub
   if (subject.kind == ViewSubject::Kind::Relit || subject.kind == ViewSubject::Kind::Contribution)
     return LayeredPicture{set.pictures->layers(subject, rigFactors(rig, colorSpace), rig.ambient),
                           colorSpace};
+  if (subject.kind == ViewSubject::Kind::Visibility) {
+    const Pyramid* visibility = studio.shadows.visibility(studio, subject.index);
+    return visibility ? std::optional(LayeredPicture{{{visibility, Rgb(1)}}, ""}) : std::nullopt;
+  }
   const SubjectPictures::Shown* shown = studio.subjects.picture(set, subject);
   if (!shown) return std::nullopt;
   const bool picture =
@@ -72,6 +76,8 @@ std::string subjectWords(const StudioContext& studio, const ViewSubject& subject
       return "Light: " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Beta:
       return "\u03b2 of " + lightTitle(studio, subject.index);
+    case ViewSubject::Kind::Visibility:
+      return "Reach of " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Reflectance:
       return "Reflectance";
     case ViewSubject::Kind::Residual:

@@ -1,0 +1,40 @@
+"""What the command line finds of a light's shadows, for tests that click on them."""
+import os
+import subprocess
+
+import numpy as np
+import OpenImageIO as oiio
+
+from studio_session import PROGRAM
+
+
+def read_float(path):
+    source = oiio.ImageInput.open(path)
+    assert source, oiio.geterror()
+    spec = source.spec()
+    pixels = np.asarray(source.read_image('float')).reshape(spec.height, spec.width, spec.nchannels)
+    source.close()
+    return pixels, spec.channelnames
+
+
+def labels_of(capture, light, folder, *arguments):
+    """height x width: 0 unknown, 1 umbra, 2 penumbra, 3 lit."""
+    out = os.path.join(folder, 'shadows.exr')
+    subprocess.run([PROGRAM, 'shadows', capture, '-o', out, '-q', *arguments], check=True)
+    pixels, names = read_float(out)
+    return np.rint(pixels[..., list(names).index(f'shadow_{light}.label')]).astype(int)
+
+
+def deepest(mask):
+    """x, y of the middle of the largest square that lies wholly in the mask, and half its side."""
+    sums = np.zeros((mask.shape[0] + 1, mask.shape[1] + 1), int)
+    sums[1:, 1:] = mask.astype(int).cumsum(0).cumsum(1)
+    best = None
+    for half in range(1, 60):
+        side = 2 * half + 1
+        whole = sums[side:, side:] - sums[:-side, side:] - sums[side:, :-side] + sums[:-side, :-side] == side * side
+        if not whole.any():
+            break
+        y, x = np.argwhere(whole)[0]
+        best = (int(x) + half, int(y) + half, half)
+    return best

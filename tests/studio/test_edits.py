@@ -1,0 +1,215 @@
+"""The list of edits in a real window: every kind is added and changed, the curve, names, order."""
+import json
+import os
+import subprocess
+import unittest
+
+import numpy as np
+
+from shadow_truth import read_float
+from studio_session import PROGRAM, StudioTest
+
+
+class Edits(StudioTest):
+    def open_list(self, light='key', name='three_point'):
+        studio = self.open_sample(name)
+        studio.click(f'mixer.{light}.chip')
+        studio.move(*studio.point('viewer.picture', 0.5, 0.02))
+        studio.key('F4')
+        studio.item('edits.add')
+        return studio
+
+    def add(self, kind):
+        self.studio.click('edits.add')
+        self.studio.item('add.' + kind)
+        self.studio.settle()
+        self.studio.click('add.' + kind)
+        self.studio.settle()
+
+    def save(self, name):
+        path = self.path(name + '.swaplight')
+        self.studio.key('ctrl+shift+s')
+        self.studio.item('chooser.name')
+        self.studio.key('ctrl+a')
+        self.studio.type(path)
+        self.studio.key('Return')
+        self.studio.wait(lambda layout: layout.get('title', '').startswith(name), 'the session has a name')
+        with open(path) as file:
+            return path, json.load(file)['edits']['edits']
+
+    def same_as_command_line(self, session):
+        frame, line = self.path('studio.exr'), self.path('line.exr')
+        self.studio.key('ctrl+e')
+        self.studio.item('chooser.name')
+        self.studio.key('ctrl+a')
+        self.studio.type(frame)
+        self.studio.key('Return')
+        self.studio.wait(lambda layout: os.path.exists(frame), 'the frame')
+        self.studio.settle()
+        subprocess.run([PROGRAM, 'relight', '--session', session, '-o', line, '-q'], check=True)
+        np.testing.assert_array_equal(read_float(frame)[0], read_float(line)[0])
+
+    def curve_at(self, x, y):
+        """Where a point of the curve lies on the screen; y up."""
+        x0, y0, x1, y1 = self.studio.item('curve')
+        air = 5
+        return round(x0 + air + x * (x1 - x0 - 2 * air)), round(y1 - air - y * (y1 - y0 - 2 * air))
+
+    def drag_slider(self, item, start, end):
+        self.studio.drag(self.studio.point(item, start), self.studio.point(item, end))
+
+    def test_points_of_a_curve_are_added_dragged_and_removed(self):
+        studio = self.open_list()
+        before = studio.picture('curve_before')
+        self.add('curve')
+        studio.item('curve.point.1')
+        self.assertLess(np.abs(studio.picture('curve_identity') - before).mean(), 0.5, 'a new curve changes nothing')
+        studio.click('parameters.add')  # white lights that share leave the picture as it is
+        studio.click_at(*self.curve_at(0.5, 0.5))
+        studio.item('curve.point.2')
+        studio.drag(self.curve_at(0.5, 0.5), self.curve_at(0.45, 0.1))
+        studio.move(*studio.point('viewer.picture', 0.5, 0.02))
+        bent = studio.picture('curve_bent')
+        self.assertGreater(np.abs(bent - before).mean(), 0.3)
+        path, edits = self.save('bent')
+        self.assertEqual(edits[0]['operation'], 'curve')
+        self.assertEqual(len(edits[0]['points']), 3)
+        x, y = edits[0]['points'][1]
+        self.assertAlmostEqual(x, 0.45, delta=0.03)
+        self.assertAlmostEqual(y, 0.1, delta=0.03)
+        self.same_as_command_line(path)
+
+        studio.key('ctrl+z')
+        _, edits = self.save('undone')
+        self.assertAlmostEqual(edits[0]['points'][1][1], 0.5, delta=0.03, msg='a drag is one step')
+        studio.key('ctrl+shift+z')
+        # Out of the field and it is gone; a double-click does the same.
+        x0, y0, x1, y1 = studio.item('curve')
+        studio.drag(self.curve_at(0.45, 0.1), ((x0 + x1) // 2, int(y1) + 60))
+        _, edits = self.save('dragged_out')
+        self.assertEqual(edits[0]['points'], [[0, 0], [1, 1]])
+        studio.click_at(*self.curve_at(0.3, 0.6))
+        studio.item('curve.point.2')
+        studio.settle()
+        studio.move(*self.curve_at(0.3, 0.6))
+        studio.xdotool('click', '--repeat', '2', '--delay', '80', '1')
+        studio.wait(lambda layout: 'curve.point.2' not in layout['items'], 'a double-click removes the point')
+        studio.click_at(*self.curve_at(0.3, 0.6))
+        studio.item('curve.point.2')
+        studio.click('curve.reset')
+        _, edits = self.save('straight')
+        self.assertEqual(edits[0]['points'], [[0, 0], [1, 1]])
+
+    def test_every_kind_is_added_and_its_numbers_changed(self):
+        studio = self.open_list()
+        self.add('gain')
+        self.drag_slider('parameters.gain', 0.25, 0.5)
+        self.drag_slider('parameters.offset', 0.5, 0.6)
+        studio.click('parameters.add')
+        self.add('fill')
+        self.drag_slider('parameters.fill', 0.25, 0.4)
+        self.drag_slider('edits.opacity', 0.98, 0.5)
+        self.add('blur')
+        self.drag_slider('parameters.radius', 0.3, 0.7)
+        self.add('sharpen')
+        self.drag_slider('parameters.amount', 0.25, 0.75)
+        self.add('invert')
+        studio.click('parameters.lights')
+        studio.item('parameters.lights.fill')
+        studio.settle()
+        studio.click('parameters.lights.fill')
+        studio.click('edits.4', x=0.7, y=0.2)  # beside the list of lights: closes it
+        studio.settle()
+        studio.click('place')
+        studio.item('place.rectangle')
+        studio.settle()
+        studio.click('place.rectangle')
+        studio.item('place.x')
+        studio.click('place.outside')
+        studio.screenshot('edits_every_kind')
+        path, edits = self.save('kinds')
+        self.assertEqual([edit['operation'] for edit in edits], ['gain', 'fill', 'blur', 'sharpen', 'invert'])
+        gain, fill, blur, sharpen, invert = edits
+        self.assertAlmostEqual(gain['gain'], 2, delta=0.15)
+        self.assertAlmostEqual(gain['offset'], 0.2, delta=0.05)
+        self.assertEqual(gain['meaning'], 'add')
+        self.assertAlmostEqual(fill['value'], 0.8, delta=0.05)
+        self.assertAlmostEqual(fill['opacity'], 0.5, delta=0.04)
+        self.assertGreater(blur['radius'], 20)
+        self.assertAlmostEqual(sharpen['amount'], 3, delta=0.15)
+        self.assertEqual(invert['lights'], ['key', 'fill'])
+        self.assertEqual(invert['mask'][0]['shape'], 'rectangle')
+        self.assertTrue(invert['mask'][0]['invert'])
+        self.same_as_command_line(path)
+
+    def test_the_other_lights_give_way_or_stay(self):
+        studio = self.open_list()
+        before = studio.picture('edits_fill_before')
+        self.add('fill')
+        self.drag_slider('parameters.fill', 0.25, 0.02)
+        studio.move(*studio.point('viewer.picture', 0.5, 0.02))
+        self.assertLess(np.abs(studio.picture('edits_filled') - before)[:, 10:-10].mean(), 0.6,
+                        'under white lights the others give what it loses')
+        studio.click('parameters.add')
+        studio.move(*studio.point('viewer.picture', 0.5, 0.02))
+        self.assertLess(studio.picture('edits_light_gone').mean(), before.mean() - 5)
+
+    def test_edits_are_renamed_by_f2_and_by_a_double_click(self):
+        studio = self.open_list()
+        self.add('blur')
+        self.add('gain')
+        studio.click('edits.0', x=0.6, y=0.5)
+        studio.key('F2')
+        studio.item('edits.name_field')
+        studio.key('ctrl+a')
+        studio.type('Soft key')
+        studio.key('Return')
+        studio.wait(lambda layout: 'edits.name_field' not in layout['items'], 'the name is taken')
+        studio.move(*studio.point('edits.1', 0.6, 0.5))
+        studio.xdotool('click', '--repeat', '2', '--delay', '80', '1')
+        studio.item('edits.name_field')
+        studio.key('ctrl+a')
+        studio.type('Stronger')
+        studio.key('Return')
+        _, edits = self.save('names')
+        self.assertEqual([edit['name'] for edit in edits], ['Soft key', 'Stronger'])
+        # Escape keeps the name; a click into the mixer gives F2 back to the light.
+        studio.click('edits.0', x=0.6, y=0.5)
+        studio.key('F2')
+        studio.item('edits.name_field')
+        studio.type('no')
+        studio.key('Escape')
+        studio.wait(lambda layout: 'edits.name_field' not in layout['items'], 'the name is kept')
+        studio.click('mixer.fill.chip')
+        studio.key('F2')
+        studio.settle()
+        self.assertFalse(studio.has('edits.name_field'))
+        studio.key('Escape')
+        _, edits = self.save('names_kept')
+        self.assertEqual([edit['name'] for edit in edits], ['Soft key', 'Stronger'])
+
+    def test_edits_are_put_into_another_order_by_dragging(self):
+        studio = self.open_list()
+        for kind in ('fill', 'gain', 'invert'):
+            self.add(kind)
+        studio.click('edits.2', x=0.6, y=0.5)  # closes it: rows alone
+        studio.settle()
+        before = studio.picture('order_before')
+        studio.drag(studio.point('edits.0', 0.5), studio.point('edits.2', 0.5))
+        studio.settle()
+        path, edits = self.save('order')
+        self.assertEqual([edit['operation'] for edit in edits], ['gain', 'invert', 'fill'])
+        self.same_as_command_line(path)
+        studio.key('ctrl+z')
+        studio.settle()
+        self.assertLess(np.abs(studio.picture('order_undone') - before)[:, 10:-10].mean(), 0.5)
+        _, edits = self.save('order_back')
+        self.assertEqual([edit['operation'] for edit in edits], ['fill', 'gain', 'invert'])
+        studio.click('edits.1', x=0.6, y=0.5)
+        studio.key('Delete')
+        _, edits = self.save('deleted')
+        self.assertEqual([edit['operation'] for edit in edits], ['fill', 'invert'])
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,231 @@
+"""The page of shadows and beta in a real window: outlines where shadows are, thresholds, a shadow that is clicked and changed."""
+import json
+import os
+import subprocess
+import unittest
+
+import numpy as np
+
+from shadow_truth import deepest, labels_of, read_float
+from studio_session import PROGRAM, SAMPLES, StudioTest
+
+UMBRA = np.array([60, 214, 255])
+SET = os.path.join(SAMPLES, 'three_point')
+LIGHT = 'key'
+
+
+class Shadows(StudioTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        import tempfile
+        cls.scratch = tempfile.TemporaryDirectory(prefix='swaplight-shadows-')
+        cls.labels = labels_of(os.path.join(SET, 'capture.json'), LIGHT, cls.scratch.name)
+        cls.spot = deepest(cls.labels == 1)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+        super().tearDownClass()
+
+    def open_page(self):
+        studio = self.open_sample()
+        studio.click(f'mixer.{LIGHT}.chip')
+        studio.move(*studio.point('viewer.picture', 0.5, 0.02))
+        studio.key('F3')
+        studio.item('shadows.histogram')
+        self.found()
+        return studio
+
+    def found(self):
+        self.studio.wait(lambda layout: 'button.shadows.outlines' in layout['items'] and layout.get('shadows.outlines') == 'drawn',
+                         'the shadows are found')
+        self.studio.settle()
+
+    def window(self):
+        return [float(number) for number in self.studio.state('viewer.window').split()]
+
+    def screen_of(self, x, y):
+        """Where a pixel of the picture is on the screen."""
+        left, top, zoom = self.window()
+        x0, y0, _, _ = self.studio.item('viewer')
+        return round(x0 + (x + 0.5 - left) * zoom), round(y0 + (y + 0.5 - top) * zoom)
+
+    def click_pixel(self, x, y):
+        self.studio.click_at(*self.screen_of(x, y))
+
+    def save(self, name):
+        path = self.path(name + '.swaplight')
+        self.studio.key('ctrl+shift+s')
+        self.studio.item('chooser.name')
+        self.studio.key('ctrl+a')
+        self.studio.type(path)
+        self.studio.key('Return')
+        self.studio.wait(lambda layout: layout.get('title', '').startswith(name), 'the session has a name')
+        with open(path) as file:
+            return path, json.load(file)
+
+    def export(self, name):
+        frame = self.path(name)
+        self.studio.key('ctrl+e')
+        self.studio.item('chooser.name')
+        self.studio.key('ctrl+a')
+        self.studio.type(frame)
+        self.studio.key('Return')
+        self.studio.wait(lambda layout: os.path.exists(frame), 'the frame')
+        self.studio.settle()
+        return frame
+
+    def around(self, picture, grow=0):
+        """The mean of the picture on the screen where the shadow is deepest."""
+        x, y, half = self.spot
+        half = max(1, half - 1 + grow)
+        x0, y0, _, _ = map(int, self.studio.item('viewer.picture'))
+        a, b = self.screen_of(x - half, y - half), self.screen_of(x + half, y + half)
+        return picture[a[1] - y0:b[1] - y0, a[0] - x0:b[0] - x0].mean()
+
+    def check_outlines(self, name):
+        """Every bright line on the screen lies on a border of the umbra."""
+        shot = self.studio.screenshot(name)
+        x0, y0, x1, y1 = map(int, self.studio.item('viewer.picture'))
+        legend = list(map(int, self.studio.item('shadows.legend')))
+        lines = np.abs(shot - UMBRA).max(2) < 40
+        lines[:y0] = lines[y1:] = False
+        lines[:, :x0] = lines[:, x1:] = False
+        lines[legend[1]:legend[3], legend[0]:legend[2]] = False
+        self.assertGreater(lines.sum(), 100, 'there are outlines')
+        umbra = self.labels == 1
+        left, top, zoom = self.window()
+        vx, vy, _, _ = self.studio.item('viewer')
+        ys, xs = np.nonzero(lines)
+        px, py = (xs + 0.5 - vx) / zoom + left, (ys + 0.5 - vy) / zoom + top
+        near = np.zeros(len(px), bool)
+        reach = int(np.ceil(2 / zoom)) + 1
+        height, width = umbra.shape
+        values = []
+        for dy in range(-reach, reach + 1):
+            for dx in range(-reach, reach + 1):
+                values.append(umbra[np.clip((py + dy).astype(int), 0, height - 1), np.clip((px + dx).astype(int), 0, width - 1)])
+        near = np.any(values, 0) & ~np.all(values, 0)
+        rim = (px < 3) | (py < 3) | (px > width - 3) | (py > height - 3)
+        self.assertGreater((near | rim).mean(), 0.97, 'lines lie on borders')
+
+    def test_outlines_lie_on_the_shadows_under_zoom_and_pan(self):
+        studio = self.open_page()
+        self.check_outlines('shadows_page')
+        x, y, _ = self.spot
+        studio.move(*self.screen_of(x, y))
+        for _ in range(8):
+            studio.xdotool('click', 4)
+        studio.settle()
+        self.check_outlines('shadows_zoomed')
+        at = studio.point('viewer.picture', 0.5, 0.5)
+        studio.drag(at, (at[0] + 60, at[1] + 30))
+        self.check_outlines('shadows_panned')
+        studio.key('shift+F3')
+        shot = studio.screenshot('shadows_no_outlines')
+        self.assertFalse(studio.has('shadows.legend'))
+        x0, y0, x1, y1 = map(int, studio.item('viewer.picture'))
+        self.assertLess((np.abs(shot[y0:y1, x0:x1] - UMBRA).max(2) < 40).sum(), 20)
+
+    def test_the_threshold_is_dragged_saved_and_found_again(self):
+        studio = self.open_page()
+        x0, y0, x1, y1 = studio.item('shadows.threshold')
+        h0, _, h1, _ = studio.item('shadows.histogram')
+        middle, height = (x0 + x1) // 2, (y0 + y1) // 2
+        studio.drag((middle, height), (round(middle + 0.12 * (h1 - h0)), height))
+        self.found()
+        studio.screenshot('shadows_threshold')
+        _, session = self.save('threshold')
+        moved = session['edits']['shadow_thresholds']
+        self.assertEqual(list(moved), [LIGHT])
+        self.assertGreater(studio.item('shadows.threshold')[0], x0 + 10)
+        self.labels = labels_of(os.path.join(SET, 'capture.json'), LIGHT, self.folder, '--threshold', f'{LIGHT}={moved[LIGHT]}')
+        self.check_outlines('shadows_threshold')
+        studio.key('ctrl+z')
+        studio.settle()
+        self.assertEqual(studio.item('shadows.threshold')[0], x0, 'the drag was one step')
+        studio.key('ctrl+shift+z')
+        studio.click('shadows.auto')
+        studio.settle()
+        self.assertEqual(studio.item('shadows.threshold')[0], x0)
+        _, session = self.save('automatic')
+        self.assertNotIn('shadow_thresholds', session.get('edits', {}))
+
+    def test_a_shadow_that_is_clicked_is_removed_alone(self):
+        studio = self.open_page()
+        studio.key('shift+F3')
+        before = studio.picture('shadows_before')
+        x, y, half = self.spot
+        self.click_pixel(x, y)
+        studio.item('shadows.choose_all')
+        studio.screenshot('shadows_chosen')
+        studio.click('shadows.remove')
+        self.save('removed')
+        studio.key('Escape')
+        studio.wait(lambda layout: 'shadows.choose_all' not in layout['items'], 'Escape lets go of the shadow')
+        after = studio.picture('shadows_removed')
+        self.assertGreater(self.around(after), self.around(before) + 8)
+        path, session = self.save('removed_one')
+        edits = session['edits']['edits']
+        self.assertEqual([(edit['operation'], edit['kind'], edit['amount'], edit['lights']) for edit in edits],
+                         [('shadow', 'lighten', 1, [LIGHT])])
+        self.assertEqual(edits[0]['mask'][0]['shape'], 'shadow')
+        ax, ay = edits[0]['mask'][0]['at']
+        self.assertIn(self.labels[int(ay), int(ax)], (1, 2))
+        frame = self.export('studio.exr')
+        line = self.path('line.exr')
+        subprocess.run([PROGRAM, 'relight', '--session', path, '-o', line, '-q'], check=True)
+        np.testing.assert_array_equal(read_float(frame)[0], read_float(line)[0])
+        studio.key('ctrl+z')
+        self.assertLess(abs(self.around(studio.picture('shadows_undone')) - self.around(before)), 1)
+
+    def test_each_slider_is_one_edit_and_each_drag_one_step(self):
+        studio = self.open_page()
+        studio.key('shift+F3')
+        before = studio.picture('shadows_sliders_before')
+
+        def drag(item, start, end):
+            studio.drag(studio.point(item, start), studio.point(item, end))
+
+        drag('shadows.lighten', 0.5, 0.75)
+        lightened = studio.picture('shadows_lightened')
+        self.assertGreater(self.around(lightened), self.around(before) + 3)
+        drag('shadows.lighten', 0.75, 0.1)
+        self.assertLess(self.around(studio.picture('shadows_deepened')), self.around(before) + 0.5)
+        drag('shadows.soften', 0.02, 0.8)
+        drag('shadows.sharpen', 0.02, 0.6)
+        drag('shadows.recolor', 0.02, 0.7)
+        colored = studio.picture('shadows_coloured')
+        self.assertGreater(self.around(colored), self.around(before) + 2)
+        _, session = self.save('sliders')
+        edits = session['edits']['edits']
+        self.assertEqual([edit['kind'] for edit in edits], ['deepen', 'soften', 'sharpen', 'recolor'])
+        self.assertGreater(edits[1]['radius'], 20)
+        for _ in range(4):
+            studio.key('ctrl+z')
+        self.assertLess(abs(self.around(studio.picture('shadows_one_step_left')) - self.around(lightened)), 1)
+        studio.key('ctrl+z')
+        self.assertLess(abs(self.around(studio.picture('shadows_all_undone')) - self.around(before)), 1)
+        self.assertFalse(studio.has('edits.0'))
+
+    def test_the_views_show_beta_light_and_reach(self):
+        studio = self.open_page()
+        studio.key('shift+F3')
+        pictures = {}
+        for view in ('beta', 'light', 'reach', 'picture'):
+            studio.click('shadows.view.' + view)
+            studio.settle()
+            pictures[view] = studio.picture('shadows_view_' + view)
+        lit = deepest(self.labels == 3)
+        x0, y0, _, _ = map(int, studio.item('viewer.picture'))
+        at = [tuple(np.subtract(self.screen_of(x, y), (x0, y0))) for x, y in (self.spot[:2], lit[:2])]
+        for view in ('beta', 'light', 'reach'):
+            shadow, bright = (pictures[view][y, x].mean() for x, y in at)
+            self.assertLess(shadow, bright, view)
+        self.assertLess(pictures['reach'][at[0][1], at[0][0]].mean(), 40)
+        self.assertGreater(pictures['reach'][at[1][1], at[1][0]].mean(), 200)
+
+
+if __name__ == '__main__':
+    unittest.main()

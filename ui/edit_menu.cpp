@@ -1,0 +1,94 @@
+#include "ui/edit_menu.h"
+
+#include <imgui.h>
+
+#include <array>
+
+#include "ui/edit_list.h"
+#include "ui/layout_probe.h"
+#include "ui/light_edit.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace swaplight {
+namespace {
+
+struct Choice {
+  const char* words;
+  const char* mark;
+  const char* tip;
+  Operation operation;
+  Meaning meaning;
+};
+
+const std::array<Choice, 6>& choices() {
+  static const std::array<Choice, 6> all{
+      {{"Curve", "add.curve",
+        "Less of the light where there is little, more where there is much, or as you draw it.",
+        CurveOperation{}, Meaning::Share},
+       {"Gain and offset", "add.gain", "The light's part times a number, plus a number.", GainOperation{},
+        Meaning::Share},
+       {"Fill", "add.fill", "The light has the same part of the picture everywhere; 0 % takes it away.",
+        FillOperation{0.5F}, Meaning::Share},
+       {"Invert", "add.invert",
+        "The light goes where it was not, and leaves where it was. For two lights: they change places.",
+        InvertOperation{}, Meaning::Share},
+       {"Blur", "add.blur", "The light's borders and shadows become softer.", BlurOperation{},
+        Meaning::Share},
+       {"Sharpen", "add.sharpen", "The light's borders and shadows become harder.", SharpenOperation{},
+        Meaning::Share}}};
+  return all;
+}
+
+void append(StudioContext& studio, const std::string& what, const Operation& operation, Meaning meaning) {
+  const LightSetting& light = studio.document().rig.lights[shownLight(studio)];
+  Edit edit;
+  edit.name = what + ", " + light.title();
+  edit.lights = {light.light};
+  edit.meaning = meaning;
+  edit.operation = operation;
+  // Two lights change places; a third has to be told which.
+  if (std::holds_alternative<InvertOperation>(operation) && studio.document().rig.lights.size() == 2)
+    edit.lights.clear();
+  EditStack edits = studio.document().edits;
+  edits.width = studio.set()->original->width();
+  edits.height = studio.set()->original->height();
+  edits.append(std::move(edit));
+  studio.editing.chosen = static_cast<int>(edits.edits.size()) - 1;
+  editEdits(studio, "Add: " + what, std::move(edits));
+}
+
+}  // namespace
+
+void drawAddEdit(StudioContext& studio, float width) {
+  if (ImGui::Button("Add \u2026", ImVec2(width, 0))) ImGui::OpenPopup("##add edit");
+  markItem("edits.add");
+  tooltip("A new edit of the chosen light.");
+  if (!ImGui::BeginPopup("##add edit")) return;
+  for (const Choice& choice : choices()) {
+    if (ImGui::MenuItem(choice.words)) append(studio, choice.words, choice.operation, choice.meaning);
+    markItem(choice.mark);
+    tooltip(choice.tip);
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItem("From a file \u2026")) studio.actions.run("edits.add_picture");
+  markItem("add.picture");
+  tooltip("A beta map that was edited elsewhere (`swaplight beta` writes them).");
+  if (ImGui::MenuItem("Shadows \u2026") && !studio.layout.shadows) studio.actions.run("view.shadows");
+  markItem("add.shadows");
+  tooltip("Find the light's shadows and change them.");
+  ImGui::EndPopup();
+}
+
+void addPictureEdit(StudioContext& studio, const std::string& file) {
+  append(studio, "From a file", PictureOperation{file, ""}, Meaning::Share);
+}
+
+void setPictureOfEdit(StudioContext& studio, size_t index, const std::string& file) {
+  if (index >= studio.document().edits.edits.size()) return;
+  Edit edit = *studio.document().edits.edits[index];
+  edit.operation = PictureOperation{file, ""};
+  editEdit(studio, index, "Another beta map", std::move(edit));
+}
+
+}  // namespace swaplight

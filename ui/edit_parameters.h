@@ -1,0 +1,11 @@
+#pragma once
+
+#include "ui/studio_context.h"
+
+namespace swaplight {
+
+/// What an edit of the list does, to be changed: its lights, what becomes of the others, the operation's
+/// numbers, its curve, where it acts.
+void drawEditParameters(StudioContext& studio, size_t index);
+
+}  // namespace swaplight
