@@ -137,6 +137,16 @@ bool dragAndDrop(StudioContext& studio, size_t index) {
   return moved;
 }
 
+/// Rows do not move under the mouse before a double-click has had its time.
+void choose(EditsState& state, int index) {
+  if (index >= 0) {
+    state.closing = state.chosen;
+    state.closesAt = ImGui::GetTime() + 1.2 * ImGui::GetIO().MouseDoubleClickTime;
+  }
+  state.chosen = index;
+  state.focused = true;
+}
+
 /// False where the list has changed, and the rows after it are not those that they were.
 bool drawRow(StudioContext& studio, size_t index) {
   const std::shared_ptr<const Edit> edit = studio.document().edits.edits[index];
@@ -155,8 +165,7 @@ bool drawRow(StudioContext& studio, size_t index) {
   const float eye = px(36);
   ImGui::SetCursorPos(ImVec2(start.x + eye, start.y));
   if (ImGui::InvisibleButton("##row", ImVec2(size.x - eye, size.y))) {
-    state.chosen = chosen ? -1 : static_cast<int>(index);
-    state.focused = true;
+    choose(state, chosen ? -1 : static_cast<int>(index));
   }
   ImGui::SetItemAllowOverlap();
   markItem(mark);
@@ -190,7 +199,8 @@ bool drawRow(StudioContext& studio, size_t index) {
     ImGui::PopClipRect();
   }
   ImGui::SetCursorPos(ImVec2(start.x, start.y + size.y + px(4)));
-  if (chosen && state.renaming != static_cast<int>(index)) {
+  const bool closing = state.closing == static_cast<int>(index) && ImGui::GetTime() < state.closesAt;
+  if ((chosen || closing) && state.renaming != static_cast<int>(index)) {
     drawEditParameters(studio, index);
     ImGui::Dummy(ImVec2(0, px(4)));
   }

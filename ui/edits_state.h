@@ -19,6 +19,8 @@ struct EditsState {
   SelectionState selection;
   ShadowState shadow;
   int chosen = -1;       ///< edit of the list; -1: none
+  int closing = -1;      ///< an edit that was chosen: stays open while a double-click may follow
+  double closesAt = 0;   ///< Dear ImGui's time
   bool focused = false;  ///< the list was clicked last: keys are for its chosen edit
   int renaming = -1;     ///< the edit whose name is being typed
   bool nameFocused = false;
