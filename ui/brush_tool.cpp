@@ -119,6 +119,7 @@ void beginStroke(StudioContext& studio, const StrokePoint& at) {
   stroke.points.push_back(at);
   going.painting.begin(std::move(stroke));
   brush.going = std::move(going);
+  if (studio.editing.chosen != place) studio.editing.open = false;
   studio.editing.chosen = place;
   showStroke(studio);
 }

@@ -89,6 +89,7 @@ void duplicate(StudioContext& studio, size_t index) {
   edits.edits.insert(edits.edits.begin() + static_cast<ptrdiff_t>(index) + 1,
                      std::make_shared<const Edit>(std::move(copy)));
   studio.editing.chosen = static_cast<int>(index) + 1;
+  studio.editing.open = false;
   editEdits(studio, "Duplicate: " + name, std::move(edits));
 }
 
@@ -140,7 +141,8 @@ bool dragAndDrop(StudioContext& studio, size_t index) {
 /// Rows do not move under the mouse before a double-click has had its time.
 void choose(EditsState& state, int index) {
   if (index >= 0) {
-    state.closing = state.chosen;
+    state.closing = state.open && state.chosen != index ? state.chosen : -1;
+    state.open = true;
     state.closesAt = ImGui::GetTime() + 1.2 * ImGui::GetIO().MouseDoubleClickTime;
   }
   state.chosen = index;
@@ -165,7 +167,7 @@ bool drawRow(StudioContext& studio, size_t index) {
   const float eye = px(36);
   ImGui::SetCursorPos(ImVec2(start.x + eye, start.y));
   if (ImGui::InvisibleButton("##row", ImVec2(size.x - eye, size.y))) {
-    choose(state, chosen ? -1 : static_cast<int>(index));
+    choose(state, chosen && state.open ? -1 : static_cast<int>(index));
   }
   ImGui::SetItemAllowOverlap();
   markItem(mark);
@@ -201,7 +203,7 @@ bool drawRow(StudioContext& studio, size_t index) {
   ImGui::SetCursorPos(ImVec2(start.x, start.y + size.y + px(4)));
   const bool closing = state.closing == static_cast<int>(index) && ImGui::GetTime() < state.closesAt;
   if ((chosen || closing) && state.renaming != static_cast<int>(index)) {
-    drawEditParameters(studio, index);
+    drawEditParameters(studio, index, state.open || closing);
     ImGui::Dummy(ImVec2(0, px(4)));
   }
   return true;

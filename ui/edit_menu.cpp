@@ -55,6 +55,7 @@ void append(StudioContext& studio, const std::string& what, const Operation& ope
   edits.height = studio.set()->original->height();
   edits.append(std::move(edit));
   studio.editing.chosen = static_cast<int>(edits.edits.size()) - 1;
+  studio.editing.open = true;
   editEdits(studio, "Add: " + what, std::move(edits));
 }
 

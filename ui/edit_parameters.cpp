@@ -225,7 +225,7 @@ void fields(const Parameters& of, ShadowOperation shadow) {
 
 }  // namespace
 
-void drawEditParameters(StudioContext& studio, size_t index) {
+void drawEditParameters(StudioContext& studio, size_t index, bool all) {
   const std::shared_ptr<const Edit> edit = studio.document().edits.edits[index];
   const Parameters parameters{studio, index, *edit};
   ImGui::PushID("parameters");
@@ -235,6 +235,7 @@ void drawEditParameters(StudioContext& studio, size_t index) {
     next.opacity = std::clamp(opacity, 0.F, 1.F);
     parameters.preview("opacity", std::move(next));
   }
+  if (!all) return ImGui::PopID();
   lights(parameters);
   if (!std::holds_alternative<ShadowOperation>(edit->operation)) meaning(parameters);
   std::visit([&](const auto& operation) { fields(parameters, operation); }, edit->operation);

@@ -19,6 +19,7 @@ struct EditsState {
   SelectionState selection;
   ShadowState shadow;
   int chosen = -1;       ///< edit of the list; -1: none
+  bool open = false;     ///< the chosen one shows all that can be changed, not only its opacity
   int closing = -1;      ///< an edit that was chosen: stays open while a double-click may follow
   double closesAt = 0;   ///< Dear ImGui's time
   bool focused = false;  ///< the list was clicked last: keys are for its chosen edit
