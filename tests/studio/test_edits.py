@@ -40,7 +40,7 @@ class Edits(StudioTest):
     def same_as_command_line(self, session):
         frame, line = self.path('studio.exr'), self.path('line.exr')
         self.studio.key('ctrl+e')
-        self.studio.item('chooser.name')
+        self.studio.item('export.file')
         self.studio.key('ctrl+a')
         self.studio.type(frame)
         self.studio.key('Return')

@@ -68,7 +68,7 @@ class Shadows(StudioTest):
     def export(self, name):
         frame = self.path(name)
         self.studio.key('ctrl+e')
-        self.studio.item('chooser.name')
+        self.studio.item('export.file')
         self.studio.key('ctrl+a')
         self.studio.type(frame)
         self.studio.key('Return')
