@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/edit/selection.h"
 #include "ui/edit_list.h"
 #include "ui/layout_probe.h"
 #include "ui/light_edit.h"
@@ -47,6 +48,7 @@ void append(StudioContext& studio, const std::string& what, const Operation& ope
   edit.lights = {light.light};
   edit.meaning = meaning;
   edit.operation = operation;
+  edit.mask = maskWithin({}, studio.document().selection);
   // Two lights change places; a third has to be told which.
   if (std::holds_alternative<InvertOperation>(operation) && studio.document().rig.lights.size() == 2)
     edit.lights.clear();

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/edit/selection.h"
 #include "ui/edit_list.h"
 #include "ui/layout_probe.h"
 #include "ui/theme.h"
@@ -19,9 +20,9 @@ constexpr float kLabelWidth = 62;
 std::string placeWords(const Mask& mask) {
   if (mask.empty()) return "everywhere";
   if (mask.size() > 1) return fmt::format("{} shapes", mask.size());
-  constexpr std::array<const char*, 10> kWords{"rectangle",      "ellipse",    "lasso", "gradient",
-                                               "round gradient", "pattern",    "words", "picture",
-                                               "painted",        "shadows of "};
+  constexpr std::array<const char*, 12> kWords{"rectangle",      "ellipse", "lasso", "gradient",
+                                               "round gradient", "pattern", "words", "picture",
+                                               "painted",        "shadows", "alike", "selection"};
   const MaskShape& shape = mask.front();
   std::string words = kWords.at(shape.shape.index());
   if (const auto* shadow = std::get_if<ShadowShape>(&shape.shape))
@@ -60,6 +61,9 @@ void placeCombo(StudioContext& studio, size_t index) {
       setPlace(studio, index, {{ShadowShape{light.name, false, 0, 0}, false}});
     markItem("place.shadows." + light.name);
   }
+  const Mask& selection = studio.document().selection;
+  if (!selection.empty() && ImGui::Selectable("the selection"))
+    setPlace(studio, index, maskWithin({}, selection));
   const ShadowState& shadow = studio.editing.shadow;
   if (shadow.chosen && ImGui::Selectable("the chosen shadow"))
     setPlace(studio, index, {{ShadowShape{shadow.light, true, shadow.chosen->x, shadow.chosen->y}, false}});

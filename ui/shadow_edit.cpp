@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/edit/selection.h"
 #include "ui/light_edit.h"
 
 namespace swaplight {
@@ -10,8 +11,10 @@ namespace {
 /// Where the page's edits of a light act: on the chosen shadow, or everywhere.
 Mask chosenMask(const StudioContext& studio, const std::string& light) {
   const ShadowState& state = studio.editing.shadow;
-  if (!state.chosen || state.light != light) return {};
-  return {{ShadowShape{light, true, state.chosen->x, state.chosen->y}, false}};
+  Mask mask;
+  if (state.chosen && state.light == light)
+    mask = {{ShadowShape{light, true, state.chosen->x, state.chosen->y}, false}};
+  return maskWithin(mask, studio.document().selection);
 }
 
 }  // namespace
@@ -84,7 +87,8 @@ Document withShadowOperation(const StudioContext& studio, const std::string& lig
   } else if (operation.amount > 0) {
     Edit edit;
     edit.mask = chosenMask(studio, light);
-    edit.name = (edit.mask.empty() ? "Shadows of " : "A shadow of ") + light;
+    const bool one = studio.editing.shadow.chosen && studio.editing.shadow.light == light;
+    edit.name = (one ? "A shadow of " : "Shadows of ") + light;
     edit.lights = {light};
     edit.meaning = Meaning::Add;
     edit.operation = operation;
