@@ -16,6 +16,7 @@
 #include "ui/edit_place.h"
 #include "ui/layout_probe.h"
 #include "ui/light_edit.h"
+#include "ui/paint_controls.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 

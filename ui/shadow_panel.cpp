@@ -9,6 +9,7 @@
 #include "ui/layout_probe.h"
 #include "ui/light_edit.h"
 #include "ui/menu_bar.h"
+#include "ui/paint_controls.h"
 #include "ui/shadow_edit.h"
 #include "ui/shadow_histogram.h"
 #include "ui/shadow_sliders.h"

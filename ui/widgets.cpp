@@ -9,7 +9,6 @@
 #include "core/color/hsv.h"
 #include "core/color/kelvin.h"
 #include "core/color/srgb.h"
-#include "ui/layout_probe.h"
 #include "ui/theme.h"
 
 namespace swaplight {
@@ -111,17 +110,6 @@ bool toggleButton(const char* label, bool on, ImU32 litColor, float side, const 
   const bool clicked = ImGui::Button(label, ImVec2(side, side));
   ImGui::PopStyleVar();
   if (on) ImGui::PopStyleColor(3);
-  tooltip(tip);
-  return clicked;
-}
-
-bool choiceButton(const char* words, bool chosen, float width, const char* mark, const char* tip) {
-  if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), ImGui::GetStyle().FramePadding.y));
-  const bool clicked = ImGui::Button(words, ImVec2(width, 0));
-  ImGui::PopStyleVar();
-  if (chosen) ImGui::PopStyleColor();
-  markItem(mark);
   tooltip(tip);
   return clicked;
 }

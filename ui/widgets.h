@@ -13,10 +13,6 @@ namespace swaplight {
 /// A square button with a letter or icon, lit in a colour while on. True when clicked.
 bool toggleButton(const char* label, bool on, ImU32 litColor, float side, const char* tooltip);
 
-/// One of several choices as a button with words, lit while chosen. True when clicked. `mark`: its name for
-/// tests.
-bool choiceButton(const char* words, bool chosen, float width, const char* mark, const char* tooltip);
-
 /// A filled, rounded swatch of display codes. True when clicked.
 bool colorChip(const char* id, const Rgb& codes, ImVec2 size, const char* tooltip);
 
