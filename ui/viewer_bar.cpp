@@ -179,12 +179,17 @@ void drawViewerBar(StudioContext& studio) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ViewSettings& settings = studio.view.settings;
   ImGui::SetCursorScreenPos(ImVec2(at.x + px(6), at.y + px(4)));
-  listButton("##subject", subjectWords(studio, studio.view.subject), 144, "What is shown",
+  // In a narrow viewer the lists' words are cut short, so that the view stays in sight.
+  const bool comparing = studio.view.compare.isOn();
+  const float wanted = comparing ? 790 : 660;
+  const float lacking = std::max(wanted - ImGui::GetContentRegionAvail().x / px(1), 0.0F);
+  const float cut = std::min(lacking / (comparing ? 2 : 1), 54.0F);
+  listButton("##subject", subjectWords(studio, studio.view.subject), 144 - cut, "What is shown",
              [&] { drawSubjectMenu(studio, false); });
   listButton("##compare", compareWords(studio.view.compare.mode), 76, "Compare with another picture, B",
              [&] { compareList(studio); });
-  if (studio.view.compare.isOn())
-    listButton("##side_b", sideBWords(studio), 124, "What it is compared with",
+  if (comparing)
+    listButton("##side_b", sideBWords(studio), 124 - cut, "What it is compared with",
                [&] { drawSubjectMenu(studio, true); });
   constexpr std::array<const char*, 5> channels = {"RGB", "R", "G", "B", "L"};
   listButton("##channel", channels[static_cast<size_t>(settings.channel)], 70, "Channel",
