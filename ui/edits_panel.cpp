@@ -10,9 +10,9 @@
 #include "ui/edit_menu.h"
 #include "ui/menu_bar.h"
 #include "ui/selection_panel.h"
-#include "ui/stencil_panel.h"
 #include "ui/shadow_edit.h"
 #include "ui/shadow_panel.h"
+#include "ui/stencil_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 

@@ -120,7 +120,9 @@ void actionTextButton(const ActionTable& actions, const std::string& id, const c
   const bool lit = action->isChecked();
   if (lit) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), ImGui::GetStyle().FramePadding.y));
+  ImGui::PushID(id.c_str());  // other buttons may have the same words
   const bool clicked = ImGui::Button(text, ImVec2(width, 0));
+  ImGui::PopID();
   ImGui::PopStyleVar();
   if (lit) ImGui::PopStyleColor();
   markItem("button." + id);

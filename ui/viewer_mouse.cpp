@@ -7,8 +7,8 @@
 #include "ui/brush_tool.h"
 #include "ui/pick_tool.h"
 #include "ui/selection_tool.h"
-#include "ui/stencil_tool.h"
 #include "ui/shadow_edit.h"
+#include "ui/stencil_tool.h"
 #include "ui/theme.h"
 #include "ui/viewer_request.h"
 

@@ -128,7 +128,8 @@ void EditedSet::markStale(const PixelRect& area) {
   if (inside.empty()) return;
   for (int row = inside.y / kTileSize; row <= (inside.bottom() - 1) / kTileSize; ++row)
     for (int column = inside.x / kTileSize; column <= (inside.right() - 1) / kTileSize; ++column) {
-      PixelRect& stale = m_stale[static_cast<size_t>(row * columns() + column)];
+      const int tile = row * columns() + column;
+      PixelRect& stale = m_stale[static_cast<size_t>(tile)];
       const PixelRect whole{column * kTileSize, row * kTileSize, kTileSize, kTileSize};
       stale = enclosing(stale, intersection(whole, inside));
     }
@@ -180,9 +181,10 @@ EditTile EditedSet::evaluate(const PixelRect& area, size_t edits) const {
 }
 
 EditTile EditedSet::belowCheckpoint(const PixelRect& band) const {
-  const auto tile = static_cast<size_t>(band.y / kTileSize * columns() + band.x / kTileSize);
+  const int tile = band.y / kTileSize * columns() + band.x / kTileSize;
   // Nothing has been computed here since: the result is what is below.
-  if (m_checkpoint.startedAtTheEnd() && m_staleBelow[tile].empty()) return {*m_set, m_result, band};
+  if (m_checkpoint.startedAtTheEnd() && m_staleBelow[static_cast<size_t>(tile)].empty())
+    return {*m_set, m_result, band};
   return {evaluate(band, m_checkpoint.editsBelow()), band};
 }
 

@@ -20,7 +20,7 @@ void visitNumbers(Shape& s, const Visit& visit) {
   } else if constexpr (std::is_same_v<T, EllipseShape>) {
     visit("x", s.x), visit("y", s.y), visit("radius_x", s.radiusX), visit("radius_y", s.radiusY);
     visit("feather", s.feather);
-  } else if constexpr (std::is_same_v<T, PolygonShape>) {
+  } else if constexpr (std::is_same_v<T, PolygonShape> || std::is_same_v<T, SelectionShape>) {
     visit("feather", s.feather);
   } else if constexpr (std::is_same_v<T, LinearGradientShape>) {
     visit("x0", s.x0), visit("y0", s.y0), visit("x1", s.x1), visit("y1", s.y1);
@@ -34,8 +34,6 @@ void visitNumbers(Shape& s, const Visit& visit) {
     visit("x", s.x), visit("y", s.y), visit("width", s.width), visit("height", s.height);
   } else if constexpr (std::is_same_v<T, SimilarShape>) {
     visit("tolerance", s.tolerance);
-  } else if constexpr (std::is_same_v<T, SelectionShape>) {
-    visit("feather", s.feather);
   }
 }
 

@@ -76,8 +76,9 @@ void MaskRaster::writeRow(int x, int y, int count, const float* values) {
     if (filled || m_tiles[tileIndex(at / kMaskTile, y / kMaskTile)]) {
       uint16_t* row =
           writableTile(at / kMaskTile, y / kMaskTile) + y % kMaskTile * kMaskTile + at % kMaskTile;
-      std::transform(in, in + (end - at), row,
-                     [](float v) { return static_cast<uint16_t>(std::clamp(v, 0.f, 1.f) * kFull + .5f); });
+      std::transform(in, in + (end - at), row, [](float v) {
+        return static_cast<uint16_t>(std::lrint(std::clamp(v, 0.f, 1.f) * kFull));
+      });
     }
     at = end;
   }
