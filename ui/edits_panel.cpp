@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "ui/brush_panel.h"
 #include "ui/edit_list.h"
@@ -17,16 +19,28 @@
 #include "ui/widgets.h"
 
 namespace swaplight {
+namespace {
+
+/// A row as wide as the panel; every button as wide as its word and its part of what is left.
+void drawTools(StudioContext& studio) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> tools = {{{"brush.take", "Brush"},
+                                                                         {"stencil.take", "Stencil"},
+                                                                         {"select.take", "Select"},
+                                                                         {"view.shadows", "Shadow"}}};
+  const float gap = px(4);
+  float left = ImGui::GetContentRegionAvail().x - gap * float(tools.size() - 1);
+  for (const auto& [action, word] : tools) left -= ImGui::CalcTextSize(word).x;
+  const float more = std::floor(left / float(tools.size()));
+  for (const auto& [action, word] : tools) {
+    if (action != tools.front().first) ImGui::SameLine(0, gap);
+    actionTextButton(studio.actions, action, word, ImGui::CalcTextSize(word).x + more);
+  }
+}
+
+}  // namespace
 
 void drawEditsPanel(StudioContext& studio) {
-  const float side = std::floor((ImGui::GetContentRegionAvail().x - 3 * px(4)) / 4);
-  actionTextButton(studio.actions, "brush.take", "Brush", side);
-  ImGui::SameLine(0, px(4));
-  actionTextButton(studio.actions, "stencil.take", "Stencil", side);
-  ImGui::SameLine(0, px(4));
-  actionTextButton(studio.actions, "select.take", "Select", side);
-  ImGui::SameLine(0, px(4));
-  actionTextButton(studio.actions, "view.shadows", "Shadow", side);
+  drawTools(studio);
   if (studio.tool == Tool::Brush) drawBrushPanel(studio);
   if (studio.tool == Tool::Stencil) drawStencilPanel(studio);
   if (studio.tool == Tool::Select) drawSelectionPanel(studio);

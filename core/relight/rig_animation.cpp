@@ -51,7 +51,7 @@ LightSetting settingAt(const LightSetting& light, const std::vector<RigAnimation
       std::find_if(keys.begin(), keys.end(), [&](const auto& key) { return key.frame > frame; });
   if (next == keys.begin()) return atKey(light, keys.front());
   const RigAnimation::Key& before = *(next - 1);
-  const LightSetting from = atKey(light, before);
+  LightSetting from = atKey(light, before);
   if (next == keys.end() || before.frame == frame) return from;
   float t = static_cast<float>(frame - before.frame) / static_cast<float>(next->frame - before.frame);
   if (between == RigAnimation::Between::Smooth) t = t * t * (3 - 2 * t);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "core/capture/capture_pixels.h"
 #include "core/edit/edited_set.h"
@@ -65,7 +66,7 @@ SolvedSet withEdits(std::shared_ptr<const SolvedSet> set, const EditStack& edits
   const EditStack fitted = fitEdits(edits, set->width(), set->height());
   ShadowOptions shadows;
   shadows.thresholds = fitted.shadowThresholds;
-  return applyEdits(*set, fitted, shadowSource(set, shadows));
+  return applyEdits(*set, fitted, shadowSource(std::move(set), shadows));
 }
 
 }  // namespace swaplight

@@ -27,7 +27,8 @@ TEST(ToneCurve, EachRisesFromBlackToWhiteAndIsSmoothAtBlack) {
   for (const ToneCurve& tone : toneCurves()) {
     EXPECT_NEAR(tone.curve(0), 0, 1e-12) << tone.name;
     double last = -1;
-    for (double stops = -16; stops < 16; stops += 0.125) {
+    for (int eighth = -128; eighth < 128; ++eighth) {
+      const double stops = eighth / 8.0;
       const double shown = tone.curve(std::exp2(stops));
       EXPECT_GE(shown, last) << tone.name << " at " << stops;
       EXPECT_LE(shown, 1) << tone.name << " at " << stops;
