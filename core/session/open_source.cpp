@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <utility>
 
 #include "core/capture/capture_pixels.h"
 #include "core/edit/edited_set.h"
@@ -62,11 +61,11 @@ SolvedSet openSource(const fs::path& path, const SolveOptions& options, const Pr
       path.string());
 }
 
-SolvedSet withEdits(std::shared_ptr<const SolvedSet> set, const EditStack& edits) {
+SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits) {
   const EditStack fitted = fitEdits(edits, set->width(), set->height());
   ShadowOptions shadows;
   shadows.thresholds = fitted.shadowThresholds;
-  return applyEdits(*set, fitted, shadowSource(std::move(set), shadows));
+  return applyEdits(*set, fitted, shadowSource(set, shadows));
 }
 
 }  // namespace swaplight

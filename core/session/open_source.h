@@ -26,6 +26,6 @@ enum class SourceKind { Capture, SolvedSet, Session, Folder, Other };
 
 /// A set with a session's edits: the one way in which frames with edits are made. Throws InputError as the
 /// edits say.
-[[nodiscard]] SolvedSet withEdits(std::shared_ptr<const SolvedSet> set, const EditStack& edits);
+[[nodiscard]] SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits);
 
 }  // namespace swaplight
