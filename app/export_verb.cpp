@@ -1,7 +1,5 @@
 #include <fmt/ranges.h>
 
-#include <cstdio>
-
 #include "app/lighting_arguments.h"
 #include "app/verbs.h"
 #include "core/color/color_config.h"
@@ -35,12 +33,9 @@ PixelType floatTypeOf(const std::string& option, const std::string& name) {
 /// "shots", "full" or "X,Y,W,H".
 std::optional<PixelRect> windowOf(const std::string& text, const SolvedSet& set) {
   if (text.empty() || text == "shots") return std::nullopt;
-  PixelRect rect{0, 0, set.width(), set.height()};
-  char end = 0;
-  if (text != "full" && std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &rect.x, &rect.y, &rect.width,
-                                    &rect.height,  // NOLINT(cert-err34-c)
-                                    &end) != 4)
-    throw InputError("--data-window {}: give shots, full or X,Y,WIDTH,HEIGHT in pixels", text);
+  if (text == "full") return PixelRect{0, 0, set.width(), set.height()};
+  const std::optional<PixelRect> rect = rectFromText(text);
+  if (!rect) throw InputError("--data-window {}: give shots, full or X,Y,WIDTH,HEIGHT in pixels", text);
   return rect;
 }
 

@@ -74,13 +74,8 @@ Description describeCapture(const fs::path& file) {
 /// The range of each light, from the pixels.
 void describeRange(const fs::path& file, Description& d) {
   const std::vector<LightRange> ranges = dynamicRange(readSolvedSet(file));
-  d.json["dynamic_range"] = Json::array();
-  for (const LightRange& range : ranges) {
-    d.line("range", fmt::format("{}: {:.1f} stops between the noise and its brightest parts", range.light,
-                                range.stops));
-    d.json["dynamic_range"].push_back(
-        {{"light", range.light}, {"peak", range.peak}, {"floor", range.floor}, {"stops", range.stops}});
-  }
+  d.json["dynamic_range"] = jsonFromRanges(ranges);
+  for (const LightRange& range : ranges) d.line("range", range.light + ": " + rangeWords(range));
 }
 
 Description describeSolvedSet(const fs::path& file) {

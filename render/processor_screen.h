@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/edit/mask_raster.h"
+#include "core/image/pixel_rect.h"
 #include "core/view/display_table.h"
 #include "render/picture_screen.h"
 #include "render/screen.h"

@@ -1,8 +1,7 @@
 #include "core/capture/capture.h"
 
-#include <cmath>
-
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "core/error.h"

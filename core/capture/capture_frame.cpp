@@ -2,21 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <opencv2/imgproc.hpp>
 
 #include "core/error.h"
+#include "core/image/shrunk_image.h"
 
 namespace swaplight {
 
 PixelRect cropFromText(const std::string& text) {
-  PixelRect rect;
-  char end = 0;
-  if (std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &rect.x, &rect.y, &rect.width,  // NOLINT(cert-err34-c)
-                  &rect.height, &end) != 4 ||
-      rect.x < 0 || rect.y < 0 || rect.empty())
+  const std::optional<PixelRect> rect = rectFromText(text);
+  if (!rect || rect->x < 0 || rect->y < 0 || rect->empty())
     throw InputError("the crop \"{}\" is none: give X,Y,WIDTH,HEIGHT in pixels of the photographs.", text);
-  return rect;
+  return *rect;
 }
 
 double checkedScale(double scale) {
@@ -42,15 +39,11 @@ Image croppedImage(const Image& image, const PixelRect& crop, const std::string&
 }
 
 Image scaledImage(const Image& image, double scale, float clip) {
-  ImageSpec spec = image.spec();
-  spec.width = std::max(1, static_cast<int>(std::lround(scale * image.width())));
-  spec.height = std::max(1, static_cast<int>(std::lround(scale * image.height())));
-  Image small(spec);
-  for (int c = 0; c < image.channelCount(); ++c) {
+  Image small = shrunkImage(image, static_cast<int>(std::lround(scale * image.width())),
+                            static_cast<int>(std::lround(scale * image.height())));
+  for (int c = 0; std::isfinite(clip) && c < image.channelCount(); ++c) {
     const cv::Mat from(image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(c)));
-    cv::Mat to(spec.height, spec.width, CV_32F, small.plane(c));
-    cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
-    if (!std::isfinite(clip)) continue;
+    cv::Mat to(small.height(), small.width(), CV_32F, small.plane(c));
     cv::Mat saturated, share;
     cv::Mat(from >= clip).convertTo(saturated, CV_32F);
     cv::resize(saturated, share, to.size(), 0, 0, cv::INTER_AREA);

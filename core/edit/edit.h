@@ -96,7 +96,7 @@ struct Edit {
 struct EditStack {
   std::vector<std::shared_ptr<const Edit>> edits;
   std::vector<std::string> newLights;
-  int width = 0, height = 0;  ///< of the picture that the masks are for; 0: nobody has said
+  int width = 0, height = 0;  ///< of the picture that the masks are for: see fitEdits; 0: nobody has said
   /// Where a light's shadows begin (ShadowOptions::thresholds); a light that is not named finds it by itself.
   std::map<std::string, float> shadowThresholds;
 

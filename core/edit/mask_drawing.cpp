@@ -15,13 +15,6 @@ namespace {
 constexpr int kShift = 4;  // OpenCV draws at 1/16 of a pixel
 
 // `pixels`: 32-bit float, placed with its corner at x, y.
-MaskRaster rasterOf(const cv::Mat& pixels, int x0, int y0, int width, int height) {
-  MaskRaster raster(width, height);
-  const PixelRect area = intersection({x0, y0, pixels.cols, pixels.rows}, {0, 0, width, height});
-  for (int y = area.y; y < area.bottom(); ++y) raster.writeRow(x0, y, pixels.cols, pixels.ptr<float>(y - y0));
-  return raster;
-}
-
 // 8 bits to 0..1, with a soft edge.
 cv::Mat softened(const cv::Mat& drawn, float feather) {
   cv::Mat pixels;
@@ -51,6 +44,14 @@ cv::Rect areaAround(const cv::Mat& regions, int region, int margin) {
 
 }  // namespace
 
+MaskRaster rasterOf(const cv::Mat& pixels, cv::Point corner, int width, int height) {
+  MaskRaster raster(width, height);
+  const PixelRect area = intersection({corner.x, corner.y, pixels.cols, pixels.rows}, {0, 0, width, height});
+  for (int y = area.y; y < area.bottom(); ++y)
+    raster.writeRow(corner.x, y, pixels.cols, pixels.ptr<float>(y - corner.y));
+  return raster;
+}
+
 MaskRaster drawShape(const PolygonShape& shape, int width, int height) {
   if (shape.points.size() < 3) return {width, height};
   const int air = cvCeil(shape.feather) + 2;
@@ -66,7 +67,7 @@ MaskRaster drawShape(const PolygonShape& shape, int width, int height) {
     line[0].emplace_back(cvRound((p[0] - static_cast<float>(area.x) - .5f) * (1 << kShift)),
                          cvRound((p[1] - static_cast<float>(area.y) - .5f) * (1 << kShift)));
   cv::fillPoly(drawn, line, cv::Scalar(255), cv::LINE_AA, kShift);
-  return rasterOf(softened(drawn, shape.feather), area.x, area.y, width, height);
+  return rasterOf(softened(drawn, shape.feather), {area.x, area.y}, width, height);
 }
 
 MaskRaster drawShape(const TextShape& shape, int width, int height) {
@@ -82,7 +83,7 @@ MaskRaster drawShape(const TextShape& shape, int width, int height) {
   drawText(drawn, shape.text, {baseline.x - area.x, baseline.y - area.y}, line, cv::Scalar::all(255));
   cv::Mat grey;
   cv::extractChannel(drawn, grey, 0);
-  return rasterOf(softened(grey, shape.feather), area.x, area.y, width, height);
+  return rasterOf(softened(grey, shape.feather), {area.x, area.y}, width, height);
 }
 
 MaskRaster drawShape(const PictureShape& shape, int width, int height) {
@@ -105,7 +106,7 @@ MaskRaster drawShape(const PictureShape& shape, int width, int height) {
   cv::Mat stretched;
   const bool smaller = size.width < pixels.cols && size.height < pixels.rows;
   cv::resize(pixels, stretched, size, 0, 0, smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
-  return rasterOf(stretched, cvRound(shape.x), cvRound(shape.y), width, height);
+  return rasterOf(stretched, {cvRound(shape.x), cvRound(shape.y)}, width, height);
 }
 
 MaskRaster drawShape(const ShadowShape& shape, const LightShadows& shadows) {

@@ -1,9 +1,15 @@
 #pragma once
 
+#include <opencv2/core.hpp>
+
 #include "core/edit/mask.h"
 #include "core/shadow/light_shadows.h"
 
 namespace swaplight {
+
+/// A part of a picture of width x height as a mask: float pixels, the first of them at `corner`, which may
+/// lie outside.
+[[nodiscard]] MaskRaster rasterOf(const cv::Mat& pixels, cv::Point corner, int width, int height);
 
 // Shapes that are drawn once, as pixels.
 

@@ -10,21 +10,6 @@ constexpr float kFull = 65535.f;
 
 }  // namespace
 
-PixelRect intersection(const PixelRect& a, const PixelRect& b) {
-  const int x = std::max(a.x, b.x);
-  const int y = std::max(a.y, b.y);
-  return {x, y, std::max(0, std::min(a.right(), b.right()) - x),
-          std::max(0, std::min(a.bottom(), b.bottom()) - y)};
-}
-
-PixelRect enclosing(const PixelRect& a, const PixelRect& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  const int x = std::min(a.x, b.x);
-  const int y = std::min(a.y, b.y);
-  return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
-}
-
 MaskRaster::MaskRaster(int width, int height)
     : m_width(width),
       m_height(height),

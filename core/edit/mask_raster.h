@@ -11,10 +11,6 @@ namespace swaplight {
 
 constexpr int kMaskTile = 64;  ///< pixels: what a stroke changes, and so what undo keeps, is little
 
-[[nodiscard]] PixelRect intersection(const PixelRect& a, const PixelRect& b);
-/// The smallest rectangle that holds both; an empty one counts for nothing.
-[[nodiscard]] PixelRect enclosing(const PixelRect& a, const PixelRect& b);
-
 /// A mask as pixels, 0..1 in 16 bits, in tiles of 64 x 64; a tile that is all 0 takes no memory. Copies
 /// share their tiles until one of them writes: keeping old states for undo costs what changed.
 class MaskRaster {

@@ -44,13 +44,6 @@ std::vector<cv::Mat> comparedPlanes(const SimilarShape& shape, const SolvedSet& 
   return planes;
 }
 
-MaskRaster rasterOf(const cv::Mat& pixels, cv::Point corner, int width, int height) {
-  MaskRaster raster(width, height);
-  for (int y = 0; y < pixels.rows; ++y)
-    raster.writeRow(corner.x, corner.y + y, pixels.cols, pixels.ptr<float>(y));
-  return raster;
-}
-
 void blur(cv::Mat& pixels, double sigma) {
   int shrink = 1;
   while (sigma / shrink > kMostSigma) shrink *= 2;

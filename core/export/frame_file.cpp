@@ -12,6 +12,7 @@
 #include "core/image/half.h"
 #include "core/image/image_format.h"
 #include "core/image/image_write_progress.h"
+#include "core/session/document.h"
 
 namespace swaplight {
 namespace {
@@ -27,13 +28,8 @@ bool hasView(const FrameOptions& options) {
 /// An EXR that is to be half float by default becomes float where light is brighter than half can hold.
 void keepInHalf(const Image& frame, const std::filesystem::path& file, WriteOptions& write) {
   if (!write.pixelType.empty() || imageFormatForWriting(file) != "openexr") return;
-  for (int c = 0; c < frame.channelCount(); ++c) {
-    const float* values = frame.plane(c);
-    if (std::any_of(values, values + frame.pixelCount(), [](float v) { return v != clampedToHalf(v); })) {
-      write.pixelType = "float";
-      return;
-    }
-  }
+  for (int c = 0; c < frame.channelCount(); ++c)
+    if (!fitsHalf(frame.plane(c), frame.pixelCount())) write.pixelType = "float";
 }
 
 }  // namespace
@@ -84,8 +80,7 @@ void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions opt
   }
   if (!seen) keepInHalf(frame, file, options.write);
   if (hasView(options)) {
-    const std::string display = options.display.empty() ? config.defaultDisplay() : options.display;
-    const std::string view = options.view.empty() ? config.defaultView(display) : options.view;
+    const auto [display, view] = namedDisplay(config, {options.display, options.view});
     config.applyView(frame.span(), space, display, view);
     frame.setColorSpace("data");
     options.write.iccProfile = iccProfileOf(display, view);

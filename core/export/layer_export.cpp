@@ -57,12 +57,10 @@ std::vector<Image> shining(const SolvedSet& set, const Rig& rig, const std::stri
   return pictures;
 }
 
-bool fitsHalf(const std::vector<Image>& pictures) {
+bool allFitHalf(const std::vector<Image>& pictures) {
   for (const Image& picture : pictures)
     for (int c = 0; c < 3; ++c)
-      if (std::any_of(picture.plane(c), picture.plane(c) + picture.pixelCount(),
-                      [](float v) { return v != clampedToHalf(v); }))
-        return false;
+      if (!fitsHalf(picture.plane(c), picture.pixelCount())) return false;
   return true;
 }
 
@@ -169,7 +167,7 @@ void exportLayers(const SolvedSet& set, const Rig& rig, const std::filesystem::p
   const std::string& colorSpace = options.colorSpace.empty() ? set.colorSpace() : options.colorSpace;
   std::vector<Image> pictures = shining(set, rig, colorSpace);
   LayerOptions written = options;
-  if (!fitsHalf(pictures)) written.pictures = PixelType::Float;
+  if (!allFitHalf(pictures)) written.pictures = PixelType::Float;
   const Layers layers = layersOf(std::move(pictures), written.pictures);
   std::vector<PartToWrite> parts = partsOf(set, layers, written);
   if (!options.multipart) parts = {merged(parts)};

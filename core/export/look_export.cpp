@@ -51,8 +51,7 @@ Image lattice() {
 
 std::string cubeText(const GlobalLook& look, const DisplayChoice& choice) {
   const ColorConfig& config = ColorConfig::current();
-  const std::string display = choice.display.empty() ? config.defaultDisplay() : choice.display;
-  const std::string view = choice.view.empty() ? config.defaultView(display) : choice.view;
+  const auto [display, view] = namedDisplay(config, choice);
   Image image = lattice();
   ColorConfig("").convert(image.span(), "acescct", "lin_rec709");
   for (int c = 0; c < 3; ++c)

@@ -10,6 +10,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <mutex>
+#include <vector>
 
 #include "core/error.h"
 
@@ -71,16 +74,30 @@ std::string temporaryBegin(const fs::path& target) {
   return fmt::format(".{}.{}-", target.stem().string().substr(0, 100), host.data());
 }
 
+/// The temporary files that were in a folder when this process first wrote there: a folder may hold many
+/// frames, and is looked through once.
+const std::vector<std::string>& temporariesIn(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::map<fs::path, std::vector<std::string>> known;
+  const std::lock_guard lock(mutex);
+  const auto [found, isNew] = known.try_emplace(folder);
+  std::error_code error;
+  if (isNew)
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+      std::string name = entry->path().filename().string();
+      if (name.starts_with('.') && name.find(".tmp") != std::string::npos) found->second.push_back(name);
+    }
+  return found->second;
+}
+
 /// Removes what a process of this machine that is no longer there has left of the same target.
 void removeStale(const fs::path& folder, const std::string& begin, const std::string& extension) {
   const std::string end = ".tmp" + extension;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
+  for (const std::string& name : temporariesIn(folder)) {
     if (!name.starts_with(begin) || !name.ends_with(end)) continue;
     const int process = std::atoi(name.c_str() + begin.size());  // NOLINT(cert-err34-c)
-    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) ::unlink(entry->path().c_str());
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) ::unlink((folder / name).c_str());
   }
 }
 

@@ -89,7 +89,7 @@ exr_result_t setValue(exr_context_t exr, int part, const std::string& name, cons
 
 exr_result_t setExrWindows(exr_context_t exr, int part, const FileToWrite& contents,
                            exr_compression_t compression) {
-  const PixelRect data = contents.dataWindow.value_or(PixelRect{0, 0, contents.width, contents.height});
+  const PixelRect data = contents.window();
   const exr_attr_box2i_t display{{{{0, 0}}}, {{{contents.width - 1, contents.height - 1}}}};
   const exr_attr_box2i_t window{{{{data.x, data.y}}}, {{{data.right() - 1, data.bottom() - 1}}}};
   exr_attr_v2f_t center{{{0, 0}}};

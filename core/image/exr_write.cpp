@@ -85,7 +85,7 @@ void gather(Chunk& chunk, const std::vector<ChannelToWrite>& channels, const Pix
 void writePart(exr_context_t exr, int index, const FileToWrite& contents, const AtomicFile& file,
                const std::function<void(int rows)>& done) {
   const std::vector<ChannelToWrite> channels = sorted(contents.parts[static_cast<size_t>(index)].channels);
-  const PixelRect window = contents.dataWindow.value_or(PixelRect{0, 0, contents.width, contents.height});
+  const PixelRect window = contents.window();
   const int lines = compressionOf(contents) == EXR_COMPRESSION_ZIPS ? 1 : 16;
   // As many chunks as may be on their way; the one that is written last is free when the next one begins.
   std::vector<Chunk> ring(static_cast<size_t>(threadCount()) * 4);

@@ -36,6 +36,13 @@ inline float clampedToHalf(float value) {
   return value > kLargest ? kLargest : (value < -kLargest ? -kLargest : value);
 }
 
+/// Whether none of the values is too bright for half.
+inline bool fitsHalf(const float* values, size_t count) {
+  for (size_t i = 0; i < count; ++i)
+    if (values[i] != clampedToHalf(values[i])) return false;
+  return true;
+}
+
 /// The value that a half-float file holds instead.
 inline float roundedToHalf(float value) {
   return floatFromHalf(halfFromFloat(clampedToHalf(value)));

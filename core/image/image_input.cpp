@@ -73,21 +73,6 @@ ImageFileInfo infoOf(const OIIO::ImageSpec& spec, const std::string& format) {
   return info;
 }
 
-PixelType storedType(const OIIO::ImageSpec& spec, int channel) {
-  switch (spec.channelformat(channel).basetype) {
-    case OIIO::TypeDesc::HALF:
-      return PixelType::Half;
-    case OIIO::TypeDesc::UINT8:
-      return PixelType::UInt8;
-    case OIIO::TypeDesc::UINT16:
-      return PixelType::UInt16;
-    case OIIO::TypeDesc::UINT32:
-      return PixelType::UInt32;
-    default:
-      return PixelType::Float;
-  }
-}
-
 /// A part's data window within the picture, where it leaves something out.
 std::optional<PixelRect> smallerWindow(const ImagePart& part, const ImageSpec& picture) {
   const int left = std::max(part.x, 0);
@@ -109,6 +94,23 @@ void place(ImagePart& part, const OIIO::ImageSpec& display, const ImageInput& in
 }
 
 }  // namespace
+
+std::optional<PixelType> pixelTypeOf(const OIIO::TypeDesc& type) {
+  switch (type.basetype) {
+    case OIIO::TypeDesc::UINT8:
+      return PixelType::UInt8;
+    case OIIO::TypeDesc::UINT16:
+      return PixelType::UInt16;
+    case OIIO::TypeDesc::UINT32:
+      return PixelType::UInt32;
+    case OIIO::TypeDesc::HALF:
+      return PixelType::Half;
+    case OIIO::TypeDesc::FLOAT:
+      return PixelType::Float;
+    default:
+      return std::nullopt;
+  }
+}
 
 ImageContents contentsOf(ImageInput& input) {
   ImageContents contents;
@@ -134,7 +136,8 @@ ImageContents contentsOf(ImageInput& input) {
     contents.spec.channels.insert(contents.spec.channels.end(), part.channels.begin(), part.channels.end());
     checkImageFits(input.name(), contents.spec.width, contents.spec.height, contents.spec.channelCount());
     place(part, contents.parts.empty() ? spec : contents.parts.front().spec, input);
-    for (int c = 0; c < spec.nchannels; ++c) contents.info.channelTypes.push_back(storedType(spec, c));
+    for (int c = 0; c < spec.nchannels; ++c)
+      contents.info.channelTypes.push_back(pixelTypeOf(spec.channelformat(c)).value_or(PixelType::Float));
     if (index == 0) contents.info.dataWindow = smallerWindow(part, contents.spec);
     contents.parts.push_back(std::move(part));
   }

@@ -11,6 +11,9 @@
 
 namespace swaplight {
 
+/// The type that unpacks what OpenImageIO calls `type`; nothing where we have none.
+[[nodiscard]] std::optional<PixelType> pixelTypeOf(const OIIO::TypeDesc& type);
+
 /// An open file. Fetches every error message of OpenImageIO, which would otherwise print it.
 class ImageInput {
  public:

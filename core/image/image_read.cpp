@@ -12,23 +12,6 @@ namespace {
 
 constexpr size_t kBandBytes = size_t{32} << 20;
 
-std::optional<PixelType> pixelTypeOf(const OIIO::TypeDesc& type) {
-  switch (type.basetype) {
-    case OIIO::TypeDesc::UINT8:
-      return PixelType::UInt8;
-    case OIIO::TypeDesc::UINT16:
-      return PixelType::UInt16;
-    case OIIO::TypeDesc::UINT32:
-      return PixelType::UInt32;
-    case OIIO::TypeDesc::HALF:
-      return PixelType::Half;
-    case OIIO::TypeDesc::FLOAT:
-      return PixelType::Float;
-    default:
-      return std::nullopt;
-  }
-}
-
 /// The types to ask for: as stored where we unpack them ourselves, else float; `asked` is what OpenImageIO is
 /// told.
 PackedLayout layoutOf(const OIIO::ImageSpec& spec, OIIO::TypeDesc& asked) {

@@ -32,13 +32,8 @@ std::vector<PixelType> typesOf(const PartToWrite& part) {
   return types;
 }
 
-/// What is written of the picture.
-PixelRect windowOf(const FileToWrite& contents) {
-  return contents.dataWindow.value_or(PixelRect{0, 0, contents.width, contents.height});
-}
-
 void setWindows(OIIO::ImageSpec& spec, const FileToWrite& contents) {
-  const PixelRect window = windowOf(contents);
+  const PixelRect window = contents.window();
   spec.full_x = spec.full_y = 0;
   spec.full_width = contents.width;
   spec.full_height = contents.height;
@@ -164,7 +159,7 @@ class Output {
 void writePart(Output& output, const FileToWrite& contents, const PartToWrite& part,
                std::vector<std::byte>& band, const std::function<void(int rows)>& done) {
   const PackedLayout layout(typesOf(part));
-  const PixelRect window = windowOf(contents);
+  const PixelRect window = contents.window();
   const size_t rowBytes = layout.pixelBytes * static_cast<size_t>(window.width);
   const int bandRows = std::max(1, static_cast<int>(kBandBytes / (rowBytes * 64))) * 64;
   band.resize(rowBytes * static_cast<size_t>(std::min(bandRows, window.height)));
@@ -196,7 +191,7 @@ void writeByOpenImageIO(const FileToWrite& contents, const std::string& format, 
     writePart(output, contents, contents.parts[i], band, [&](int rows) {
       written += rows;
       progress.update(
-          static_cast<float>(written) / static_cast<float>(int64_t{windowOf(contents).height} * count),
+          static_cast<float>(written) / static_cast<float>(int64_t{contents.window().height} * count),
           "writing");
     });
   }

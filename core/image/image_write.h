@@ -40,6 +40,9 @@ struct FileToWrite {
   float pixelAspect = 1;                       ///< width over height of a pixel
   std::optional<PixelRect> dataWindow = {};    ///< EXR: the part of the picture that is written, inside of it
   std::vector<unsigned char> iccProfile = {};  ///< PNG, TIFF, JPEG: embedded
+
+  /// What is written of the picture.
+  [[nodiscard]] PixelRect window() const { return dataWindow.value_or(PixelRect{0, 0, width, height}); }
 };
 
 /// Writes to a temporary name, then renames. Throws InputError where it cannot be written.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 namespace swaplight {
 
 /// Pixels x .. right() - 1, y .. bottom() - 1 of a picture.
@@ -11,5 +14,12 @@ struct PixelRect {
   [[nodiscard]] PixelRect grown(int by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
   bool operator==(const PixelRect&) const = default;
 };
+
+[[nodiscard]] PixelRect intersection(const PixelRect& a, const PixelRect& b);
+/// The smallest rectangle that holds both; an empty one counts for nothing.
+[[nodiscard]] PixelRect enclosing(const PixelRect& a, const PixelRect& b);
+
+/// "X,Y,WIDTH,HEIGHT"; nothing for any other text.
+[[nodiscard]] std::optional<PixelRect> rectFromText(const std::string& text);
 
 }  // namespace swaplight

@@ -1,5 +1,7 @@
 #include "core/measure/dynamic_range.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,6 +45,18 @@ std::vector<LightRange> dynamicRange(const SolvedSet& set) {
     ranges.push_back(range);
   }
   return ranges;
+}
+
+Json jsonFromRanges(const std::vector<LightRange>& ranges) {
+  Json json = Json::array();
+  for (const LightRange& range : ranges)
+    json.push_back(
+        {{"light", range.light}, {"peak", range.peak}, {"floor", range.floor}, {"stops", range.stops}});
+  return json;
+}
+
+std::string rangeWords(const LightRange& range) {
+  return fmt::format("{:.1f} stops between the noise and its brightest parts", range.stops);
 }
 
 }  // namespace swaplight

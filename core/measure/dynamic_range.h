@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/json.h"
 #include "core/solve/solved_set.h"
 
 namespace swaplight {
@@ -19,5 +20,9 @@ struct LightRange {
 /// For each light of a solved set; empty where the set has no quality. Throws InputError on an unknown colour
 /// space.
 [[nodiscard]] std::vector<LightRange> dynamicRange(const SolvedSet& set);
+
+[[nodiscard]] Json jsonFromRanges(const std::vector<LightRange>& ranges);
+/// For people: "8.2 stops between the noise and its brightest parts".
+[[nodiscard]] std::string rangeWords(const LightRange& range);
 
 }  // namespace swaplight

@@ -10,6 +10,7 @@
 #include "core/color/kelvin.h"
 #include "core/color/srgb.h"
 #include "core/image/image_bytes.h"
+#include "core/image/shrunk_image.h"
 #include "core/measure/color_map.h"
 #include "core/measure/dynamic_range.h"
 #include "core/measure/luminance_histogram.h"
@@ -54,25 +55,10 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// Every n-th pixel's surroundings averaged, so that it is at most `width` wide.
+/// At most `width` wide.
 Image shrunk(const Image& image, int width) {
   const int n = (image.width() + width - 1) / width;
-  if (n <= 1) return image.clone();
-  ImageSpec spec = image.spec();
-  spec.width = image.width() / n;
-  spec.height = std::max(1, image.height() / n);
-  Image small(spec, 0);
-  for (int c = 0; c < image.channelCount(); ++c)
-    for (int y = 0; y < spec.height; ++y)
-      for (int x = 0; x < spec.width; ++x) {
-        float sum = 0;
-        const int rows = std::min(n, image.height());
-        for (int j = 0; j < rows; ++j)
-          for (int i = 0; i < n; ++i)
-            sum += image.view().at(c, x * n + i, std::min(y * n + j, image.height() - 1));
-        small.span().at(c, x, y) = sum / static_cast<float>(n * rows);
-      }
-  return small;
+  return n <= 1 ? image.clone() : shrunkImage(image, image.width() / n, image.height() / n);
 }
 
 std::string inlineImage(const std::string& bytes, const char* type) {
@@ -87,9 +73,7 @@ std::string figure(const std::string& source, const std::string& caption) {
 /// A linear picture as the display shows it.
 std::string photograph(const Image& linear, const DisplayChoice& choice, const std::string& caption) {
   const ColorConfig& config = ColorConfig::current();
-  const DisplayChoice known = displayWithin(config, choice);
-  const std::string display = known.display.empty() ? config.defaultDisplay() : known.display;
-  const std::string view = known.view.empty() ? config.defaultView(display) : known.view;
+  const auto [display, view] = namedDisplay(config, displayWithin(config, choice));
   Image shown = shrunk(linear, kPictureWidth);
   config.applyView(shown.span(), linear.spec().colorSpace, display, view);
   return figure(inlineImage(jpegBytes(shown), "jpeg"), fmt::format("{} ({}, {})", caption, display, view));
@@ -238,10 +222,7 @@ Image reportHistogram(const ReportSubject& subject) {
 Json reportJson(const ReportSubject& subject) {
   Json json{
       {"name", subject.set.capture.name}, {"source", subject.source}, {"rig", jsonFromRig(subject.rig)}};
-  json["dynamic_range"] = Json::array();
-  for (const LightRange& range : dynamicRange(subject.set))
-    json["dynamic_range"].push_back(
-        {{"light", range.light}, {"peak", range.peak}, {"floor", range.floor}, {"stops", range.stops}});
+  json["dynamic_range"] = jsonFromRanges(dynamicRange(subject.set));
   json["solver"] = subject.set.report.value("message", "");
   for (const NamedHistogram& named : histogramsOf(subject))
     json["luminance"][named.name] = {{"median_stops", named.histogram.median},

@@ -51,4 +51,10 @@ DisplayChoice displayWithin(const ColorConfig& config, const DisplayChoice& disp
   return has(config.views(shown), display.view) ? display : DisplayChoice{};
 }
 
+DisplayChoice namedDisplay(const ColorConfig& config, DisplayChoice display) {
+  if (display.display.empty()) display.display = config.defaultDisplay();
+  if (display.view.empty()) display.view = config.defaultView(display.display);
+  return display;
+}
+
 }  // namespace swaplight

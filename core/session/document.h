@@ -38,6 +38,8 @@ struct Document {
 
 /// The choice where the configuration has it; its default where it has not.
 [[nodiscard]] DisplayChoice displayWithin(const ColorConfig& config, const DisplayChoice& display);
+/// The choice with the configuration's own names in the place of empty ones.
+[[nodiscard]] DisplayChoice namedDisplay(const ColorConfig& config, DisplayChoice display);
 
 /// The rig for exactly the lights of a capture, in its order: settings are taken from `rig` by name, lights
 /// that it does not know are as captured, lights that the capture does not have are left out.

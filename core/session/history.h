@@ -39,9 +39,8 @@ class History {
   /// To any step of the list; a position beyond the end means the last.
   void goTo(size_t position);
 
-  /// The current step is what the file holds. Undoing back to it is "saved" again.
-  void markSaved() { m_savedId = stepId(); }
-  /// An earlier step is what the file holds: it was the current one when saving began.
+  /// This step is what the file holds: the current one when saving began. Undoing back to it is "saved"
+  /// again.
   void markSaved(uint64_t id) { m_savedId = id; }
   /// No step is in a file: what was recovered after a crash.
   void markUnsaved() { m_savedId = ~uint64_t{0}; }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgproc.hpp>
 
+#include "core/image/shrunk_image.h"
 #include "core/shadow/shadow_evidence.h"
 #include "core/shadow/shadow_regions.h"
 #include "core/shadow/shadow_threshold.h"
@@ -14,20 +14,6 @@ namespace {
 
 constexpr double kPixels = 1.2e6;
 
-Image shrunk(const Image& image, int width, int height) {
-  ImageSpec spec = image.spec();
-  const cv::Size from(spec.width, spec.height);
-  spec.width = width;
-  spec.height = height;
-  Image small(std::move(spec));
-  for (int c = 0; c < image.channelCount(); ++c) {
-    const cv::Mat in(from, CV_32F, const_cast<float*>(image.plane(c)));
-    cv::Mat out(height, width, CV_32F, small.plane(c));
-    cv::resize(in, out, out.size(), 0, 0, cv::INTER_AREA);
-  }
-  return small;
-}
-
 // What the search for shadows looks at, smaller by a whole factor.
 SolvedSet shrunk(const SolvedSet& set, int factor, const Progress& progress) {
   SolvedSet small;
@@ -36,11 +22,11 @@ SolvedSet shrunk(const SolvedSet& set, int factor, const Progress& progress) {
   const int height = std::max(1, set.height() / factor);
   for (const Image& contribution : set.contributions) {
     progress.update(0, "making a small picture");
-    small.contributions.push_back(shrunk(contribution, width, height));
+    small.contributions.push_back(shrunkImage(contribution, width, height));
   }
   updateBeta(small);
   if (set.quality.empty()) return small;
-  small.quality = shrunk(set.quality, width, height);
+  small.quality = shrunkImage(set.quality, width, height);
   // The mean of many pixels is surer than one of them.
   float* sigma = small.quality.plane(kSigma);
   for (size_t p = 0; p < small.quality.pixelCount(); ++p) sigma[p] /= static_cast<float>(factor);

@@ -80,7 +80,7 @@ TEST(History, TheSavedMarkIsExact) {
   EXPECT_TRUE(history.saved());
   history.commit("a", documentWithKey("3200K"));
   EXPECT_FALSE(history.saved());
-  history.markSaved();
+  history.markSaved(history.stepId());
   history.commit("b", documentWithKey("5600K"));
   EXPECT_FALSE(history.saved());
   history.undo();
