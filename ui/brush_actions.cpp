@@ -13,6 +13,13 @@ constexpr float kHardnessStep = 0.1F;
 
 }  // namespace
 
+void StudioWindow::takeEditTool(Tool tool) {
+  m_tool = m_tool == tool ? Tool::Look : tool;
+  if (m_tool != tool) return;
+  m_layout.edits = true;
+  m_edits.prepare(m_context);
+}
+
 void StudioWindow::addBrushActions() {
   const auto hasLights = [this] { return m_session.set() && !m_editor.document().rig.lights.empty(); };
   const auto painting = [this, hasLights] { return m_tool == Tool::Brush && hasLights(); };
@@ -20,13 +27,7 @@ void StudioWindow::addBrushActions() {
   m_actions.add(
       {"brush.take", "Paint with light", "Shift+B",
        "Paint on the picture with the chosen light: more of it, less, softer; again: put the brush away.",
-       [this] {
-         m_tool = m_tool == Tool::Brush ? Tool::Look : Tool::Brush;
-         if (m_tool != Tool::Brush) return;
-         m_layout.edits = true;
-         m_edits.prepare(m_context);
-       },
-       hasLights, [this] { return m_tool == Tool::Brush; }});
+       [this] { takeEditTool(Tool::Brush); }, hasLights, [this] { return m_tool == Tool::Brush; }});
   m_actions.add({"brush.new_light", "New light by painting", "",
                  "A light that is nowhere yet: it gets a row, and shines where you paint it.",
                  [this] { addPaintedLight(m_context); }, hasLights});

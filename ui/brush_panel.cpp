@@ -14,7 +14,7 @@ void drawBrushPanel(StudioContext& studio) {
   drawPaintModes(studio);
   float size = 2 * brushRadius(studio);
   if (labelledSlider("Size", "brush.size", &size, 2, 2000, "%.0f px",
-                     "Pixels of the picture.  ([ and ], Ctrl + wheel)", ImGuiSliderFlags_Logarithmic))
+                     "Pixels of the picture.  ([ and ], Ctrl + wheel)", kLogarithmic))
     setBrushRadius(studio, size / 2);
   percentSlider("Hardness", "brush.hardness", &brush.hardness, 100,
                 "How sharply the brush ends.  (Shift + [ and ])");

@@ -6,6 +6,7 @@
 #include "core/edit/selection.h"
 #include "ui/light_edit.h"
 #include "ui/theme.h"
+#include "ui/viewer_mouse.h"
 
 namespace swaplight {
 namespace {
@@ -14,12 +15,6 @@ constexpr float kFirstRadius = 0.06F;  // of the picture's height
 constexpr float kLeastRadius = 1, kMostRadius = 2000;
 constexpr float kLeastStep = 0.5F;  // pixels of the picture between two points of a stroke
 constexpr double kWheelStep = 1.12;
-
-StrokePoint pointAtMouse(const ViewWindow& window, ImVec2 origin) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return {static_cast<float>(window.pictureX(mouse.x - origin.x)),
-          static_cast<float>(window.pictureY(mouse.y - origin.y)), 1};
-}
 
 const Painting* paintingOf(const Edit& edit) {
   if (edit.mask.empty()) return nullptr;
@@ -82,8 +77,6 @@ void showStroke(StudioContext& studio) {
   Edit edit = going.base;
   edit.mask.front().shape = PaintShape{std::make_shared<const Painting>(going.painting)};
   Document next = going.before;
-  next.edits.width = going.painting.mask().width();
-  next.edits.height = going.painting.mask().height();
   if (going.edit < next.edits.edits.size())
     next.edits.replace(going.edit, std::move(edit));
   else
@@ -157,8 +150,6 @@ void addPaintedLight(StudioContext& studio) {
   };
   for (int number = 2; taken(); ++number) name = "painted" + std::to_string(number);
   next.edits.newLights.push_back(name);
-  next.edits.width = studio.set()->pictures->width();
-  next.edits.height = studio.set()->pictures->height();
   next.rig = fitRig(next.rig, withNewLights(studio.set()->original->capture, next.edits));
   studio.view.selectedLight = static_cast<int>(next.rig.lights.size()) - 1;
   studio.view.selectedLights.clear();
@@ -204,7 +195,8 @@ void handleBrush(StudioContext& studio, const ViewWindow& window, ImVec2 origin)
     setBrushRadius(studio, brushRadius(studio) * static_cast<float>(std::pow(kWheelStep, io.MouseWheel)));
   // A gesture that was taken back in its middle has ended.
   if (brush.going && !studio.editor.inGesture()) brush.going.reset();
-  const StrokePoint at = pointAtMouse(window, origin);
+  const auto [x, y] = pointAtMouse(window, origin);
+  const StrokePoint at{x, y, 1};
   if (hovered && !brush.going && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     beginStroke(studio, at);
   } else if (brush.going && io.MouseDown[ImGuiMouseButton_Left]) {

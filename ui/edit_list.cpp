@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "ui/edit_parameters.h"
+#include "ui/enum_names.h"
 #include "ui/icons.h"
 #include "ui/layout_probe.h"
 #include "ui/theme.h"
@@ -26,11 +27,10 @@ std::string operationWords(const Edit& edit) {
   if (const auto* fill = std::get_if<FillOperation>(&edit.operation))
     return fill->value == 0 ? "none" : fmt::format("to {:.0f} %", 100 * fill->value);
   if (const auto* shadow = std::get_if<ShadowOperation>(&edit.operation)) {
-    constexpr const char* kWords[] = {"lighten", "deepen", "soften", "sharpen", "recolour"};
     const std::string how = shadow->kind == ShadowOperation::Kind::Soften
                                 ? fmt::format("{} px", shadow->radius)
                                 : fmt::format("{:.0f} %", 100 * shadow->amount);
-    return fmt::format("{} {}", kWords[static_cast<size_t>(shadow->kind)], how);
+    return fmt::format("{} {}", kShadowWords.at(static_cast<size_t>(shadow->kind)), how);
   }
   return operationName(edit.operation);
 }

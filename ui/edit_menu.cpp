@@ -53,8 +53,6 @@ void append(StudioContext& studio, const std::string& what, const Operation& ope
   if (std::holds_alternative<InvertOperation>(operation) && studio.document().rig.lights.size() == 2)
     edit.lights.clear();
   EditStack edits = studio.document().edits;
-  edits.width = studio.set()->original->width();
-  edits.height = studio.set()->original->height();
   edits.append(std::move(edit));
   studio.editing.chosen = static_cast<int>(edits.edits.size()) - 1;
   studio.editing.open = true;

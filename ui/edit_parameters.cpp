@@ -14,6 +14,7 @@
 #include "ui/curve_widget.h"
 #include "ui/edit_list.h"
 #include "ui/edit_place.h"
+#include "ui/enum_names.h"
 #include "ui/layout_probe.h"
 #include "ui/light_edit.h"
 #include "ui/paint_controls.h"
@@ -23,7 +24,6 @@
 namespace swaplight {
 namespace {
 
-constexpr float kLabelWidth = 62;
 constexpr float kCurveHeight = 150;
 constexpr int kHistogramBins = 64;
 
@@ -52,28 +52,16 @@ void label(const char* words) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - px(6));
 }
 
-bool slider(const char* words, const char* mark, float* value, float low, float high, const char* format,
-            const char* tip, ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp) {
-  label(words);
-  const bool changed =
-      ImGui::SliderFloat((std::string("##") + mark).c_str(), value, low, high, format, flags);
-  markItem(mark);
-  tooltip(tip);
-  return changed;
-}
-
 bool percent(const char* words, const char* mark, float* part, float low, float high, const char* tip) {
   float shown = 100 * *part;
-  if (!slider(words, mark, &shown, 100 * low, 100 * high, "%.0f %%", tip, 0)) return false;
+  if (!labelledSlider(words, mark, &shown, 100 * low, 100 * high, "%.0f %%", tip, 0)) return false;
   *part = shown / 100;
   return true;
 }
 
 bool radius(const char* mark, int* pixels, const char* tip) {
   auto shown = static_cast<float>(*pixels);
-  if (!slider("Radius", mark, &shown, 1, 256, "%.0f px", tip,
-              ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic))
-    return false;
+  if (!labelledSlider("Radius", mark, &shown, 1, 256, "%.0f px", tip, kLogarithmic)) return false;
   *pixels = static_cast<int>(std::round(shown));
   return true;
 }
@@ -145,8 +133,8 @@ void fields(const Parameters& of, FillOperation fill) {
 }
 
 void fields(const Parameters& of, GainOperation gain) {
-  bool changed =
-      slider("Gain", "parameters.gain", &gain.gain, 0, 4, "x %.2f", "The light's part times this.", 0);
+  bool changed = labelledSlider("Gain", "parameters.gain", &gain.gain, 0, 4, "x %.2f",
+                                "The light's part times this.", 0);
   gain.gain = std::max(gain.gain, 0.F);
   changed |= percent("Offset", "parameters.offset", &gain.offset, -1, 1, "And so much more or less.");
   if (changed) of.preview("gain", gain);
@@ -194,18 +182,17 @@ void fields(const Parameters& of, const PictureOperation& picture) {
 
 void fields(const Parameters& of, ShadowOperation shadow) {
   using Kind = ShadowOperation::Kind;
-  constexpr std::array<const char*, 5> kWords{"lighten", "deepen", "soften", "sharpen", "recolour"};
   label("Shadows");
-  const bool open = ImGui::BeginCombo("##kind", kWords.at(static_cast<size_t>(shadow.kind)));
+  const bool open = ImGui::BeginCombo("##kind", kShadowWords.at(static_cast<size_t>(shadow.kind)));
   markItem("parameters.kind");
-  for (size_t i = 0; open && i < kWords.size(); ++i) {
-    if (ImGui::Selectable(kWords.at(i), static_cast<size_t>(shadow.kind) == i)) {
+  for (size_t i = 0; open && i < kShadowWords.size(); ++i) {
+    if (ImGui::Selectable(kShadowWords.at(i), static_cast<size_t>(shadow.kind) == i)) {
       Edit next = of.edit;
       shadow.kind = static_cast<Kind>(i);
       next.operation = shadow;
-      of.change(std::string("Shadows: ") + kWords.at(i), std::move(next));
+      of.change(std::string("Shadows: ") + kShadowWords.at(i), std::move(next));
     }
-    markItem(std::string("parameters.kind.") + kWords.at(i));
+    markItem(std::string("parameters.kind.") + kShadowWords.at(i));
   }
   if (open) ImGui::EndCombo();
   bool changed = percent("Amount", "parameters.amount", &shadow.amount, 0, 1, "From nothing to all of it.");

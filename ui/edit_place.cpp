@@ -9,13 +9,12 @@
 #include "core/edit/selection.h"
 #include "ui/edit_list.h"
 #include "ui/layout_probe.h"
+#include "ui/paint_controls.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace swaplight {
 namespace {
-
-constexpr float kLabelWidth = 62;
 
 std::string placeWords(const Mask& mask) {
   if (mask.empty()) return "everywhere";

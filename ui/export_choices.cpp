@@ -29,7 +29,7 @@ ExportRequest requestOf(const ExportChoices& choices, const std::filesystem::pat
   request.kind = choices.kind;
   request.file = file;
   const std::string extension = file.extension().string();
-  const bool sceneLinear = extension == ".exr" || extension == ".hdr";
+  const bool sceneLinear = request.kind == ExportKind::Frame && isSceneLinear(file);
   if (extension == ".exr" && choices.floatFrame) request.frame.write.pixelType = "float";
   if (extension == ".png" || extension == ".tif")
     request.frame.write.pixelType = choices.sixteenBits ? "uint16" : "uint8";

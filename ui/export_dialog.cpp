@@ -81,10 +81,6 @@ void check(const char* words, const char* mark, bool* value, const char* tip) {
   tooltip(tip);
 }
 
-bool isSceneLinearFormat(const std::string& extension) {
-  return extension == ".exr" || extension == ".hdr";
-}
-
 }  // namespace
 
 ExportDialog::ExportDialog(fs::path memory)
@@ -180,7 +176,7 @@ void ExportDialog::drawFrame(const Document& document) {
           "Instead of half float, which light up to 65504 fits into.");
   if (format == ".png" || format == ".tif")
     check("16 bits", "sixteen", &m_choices.sixteenBits, "Instead of 8 a channel.");
-  if (isSceneLinearFormat(format)) {
+  if (isSceneLinear("frame" + format)) {
     drawColorSpaces();
     return;
   }
@@ -192,11 +188,10 @@ void ExportDialog::drawFrame(const Document& document) {
        "The display and view that the viewer shows, or a tone mapping of the whole picture (plain sRGB).");
   if (m_choices.tone.empty()) {
     const ColorConfig& config = ColorConfig::current();
-    const DisplayChoice shown = displayWithin(config, document.display);
-    const std::string display = shown.display.empty() ? config.defaultDisplay() : shown.display;
+    const auto [display, view] = namedDisplay(config, displayWithin(config, document.display));
     ImGui::Dummy(ImVec2(0, 0));
     ImGui::SameLine(px(kLabel));
-    hint(display + ", " + (shown.view.empty() ? config.defaultView(display) : shown.view));
+    hint(display + ", " + view);
   }
 }
 

@@ -65,7 +65,7 @@ void amount(BrushState& brush) {
     case Mode::Soften: {
       float pixels = static_cast<float>(brush.softness);
       if (labelledSlider("Over", "brush.softness", &pixels, 1, 256, "%.0f px",
-                         "Over how many pixels of the picture.", ImGuiSliderFlags_Logarithmic))
+                         "Over how many pixels of the picture.", kLogarithmic))
         brush.softness = static_cast<int>(pixels);
       break;
     }
@@ -95,11 +95,10 @@ bool labelledSlider(const char* label, const char* mark, float* value, float low
                     const char* format, const char* tip, ImGuiSliderFlags flags) {
   ImGui::AlignTextToFramePadding();
   hint(label);
-  ImGui::SameLine(px(70));
+  ImGui::SameLine(px(kLabelWidth));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   const std::string id = std::string("##") + mark;
-  const bool changed =
-      ImGui::SliderFloat(id.c_str(), value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
+  const bool changed = ImGui::SliderFloat(id.c_str(), value, low, high, format, flags);
   markItem(mark);
   tooltip(tip);
   return changed;

@@ -6,18 +6,14 @@ namespace swaplight {
 void StudioWindow::addSelectionActions() {
   const auto hasLights = [this] { return m_session.set() && !m_editor.document().rig.lights.empty(); };
   const auto selected = [this] { return m_session.set() && !m_editor.document().selection.empty(); };
-  const auto take = [this](Tool tool) {
-    m_tool = m_tool == tool ? Tool::Look : tool;
-    if (m_tool != tool) return;
-    m_layout.edits = true;
-    m_edits.prepare(m_context);
-  };
   m_actions.add({"select.take", "Select a part of the picture", "Shift+L",
                  "Select by lasso, rectangle, ellipse, likeness or shadow: edits then stay inside of it.",
-                 [take] { take(Tool::Select); }, hasLights, [this] { return m_tool == Tool::Select; }});
+                 [this] { takeEditTool(Tool::Select); }, hasLights,
+                 [this] { return m_tool == Tool::Select; }});
   m_actions.add({"stencil.take", "Stencils and gradients", "Shift+T",
                  "Lay light on through words, shapes, a picture, or as a gradient, by dragging.",
-                 [take] { take(Tool::Stencil); }, hasLights, [this] { return m_tool == Tool::Stencil; }});
+                 [this] { takeEditTool(Tool::Stencil); }, hasLights,
+                 [this] { return m_tool == Tool::Stencil; }});
   m_actions.add({"stencil.choose_picture", "Picture as a stencil \u2026", "",
                  "The picture whose brightness lets the light through.", [this] { askForStencilPicture(); },
                  hasLights});

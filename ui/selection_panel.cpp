@@ -86,7 +86,7 @@ void drawSelectionBar(StudioContext& studio) {
   hint("Only inside the selection");
   float feather = featherOf(selection);
   if (labelledSlider("Soft edge", "select.feather", &feather, 0, kMostFeather, "%.0f px",
-                     "Over how many pixels of the picture it falls off.", ImGuiSliderFlags_Logarithmic)) {
+                     "Over how many pixels of the picture it falls off.", kLogarithmic)) {
     Document next = studio.document();
     next.selection = featheredSelection(selection, std::round(feather));
     studio.editor.preview("Soft edge of the selection", std::move(next));

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "ui/light_edit.h"
 #include "ui/theme.h"
+#include "ui/viewer_mouse.h"
 
 namespace swaplight {
 namespace {
@@ -20,12 +21,6 @@ constexpr float kLeastDrag = 3;        // pixels of the screen: less is a click
 constexpr float kDash = 5;             // pixels of the screen at scale 1
 constexpr size_t kMostPoints = 30000;  // of an outline: more is noise
 constexpr ImU32 kDark = IM_COL32(0, 0, 0, 220), kBright = IM_COL32(255, 255, 255, 235);
-
-Point pointAtMouse(const ViewWindow& window, ImVec2 origin) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return {static_cast<float>(window.pictureX(mouse.x - origin.x)),
-          static_cast<float>(window.pictureY(mouse.y - origin.y))};
-}
 
 SelectHow howFromKeys() {
   const ImGuiIO& io = ImGui::GetIO();
@@ -170,10 +165,6 @@ std::vector<Point> goingLine(const SelectionState& state) {
 void changeSelection(StudioContext& studio, const std::string& step, Mask selection) {
   Document next = studio.document();
   next.selection = std::move(selection);
-  if (!next.selection.empty()) {
-    next.edits.width = studio.set()->pictures->width();
-    next.edits.height = studio.set()->pictures->height();
-  }
   studio.editor.edit(step, std::move(next));
 }
 

@@ -39,8 +39,6 @@ std::optional<float> shadowThresholdOf(const Document& document, const std::stri
 void previewShadowThreshold(StudioContext& studio, const std::string& light, float threshold) {
   Document next = studio.document();
   next.edits.shadowThresholds[light] = threshold;
-  next.edits.width = studio.set()->original->width();
-  next.edits.height = studio.set()->original->height();
   studio.editor.preview("Where shadows of " + light + " begin", std::move(next));
 }
 
@@ -94,8 +92,6 @@ Document withShadowOperation(const StudioContext& studio, const std::string& lig
     edit.operation = operation;
     next.edits.append(std::move(edit));
   }
-  next.edits.width = studio.set()->original->width();
-  next.edits.height = studio.set()->original->height();
   return next;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/color/srgb.h"
 #include "ui/layout_probe.h"
+#include "ui/paint_controls.h"
 #include "ui/shadow_edit.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -16,7 +17,6 @@ namespace {
 
 using Kind = ShadowOperation::Kind;
 
-constexpr float kLabelWidth = 62;
 constexpr float kMostSoft = 256;  // pixels
 const Rgb kFirstColor{0.2F, 0.35F, 1};
 
@@ -30,19 +30,6 @@ struct ShadowSliders {
                           withShadowOperation(studio, light, kinds, operation));
   }
 };
-
-bool slider(const char* label, const char* mark, float* value, float low, float high, const char* format,
-            const char* tip, ImGuiSliderFlags flags = 0) {
-  ImGui::AlignTextToFramePadding();
-  hint(label);
-  ImGui::SameLine(px(kLabelWidth));
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  const bool changed = ImGui::SliderFloat((std::string("##") + mark).c_str(), value, low, high, format,
-                                          flags | ImGuiSliderFlags_AlwaysClamp);
-  markItem(mark);
-  tooltip(tip);
-  return changed;
-}
 
 void target(const ShadowSliders& sliders) {
   const ShadowState& state = sliders.studio.editing.shadow;
@@ -65,9 +52,10 @@ void lightInIt(const ShadowSliders& sliders) {
   const ShadowKinds kinds = {Kind::Lighten, Kind::Deepen};
   ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, kinds);
   float percent = (operation.kind == Kind::Deepen ? -100 : 100) * operation.amount;
-  if (!slider("Light", "shadows.lighten", &percent, -100, 100, "%+.0f %%",
-              "Right: the light comes back into its shadow; at 100 % the shadow is gone. Left: what light is "
-              "left in it goes, too."))
+  if (!labelledSlider(
+          "Light", "shadows.lighten", &percent, -100, 100, "%+.0f %%",
+          "Right: the light comes back into its shadow; at 100 % the shadow is gone. Left: what light is "
+          "left in it goes, too."))
     return;
   operation.kind = percent < 0 ? Kind::Deepen : Kind::Lighten;
   operation.amount = std::abs(std::round(percent)) / 100;
@@ -77,9 +65,9 @@ void lightInIt(const ShadowSliders& sliders) {
 void soften(const ShadowSliders& sliders) {
   ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, {Kind::Soften});
   float pixels = operation.amount > 0 ? static_cast<float>(operation.radius) : 0;
-  if (!slider("Soften", "shadows.soften", &pixels, 0, kMostSoft, "%.0f px",
-              "The shadow's edge spreads over so many pixels of the picture, as of a larger lamp.",
-              ImGuiSliderFlags_Logarithmic))
+  if (!labelledSlider("Soften", "shadows.soften", &pixels, 0, kMostSoft, "%.0f px",
+                      "The shadow's edge spreads over so many pixels of the picture, as of a larger lamp.",
+                      kLogarithmic))
     return;
   operation.radius = std::max(1, static_cast<int>(std::round(pixels)));
   operation.amount = pixels >= 1 ? 1 : 0;
@@ -89,8 +77,8 @@ void soften(const ShadowSliders& sliders) {
 void sharpen(const ShadowSliders& sliders) {
   ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, {Kind::Sharpen});
   float percent = 100 * operation.amount;
-  if (!slider("Sharpen", "shadows.sharpen", &percent, 0, 100, "%.0f %%",
-              "The shadow's edge becomes hard, as of a small lamp."))
+  if (!labelledSlider("Sharpen", "shadows.sharpen", &percent, 0, 100, "%.0f %%",
+                      "The shadow's edge becomes hard, as of a small lamp."))
     return;
   operation.amount = std::round(percent) / 100;
   sliders.preview("sharpen", {Kind::Sharpen}, operation);

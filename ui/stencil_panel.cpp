@@ -68,9 +68,8 @@ bool ownValues(StudioContext& studio) {
     kind.pattern = static_cast<PatternShape::Kind>(pattern);
   }
   const bool soft = kind.kind != Kind::Picture && kind.kind != Kind::Linear && kind.kind != Kind::Radial;
-  if (soft &&
-      labelledSlider("Soft edge", "stencil.feather", &kind.feather, 0, kMostFeather, "%.0f px",
-                     "Over how many pixels of the picture its edge falls off.", ImGuiSliderFlags_Logarithmic))
+  if (soft && labelledSlider("Soft edge", "stencil.feather", &kind.feather, 0, kMostFeather, "%.0f px",
+                             "Over how many pixels of the picture its edge falls off.", kLogarithmic))
     changed = true;
   return changed;
 }

@@ -7,6 +7,7 @@
 #include "ui/brush_tool.h"
 #include "ui/layout_probe.h"
 #include "ui/theme.h"
+#include "ui/viewer_mouse.h"
 
 namespace swaplight {
 namespace {
@@ -15,12 +16,6 @@ using Kind = ShapeKind::Kind;
 using Point = std::array<float, 2>;
 
 constexpr float kLeastDrag = 4;  // pixels of the screen: less places nothing
-
-Point pointAtMouse(const ViewWindow& window, ImVec2 origin) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return {static_cast<float>(window.pictureX(mouse.x - origin.x)),
-          static_cast<float>(window.pictureY(mouse.y - origin.y))};
-}
 
 bool isInside(const PixelRect& box, const Point& at) {
   return at[0] >= static_cast<float>(box.x) && at[0] < static_cast<float>(box.right()) &&
@@ -71,8 +66,6 @@ void show(StudioContext& studio, const Point& at) {
     edit.mask = maskWithin({std::move(shape)}, going.before.selection);
   }
   Document next = going.before;
-  next.edits.width = studio.set()->pictures->width();
-  next.edits.height = studio.set()->pictures->height();
   if (going.edit < next.edits.edits.size())
     next.edits.replace(going.edit, std::move(edit));
   else

@@ -58,6 +58,8 @@ class StudioWindow {
   void addCompareActions();
   void addWindowActions();
   void addLookActions();
+  /// Takes a tool that makes edits into the hand; again: puts it away.
+  void takeEditTool(Tool tool);
   void addBrushActions();
   void addSelectionActions();
   void askForStencilPicture();

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/edit/mask_raster.h"
+#include "core/image/pixel_rect.h"
 #include "core/solve/solved_set.h"
 #include "core/view/view_subject.h"
 #include "core/view/window_pixels.h"

@@ -86,10 +86,7 @@ void zebraButton(StudioContext& studio) {
 /// The display and the view that are in use, by name.
 DisplayChoice shownThrough(const StudioContext& studio) {
   const ColorConfig& config = ColorConfig::current();
-  DisplayChoice choice = displayWithin(config, studio.document().display);
-  if (choice.display.empty()) choice.display = config.defaultDisplay();
-  if (choice.view.empty()) choice.view = config.defaultView(choice.display);
-  return choice;
+  return namedDisplay(config, displayWithin(config, studio.document().display));
 }
 
 std::string viewWords(const DisplayChoice& choice) {

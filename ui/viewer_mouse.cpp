@@ -115,6 +115,12 @@ WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2
   return handles;
 }
 
+std::array<float, 2> pointAtMouse(const ViewWindow& window, ImVec2 origin) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return {static_cast<float>(window.pictureX(mouse.x - origin.x)),
+          static_cast<float>(window.pictureY(mouse.y - origin.y))};
+}
+
 void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <optional>
 
 #include "ui/studio_context.h"
@@ -20,6 +21,9 @@ struct WipeHandles {
   ImVec2 turn;   ///< the handle
 };
 [[nodiscard]] WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2 origin);
+
+/// Where the mouse is in the picture; `origin` is the corner of the pane under it.
+[[nodiscard]] std::array<float, 2> pointAtMouse(const ViewWindow& window, ImVec2 origin);
 
 /// What the mouse does in the viewer, whose item was submitted last. `origin` is the corner of the pane under
 /// the mouse.

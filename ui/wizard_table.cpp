@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/color/srgb.h"
-#include "core/edit/mask_raster.h"
 #include "core/error.h"
+#include "core/image/pixel_rect.h"
 #include "ui/capture_wizard.h"
 #include "ui/gel_list.h"
 #include "ui/icons.h"
