@@ -200,6 +200,18 @@ class StudioTest(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder, name)
 
+    def save_as(self, name):
+        """Saves the session by the dialog; gives the file and what is in it."""
+        path = self.path(name + '.swaplight')
+        self.studio.key('ctrl+shift+s')
+        self.studio.item('chooser.name')
+        self.studio.key('ctrl+a')
+        self.studio.type(path)
+        self.studio.key('Return')
+        self.studio.wait(lambda layout: layout.get('title', '').startswith(name), 'the session has a name')
+        with open(path) as file:
+            return path, json.load(file)
+
     def start(self, *arguments, **options):
         self.studio = Studio(self.display, self.folder, *arguments, size='%dx%d' % self.size, **options)
         return self.studio

@@ -27,15 +27,8 @@ class Edits(StudioTest):
         self.studio.settle()
 
     def save(self, name):
-        path = self.path(name + '.swaplight')
-        self.studio.key('ctrl+shift+s')
-        self.studio.item('chooser.name')
-        self.studio.key('ctrl+a')
-        self.studio.type(path)
-        self.studio.key('Return')
-        self.studio.wait(lambda layout: layout.get('title', '').startswith(name), 'the session has a name')
-        with open(path) as file:
-            return path, json.load(file)['edits']['edits']
+        path, session = self.save_as(name)
+        return path, session['edits']['edits']
 
     def same_as_command_line(self, session):
         frame, line = self.path('studio.exr'), self.path('line.exr')

@@ -13,15 +13,7 @@ def mean(pixels):
 
 class Looks(StudioTest):
     def save(self, name='lit'):
-        path = self.path(name + '.swaplight')
-        self.studio.key('ctrl+shift+s')
-        self.studio.item('chooser.name')
-        self.studio.key('ctrl+a')
-        self.studio.type(path)
-        self.studio.key('Return')
-        self.studio.wait(lambda layout: layout.get('title', '').startswith(name), 'the session has a name')
-        with open(path) as file:
-            session = json.load(file)
+        _, session = self.save_as(name)
         return session, {light['name']: light for light in session['rig']['lights']}
 
     def along(self, name, start, end):

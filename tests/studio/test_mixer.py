@@ -14,15 +14,7 @@ def mean(pixels):
 class Mixer(StudioTest):
     def save(self, name='mixed'):
         """The session's lights by name, as a file has them."""
-        path = self.path(name + '.swaplight')
-        self.studio.key('ctrl+shift+s')
-        self.studio.item('chooser.name')
-        self.studio.key('ctrl+a')
-        self.studio.type(path)
-        self.studio.key('Return')
-        self.studio.wait(lambda layout: layout.get('title', '').startswith(name), 'the session has a name')
-        with open(path) as file:
-            rig = json.load(file)['rig']
+        rig = self.save_as(name)[1]['rig']
         return rig, {light['name']: light for light in rig['lights']}
 
     def test_a_gel_is_found_by_typing_and_colours_the_light(self):

@@ -19,17 +19,6 @@ def read_float(path):
 
 
 class Paint(StudioTest):
-    def save(self, name):
-        path = self.path(name + '.swaplight')
-        self.studio.key('ctrl+shift+s')
-        self.studio.item('chooser.name')
-        self.studio.key('ctrl+a')
-        self.studio.type(path)
-        self.studio.key('Return')
-        self.studio.wait(lambda layout: layout.get('title', '').startswith(name), 'the session has a name')
-        with open(path) as file:
-            return path, json.load(file)
-
     def take_brush(self, light='fill'):
         studio = self.open_sample()
         studio.click(f'mixer.{light}.chip')
@@ -64,7 +53,7 @@ class Paint(StudioTest):
         erased = studio.picture('paint_erased')
         self.assertGreater(self.part(erased, 0.32, 0.45), self.part(before, 0.32, 0.45) + 8)
         self.assertLess(abs(self.part(erased, 0.6, 0.66) - self.part(before, 0.6, 0.66)), 2)
-        _, session = self.save('erased')
+        _, session = self.save_as('erased')
         self.assertEqual(len(session['edits']['edits']), 1)
         strokes = session['edits']['edits'][0]['mask'][0]['strokes']
         self.assertEqual([stroke['erase'] for stroke in strokes], [False, True])
@@ -79,7 +68,7 @@ class Paint(StudioTest):
     def test_the_studio_and_the_command_line_write_the_same_frame(self):
         studio = self.take_brush('key')
         self.stroke(0.2, 0.8, 0.4)
-        path, _ = self.save('painted')
+        path, _ = self.save_as('painted')
         studio.key('ctrl+e')
         studio.item('export.file')
         studio.key('ctrl+a')
@@ -116,7 +105,7 @@ class Paint(StudioTest):
         studio.click('edits.0', x=0.8, button=3)
         studio.click('edits.duplicate')
         studio.item('edits.1')
-        _, session = self.save('list')
+        _, session = self.save_as('list')
         self.assertEqual(len(session['edits']['edits']), 2)
         self.assertLess(session['edits']['edits'][0]['opacity'], 0.8)
         for _ in range(2):

@@ -11,17 +11,6 @@ from test_paint import read_float
 
 
 class Tools(StudioTest):
-    def save(self, name):
-        path = self.path(name + '.swaplight')
-        self.studio.key('ctrl+shift+s')
-        self.studio.item('chooser.name')
-        self.studio.key('ctrl+a')
-        self.studio.type(path)
-        self.studio.key('Return')
-        self.studio.wait(lambda layout: layout.get('title', '').startswith(name), 'the session has a name')
-        with open(path) as file:
-            return path, json.load(file)
-
     def open(self, light='fill', key='shift+l'):
         studio = self.open_sample()
         studio.click(f'mixer.{light}.chip')
@@ -60,7 +49,7 @@ class Tools(StudioTest):
         return frame
 
     def same_as_command_line(self, name):
-        path, session = self.save(name)
+        path, session = self.save_as(name)
         frame, other = self.export(), self.path('line.exr')
         subprocess.run([PROGRAM, 'relight', '--session', path, '-o', other, '-q'], check=True)
         np.testing.assert_array_equal(read_float(frame), read_float(other))
@@ -99,7 +88,7 @@ class Select(Tools):
         studio.xdotool('keyup', 'alt')
         studio.picture('select_parts')
         studio.key('ctrl+shift+i')
-        _, session = self.save('parts')
+        _, session = self.save_as('parts')
         self.assertEqual([part['combine'] for part in session['selection'][0]['parts']], ['add', 'add', 'subtract'])
         self.assertTrue(session['selection'][0]['invert'])
         self.assertTrue(studio.has('select.feather'))
@@ -114,7 +103,7 @@ class Select(Tools):
         studio.item('select.tolerance')
         studio.click_at(*self.at(0.5, 0.15))
         studio.picture('select_similar')
-        _, session = self.save('alike')
+        _, session = self.save_as('alike')
         part = session['selection'][0]['parts'][0]
         self.assertEqual((part['shape'], part['by'], part['connected']), ('similar', 'color', True))
 
@@ -125,7 +114,7 @@ class Select(Tools):
         studio.settle()
         studio.settle()
         studio.picture('select_shadows')
-        _, session = self.save('shadows')
+        _, session = self.save_as('shadows')
         self.assertEqual(session['selection'][0]['parts'][0], {'shape': 'shadow', 'light': 'key', 'combine': 'add'})
 
 
@@ -161,7 +150,7 @@ class Stencil(Tools):
         studio.key('ctrl+a')
         studio.type('OH')
         studio.key('Return')
-        _, session = self.save('moved')
+        _, session = self.save_as('moved')
         self.assertEqual([edit['mask'][0]['text'] for edit in session['edits']['edits']], ['OH'])
 
     def test_light_falls_off_along_a_gradient(self):

@@ -54,17 +54,6 @@ class Shadows(StudioTest):
     def click_pixel(self, x, y):
         self.studio.click_at(*self.screen_of(x, y))
 
-    def save(self, name):
-        path = self.path(name + '.swaplight')
-        self.studio.key('ctrl+shift+s')
-        self.studio.item('chooser.name')
-        self.studio.key('ctrl+a')
-        self.studio.type(path)
-        self.studio.key('Return')
-        self.studio.wait(lambda layout: layout.get('title', '').startswith(name), 'the session has a name')
-        with open(path) as file:
-            return path, json.load(file)
-
     def export(self, name):
         frame = self.path(name)
         self.studio.key('ctrl+e')
@@ -136,7 +125,7 @@ class Shadows(StudioTest):
         studio.drag((middle, height), (round(middle + 0.12 * (h1 - h0)), height))
         self.found()
         studio.screenshot('shadows_threshold')
-        _, session = self.save('threshold')
+        _, session = self.save_as('threshold')
         moved = session['edits']['shadow_thresholds']
         self.assertEqual(list(moved), [LIGHT])
         self.assertGreater(studio.item('shadows.threshold')[0], x0 + 10)
@@ -149,7 +138,7 @@ class Shadows(StudioTest):
         studio.click('shadows.auto')
         studio.settle()
         self.assertEqual(studio.item('shadows.threshold')[0], x0)
-        _, session = self.save('automatic')
+        _, session = self.save_as('automatic')
         self.assertNotIn('shadow_thresholds', session.get('edits', {}))
 
     def test_a_shadow_that_is_clicked_is_removed_alone(self):
@@ -161,12 +150,12 @@ class Shadows(StudioTest):
         studio.item('shadows.choose_all')
         studio.screenshot('shadows_chosen')
         studio.click('shadows.remove')
-        self.save('removed')
+        self.save_as('removed')
         studio.key('Escape')
         studio.wait(lambda layout: 'shadows.choose_all' not in layout['items'], 'Escape lets go of the shadow')
         after = studio.picture('shadows_removed')
         self.assertGreater(self.around(after), self.around(before) + 8)
-        path, session = self.save('removed_one')
+        path, session = self.save_as('removed_one')
         edits = session['edits']['edits']
         self.assertEqual([(edit['operation'], edit['kind'], edit['amount'], edit['lights']) for edit in edits],
                          [('shadow', 'lighten', 1, [LIGHT])])
@@ -198,7 +187,7 @@ class Shadows(StudioTest):
         drag('shadows.recolor', 0.02, 0.7)
         colored = studio.picture('shadows_coloured')
         self.assertGreater(self.around(colored), self.around(before) + 2)
-        _, session = self.save('sliders')
+        _, session = self.save_as('sliders')
         edits = session['edits']['edits']
         self.assertEqual([edit['kind'] for edit in edits], ['deepen', 'soften', 'sharpen', 'recolor'])
         self.assertGreater(edits[1]['radius'], 20)
