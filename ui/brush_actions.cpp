@@ -24,6 +24,13 @@ void StudioWindow::addBrushActions() {
   const auto hasLights = [this] { return m_session.set() && !m_editor.document().rig.lights.empty(); };
   const auto painting = [this, hasLights] { return m_tool == Tool::Brush && hasLights(); };
   BrushState& brush = m_editing.brush;
+  m_actions.add({"edit.cancel_drag", "Take the drag back", "Escape",
+                 "While the button is held: the stroke, stencil, handle or lasso as if it had never begun.",
+                 [this] {
+                   m_editor.cancel();
+                   m_editing.endDrags();
+                 },
+                 [this] { return m_editing.dragging(); }});
   m_actions.add(
       {"brush.take", "Paint with light", "Shift+B",
        "Paint on the picture with the chosen light: more of it, less, softer; again: put the brush away.",

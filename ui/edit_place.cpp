@@ -8,6 +8,7 @@
 
 #include "core/edit/selection.h"
 #include "ui/edit_list.h"
+#include "ui/handle_tool.h"
 #include "ui/layout_probe.h"
 #include "ui/paint_controls.h"
 #include "ui/theme.h"
@@ -111,6 +112,7 @@ void rectangle(StudioContext& studio, size_t index) {
 void drawEditPlace(StudioContext& studio, size_t index) {
   placeCombo(studio, index);
   rectangle(studio, index);
+  if (handlesShown(studio)) hint("Drag the handles in the picture.");
   const std::shared_ptr<const Edit> edit = studio.document().edits.edits[index];
   if (edit->mask.size() != 1) return;
   bool outside = edit->mask.front().invert;

@@ -6,6 +6,7 @@
 
 #include "ui/brush_state.h"
 #include "ui/curve_widget.h"
+#include "ui/handle_state.h"
 #include "ui/selection_state.h"
 #include "ui/shadow_state.h"
 #include "ui/stencil_state.h"
@@ -16,6 +17,7 @@ namespace swaplight {
 struct EditsState {
   BrushState brush;
   StencilState stencil;
+  HandleState handle;
   SelectionState selection;
   ShadowState shadow;
   int chosen = -1;       ///< edit of the list; -1: none
@@ -28,6 +30,17 @@ struct EditsState {
   std::string name;  ///< what has been typed
   CurveGrab curve;
   std::map<int, std::vector<float>> histograms;  ///< of beta, by light; -1: all
+
+  /// Something is being drawn or dragged in the picture.
+  [[nodiscard]] bool dragging() const {
+    return brush.going || stencil.going || handle.going || selection.going;
+  }
+  void endDrags() {
+    brush.going.reset();
+    stencil.going.reset();
+    handle.going.reset();
+    selection.going.reset();
+  }
 };
 
 }  // namespace swaplight

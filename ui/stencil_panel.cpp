@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/edit/shape_handles.h"
 #include "ui/edit_list.h"
 #include "ui/layout_probe.h"
 #include "ui/menu_bar.h"
@@ -92,8 +93,8 @@ void drawStencilPanel(StudioContext& studio) {
     previewEdit(studio, static_cast<size_t>(studio.editing.chosen), edit.name + ": stencil", std::move(edit));
   }
   const Edit* placed = chosenStencil(studio);
-  const bool movable = placed && !boxOf(placed->mask.front()).empty();
-  hint(movable ? "Drag it to move it" : "Drag in the picture to place it");
+  const bool movable = placed && !handlesOf(placed->mask.front()).empty();
+  hint(movable ? "Drag it or its handles, or place another" : "Drag in the picture to place it");
 }
 
 }  // namespace swaplight

@@ -14,9 +14,7 @@ struct StencilState {
 
   struct Going {
     Document before;
-    size_t edit = 0;  ///< its place in the list
-    Edit base;        ///< with the shape that is moved, or without one
-    bool moves = false;
+    Edit base;  ///< without a shape
     std::array<float, 2> from{};
   };
   std::optional<Going> going;

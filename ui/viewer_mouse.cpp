@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ui/brush_tool.h"
+#include "ui/handle_tool.h"
 #include "ui/pick_tool.h"
 #include "ui/selection_tool.h"
 #include "ui/shadow_edit.h"
@@ -139,6 +140,9 @@ void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 o
     handleBrush(studio, window, origin);
   } else if (selects || studio.editing.selection.going) {
     handleSelection(studio, window, origin);
+  } else if ((studio.editing.handle.going || (!io.KeyAlt && !moves && grab == Grab::None)) &&
+             handleShapeHandles(studio, window, origin)) {
+    return;
   } else if (places || studio.editing.stencil.going) {
     handleStencil(studio, window, origin);
   } else if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {

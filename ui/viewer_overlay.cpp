@@ -9,10 +9,10 @@
 #include "core/view/false_color.h"
 #include "core/view/subject_image.h"
 #include "ui/brush_tool.h"
+#include "ui/handle_tool.h"
 #include "ui/layout_probe.h"
 #include "ui/selection_tool.h"
 #include "ui/shadow_overlay.h"
-#include "ui/stencil_tool.h"
 #include "ui/theme.h"
 #include "ui/viewer_mouse.h"
 #include "ui/viewer_request.h"
@@ -177,7 +177,7 @@ void drawViewerOverlay(StudioContext& studio, const ViewWindow& window, ImVec2 o
   drawLegends(studio, origin, size);
   ImGui::GetWindowDrawList()->PushClipRect(origin, ImVec2(origin.x + size.x, origin.y + size.y), true);
   drawSelection(studio, window, origin);
-  if (studio.tool == Tool::Stencil) drawStencilFrame(studio, window, origin);
+  drawShapeHandles(studio, window, origin);
   ImGui::GetWindowDrawList()->PopClipRect();
   if (studio.tool == Tool::Brush) drawBrushRing(studio, window, origin);
 }

@@ -18,13 +18,8 @@ constexpr float kRadialCore = .25F;  // of a radial gradient's radius
 
 /// The end of the drag, made even.
 Point evenEnd(Kind kind, Point from, Point to) {
+  if (kind == Kind::Linear || kind == Kind::Pattern) return evenDirection(from, to);
   const float dx = to[0] - from[0], dy = to[1] - from[1];
-  if (kind == Kind::Linear || kind == Kind::Pattern) {
-    const float step = std::numbers::pi_v<float> / 4;
-    const float angle = step * std::round(std::atan2(dy, dx) / step);
-    const float length = std::hypot(dx, dy);
-    return {from[0] + length * std::cos(angle), from[1] + length * std::sin(angle)};
-  }
   const float side = std::max(std::abs(dx), std::abs(dy));
   return {from[0] + std::copysign(side, dx), from[1] + std::copysign(side, dy)};
 }
@@ -40,12 +35,15 @@ TextShape dragText(const ShapeKind& kind, Point from, Point to) {
   return shape;
 }
 
-PixelRect around(float x0, float y0, float x1, float y1) {
-  const int left = static_cast<int>(std::floor(x0)), top = static_cast<int>(std::floor(y0));
-  return {left, top, static_cast<int>(std::ceil(x1)) - left, static_cast<int>(std::ceil(y1)) - top};
-}
-
 }  // namespace
+
+Point evenDirection(Point from, Point to) {
+  const float step = std::numbers::pi_v<float> / 4;
+  const float dx = to[0] - from[0], dy = to[1] - from[1];
+  const float angle = step * std::round(std::atan2(dy, dx) / step);
+  const float length = std::hypot(dx, dy);
+  return {from[0] + length * std::cos(angle), from[1] + length * std::sin(angle)};
+}
 
 MaskShape draggedShape(const ShapeKind& kind, Point from, Point to, bool even) {
   if (even) to = evenEnd(kind.kind, from, to);
@@ -79,20 +77,27 @@ MaskShape draggedShape(const ShapeKind& kind, Point from, Point to, bool even) {
   return {};
 }
 
-PixelRect boxOf(const MaskShape& shape) {
+std::optional<ShapeBox> boxOf(const MaskShape& shape) {
+  const auto around = [](float x, float y, float rx, float ry) {
+    return ShapeBox{x - rx, y - ry, x + rx, y + ry};
+  };
+  const auto corner = [](float x, float y, float width, float height) {
+    return ShapeBox{x, y, x + width, y + height};
+  };
   if (const auto* s = std::get_if<RectangleShape>(&shape.shape))
-    return around(s->x, s->y, s->x + s->width, s->y + s->height);
+    return corner(s->x, s->y, s->width, s->height);
   if (const auto* s = std::get_if<EllipseShape>(&shape.shape))
-    return around(s->x - s->radiusX, s->y - s->radiusY, s->x + s->radiusX, s->y + s->radiusY);
-  if (const auto* s = std::get_if<PictureShape>(&shape.shape))
-    return around(s->x, s->y, s->x + s->width, s->y + s->height);
+    return around(s->x, s->y, s->radiusX, s->radiusY);
+  if (const auto* s = std::get_if<PictureShape>(&shape.shape); s && s->width > 0 && s->height > 0)
+    return corner(s->x, s->y, s->width, s->height);
   if (const auto* s = std::get_if<RadialGradientShape>(&shape.shape))
-    return around(s->x - s->outer, s->y - s->outer, s->x + s->outer, s->y + s->outer);
+    return around(s->x, s->y, s->outer, s->outer);
   if (const auto* s = std::get_if<TextShape>(&shape.shape)) {
     const cv::Size size = textSize(s->text, std::max(1, static_cast<int>(std::lround(s->height))));
-    return around(s->x, s->y - static_cast<float>(size.height), s->x + static_cast<float>(size.width), s->y);
+    const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+    return corner(s->x, s->y - height, width, height);
   }
-  return {};
+  return std::nullopt;
 }
 
 MaskShape movedShape(const MaskShape& shape, float dx, float dy) {

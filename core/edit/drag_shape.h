@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "core/edit/mask.h"
@@ -24,9 +26,19 @@ struct ShapeKind {
 [[nodiscard]] MaskShape draggedShape(const ShapeKind& kind, std::array<float, 2> from,
                                      std::array<float, 2> to, bool even);
 
-/// The box around a shape that has one, in pixels of the picture: text, ellipse, rectangle, picture, radial
-/// gradient. Empty for the others.
-[[nodiscard]] PixelRect boxOf(const MaskShape& shape);
+/// The point as far away in the next direction that is a multiple of 45 degrees.
+[[nodiscard]] std::array<float, 2> evenDirection(std::array<float, 2> from, std::array<float, 2> to);
+
+/// A box in pixels of the picture.
+struct ShapeBox {
+  float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  [[nodiscard]] bool contains(std::array<float, 2> at) const {
+    return at[0] >= x0 && at[0] < x1 && at[1] >= y0 && at[1] < y1;
+  }
+};
+/// The box around a shape that has one: text, ellipse, rectangle, picture, radial gradient. Nothing for the
+/// others, and for pictures of their own size.
+[[nodiscard]] std::optional<ShapeBox> boxOf(const MaskShape& shape);
 /// The shape elsewhere.
 [[nodiscard]] MaskShape movedShape(const MaskShape& shape, float dx, float dy);
 /// Whether a shape is one that this kind draws.

@@ -168,10 +168,10 @@ TEST(DragShape, WordsAreAsWideAsTheDrag) {
   ShapeKind kind;
   kind.text = "LIGHT";
   const MaskShape shape = draggedShape(kind, {100, 50}, {260, 90}, false);
-  const PixelRect drawn = boxOf(shape);
-  EXPECT_NEAR(drawn.width, 160, 12);
-  EXPECT_NEAR(drawn.bottom(), 90, 2);
-  EXPECT_EQ(boxOf(movedShape(shape, 30, -10)).x, drawn.x + 30);
+  const ShapeBox drawn = boxOf(shape).value();
+  EXPECT_NEAR(drawn.x1 - drawn.x0, 160, 12);
+  EXPECT_NEAR(drawn.y1, 90, 2);
+  EXPECT_EQ(boxOf(movedShape(shape, 30, -10)).value().x0, drawn.x0 + 30);
 }
 
 TEST(DragShape, EvenDragsMakeCirclesAndStraightGradients) {
