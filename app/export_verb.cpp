@@ -1,10 +1,10 @@
 #include <fmt/ranges.h>
 
+#include "app/display_arguments.h"
 #include "app/lighting_arguments.h"
 #include "app/verbs.h"
 #include "core/color/color_config.h"
 #include "core/error.h"
-#include "core/export/frame_file.h"
 #include "core/export/layer_export.h"
 #include "core/export/look_export.h"
 #include "core/export/provenance.h"
@@ -51,10 +51,8 @@ LayerOptions optionsOf(const Arguments& arguments) {
 
 int exportLook(const Arguments& arguments, const std::optional<Session>& session, const SolvedSet& set,
                const Rig& rig, Terminal& terminal) {
-  DisplayChoice display = arguments.display;
-  if (session && display.display.empty() && display.view.empty()) display = session->document.display;
   const GlobalLook look = globalLook(set, rig);
-  writeLook(look, display, arguments.file);
+  writeLook(look, displayOver(session, arguments.display), arguments.file);
   terminal.say(
       "wrote {}: the global part of the look, {:.1f} % of the relit picture; what each light does on its "
       "own is spatial and not in it",
@@ -71,7 +69,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
     for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
   LayerOptions options = optionsOf(arguments);
   const bool look = isLookFile(arguments.file);
-  if (look) checkFrame("look.png", {false, arguments.display.display, arguments.display.view, {}});
+  if (look) ColorConfig::current().checkView(displayOver(session, arguments.display));
   if (!options.colorSpace.empty()) ColorConfig::current().checkColorSpace(options.colorSpace);
   checkWritable(arguments.file);
   arguments.lighting.check(session);
@@ -130,9 +128,7 @@ void addExportVerb(Program& program) {
       ->capture_default_str();
   verb.add_option("--data-window", a->window, "shots (as the photographs have it), full, or X,Y,WIDTH,HEIGHT")
       ->type_name("WINDOW");
-  verb.add_option("--display", a->display.display, "For .cube: a display of the colour configuration")
-      ->type_name("NAME");
-  verb.add_option("--view", a->display.view, "For .cube: a view of the display")->type_name("NAME");
+  addDisplayOptions(*verb.add_option_group("For .cube"), a->display);
 }
 
 }  // namespace swaplight

@@ -120,6 +120,8 @@ Description describeSession(const fs::path& file) {
   if (!document.colorConfig.empty()) d.line("colours", document.colorConfig.string());
   if (!document.display.view.empty())
     d.line("view", fmt::format("{} on {}", document.display.view, document.display.display));
+  if (document.display.look)
+    d.line("look of the view", document.display.look->empty() ? "none" : *document.display.look);
   for (const std::string& warning : session.warnings) d.line("warning", warning);
   d.text += "\n" + rigText(document.rig);
   d.json = {{"kind", "session"}, {"file", file.string()}, {"set", document.source.string()}};

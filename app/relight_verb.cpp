@@ -1,3 +1,4 @@
+#include "app/display_arguments.h"
 #include "app/lighting_arguments.h"
 #include "app/sequence_arguments.h"
 #include "app/verbs.h"
@@ -92,8 +93,7 @@ void addRelightVerb(Program& program) {
   verb.add_option("-o,--output", a->frame, "The frame: EXR, HDR, PNG, TIFF or JPEG")
       ->required()
       ->type_name("FRAME");
-  verb.add_option("--view", a->output.view, "A view of the colour configuration")->type_name("NAME");
-  verb.add_option("--display", a->output.display, "A display of the colour configuration")->type_name("NAME");
+  addDisplayOptions(verb, a->output.display);
   verb.add_option("--tone", a->tone,
                   "Tone map a still by the whole picture: drago, mantiuk or reinhard; with parameters, as "
                   "drago:bias=0.9,saturation=1.1")

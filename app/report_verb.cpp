@@ -1,5 +1,7 @@
+#include "app/display_arguments.h"
 #include "app/lighting_arguments.h"
 #include "app/verbs.h"
+#include "core/color/color_config.h"
 #include "core/error.h"
 #include "core/file/atomic_file.h"
 #include "core/image/image_io.h"
@@ -10,6 +12,7 @@ namespace {
 
 struct Arguments {
   LightingArguments lighting;
+  DisplayChoice display;
   std::string page;
   std::string histogram;
 };
@@ -18,6 +21,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   if (session)
     for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
+  ColorConfig::current().checkView(arguments.display);
   for (const std::string& file : {arguments.page, arguments.histogram})
     if (!file.empty()) checkWritable(file);
   arguments.lighting.check(session);
@@ -25,7 +29,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
   const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.7F));
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
-  const ReportSubject subject{set, rig, session ? session->document.display : DisplayChoice{},
+  const ReportSubject subject{set, rig, displayOver(session, arguments.display),
                               arguments.lighting.source(session).filename().string()};
   progress.update(0.8F, "writing");
   writeFile(arguments.page, reportHtml(subject));
@@ -53,6 +57,7 @@ void addReportVerb(Program& program) {
   verb.add_option("-o,--output", a->page, "The page, complete in itself")
       ->required()
       ->type_name("REPORT.html");
+  addDisplayOptions(verb, a->display);
   verb.add_option("--histogram", a->histogram, "Write luminance before and after as a plot")
       ->type_name("FILE.png");
 }

@@ -73,16 +73,19 @@ std::vector<DisplayProgram::Table> curvesOf(const OCIO::GpuShaderDescRcPtr& shad
 }  // namespace
 
 DisplayProgram::DisplayProgram(const ColorConfig& config, const std::string& colorSpace,
-                               const std::string& display, const std::string& view) {
+                               const DisplayChoice& choice) {
   OCIO::GpuShaderDescRcPtr shader = OCIO::GpuShaderDesc::CreateShaderDesc();
   shader->setLanguage(OCIO::GPU_LANGUAGE_GLSL_4_0);
   shader->setFunctionName("displayFromScene");
   shader->setResourcePrefix("ocio_");
   try {
-    config.impl().view(colorSpace, display, view)->getDefaultGPUProcessor()->extractGpuShaderInfo(shader);
+    config.impl()
+        .view(colorSpace, namedDisplay(config, choice))
+        ->getDefaultGPUProcessor()
+        ->extractGpuShaderInfo(shader);
   } catch (const OCIO::Exception& error) {
-    throw InputError("{}: OpenColorIO writes no shader for the view {} of {}: {}", config.name(), view,
-                     display, error.what());
+    throw InputError("{}: OpenColorIO writes no shader for {}: {}", config.name(),
+                     displayWords(namedDisplay(config, choice)), error.what());
   }
   m_program = ShaderProgram(kVertex, kFragment, shader->getShaderText());
   const TightPixels tight;

@@ -14,9 +14,8 @@ namespace swaplight {
 class DisplayProgram {
  public:
   DisplayProgram() = default;
-  /// Throws InputError where the configuration lacks the space, the display or the view.
-  DisplayProgram(const ColorConfig& config, const std::string& colorSpace, const std::string& display,
-                 const std::string& view);
+  /// Throws InputError where the configuration lacks the space, the display, the view or a look.
+  DisplayProgram(const ColorConfig& config, const std::string& colorSpace, const DisplayChoice& choice);
   /// Shows values as they are: for maps that are data.
   [[nodiscard]] static DisplayProgram forData();
 

@@ -50,11 +50,10 @@ const DisplayProgram& ViewRenderer::programFor(const ViewSettings& settings) {
     return found != m_programs.end() ? found->second
                                      : m_programs.try_emplace({}, DisplayProgram::forData()).first->second;
   }
-  const std::string display = settings.display.empty() ? m_config.defaultDisplay() : settings.display;
-  const std::string view = settings.view.empty() ? m_config.defaultView(display) : settings.view;
-  const auto found = m_programs.find({display, view});
+  const DisplayChoice choice = namedDisplay(m_config, settings.display);
+  const auto found = m_programs.find(choice);
   if (found != m_programs.end()) return found->second;
-  return m_programs.try_emplace({display, view}, m_config, m_colorSpace, display, view).first->second;
+  return m_programs.try_emplace(choice, m_config, m_colorSpace, choice).first->second;
 }
 
 void ViewRenderer::draw(TiledTexture& picture, const ViewWindow& window, const ViewSettings& settings,

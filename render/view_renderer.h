@@ -3,7 +3,6 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <string>
-#include <utility>
 
 #include "core/color/color_config.h"
 #include "core/color/rgb.h"
@@ -25,7 +24,7 @@ class ViewRenderer {
   ViewRenderer(const ColorConfig& config, std::string colorSpace);
 
   /// Draws over what is in the target, where there is a picture. Throws InputError where the configuration
-  /// lacks the display or the view.
+  /// lacks the display, the view or a look.
   struct Part {
     glm::vec3 side{0, 0, 1};  ///< only where side.x * x + side.y * y + side.z >= 0, for a pixel's centre
     bool absolute = false;    ///< the picture is a difference, of which the size is shown
@@ -42,7 +41,7 @@ class ViewRenderer {
   const ColorConfig& m_config;
   std::string m_colorSpace;
   Rgb m_luminanceWeights;
-  std::map<std::pair<std::string, std::string>, DisplayProgram> m_programs;  ///< by display and view
+  std::map<DisplayChoice, DisplayProgram> m_programs;
   GlVertexArray m_vertexArray;
 };
 

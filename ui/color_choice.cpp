@@ -15,8 +15,7 @@ void ColorChoice::follow(const std::filesystem::path& wanted, Messages& messages
   m_sessionTrouble.clear();
   try {
     ColorConfig::choose(wanted);
-    const ColorConfig& config = ColorConfig::current();
-    config.checkView(config.defaultDisplay(), config.defaultView(config.defaultDisplay()));
+    ColorConfig::current().checkView({});
   } catch (const InputError& error) {
     ColorConfig::choose({});
     m_sessionTrouble = error.what();

@@ -188,10 +188,10 @@ void ExportDialog::drawFrame(const Document& document) {
        "The display and view that the viewer shows, or a tone mapping of the whole picture (plain sRGB).");
   if (m_choices.tone.empty()) {
     const ColorConfig& config = ColorConfig::current();
-    const auto [display, view] = namedDisplay(config, displayWithin(config, document.display));
+    const DisplayChoice seen = namedDisplay(config, displayWithin(config, document.display));
     ImGui::Dummy(ImVec2(0, 0));
     ImGui::SameLine(px(kLabel));
-    hint(display + ", " + view);
+    hint(displayWords(seen));
   }
 }
 

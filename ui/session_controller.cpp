@@ -1,5 +1,6 @@
 #include "ui/session_controller.h"
 
+#include "core/color/color_config.h"
 #include "core/error.h"
 #include "core/session/open_source.h"
 
@@ -144,16 +145,12 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
 
 void SessionController::checkDisplay(Document& document) {
   const ColorConfig& config = ColorConfig::current();
-  if (displayWithin(config, document.display) != document.display) {
-    m_messages.warn(document.display.display + " " + document.display.view +
-                    " is not in the colour configuration " + config.title() +
-                    ": shown through its default view.");
-    return;
-  }
+  const DisplayChoice shown = displayWithin(config, document.display);
+  if (shown != document.display)
+    m_messages.warn(displayWords(document.display) + " is not in the colour configuration " + config.title() +
+                    ": shown through " + displayWords(namedDisplay(config, shown)) + ".");
   try {
-    const std::string display =
-        document.display.display.empty() ? config.defaultDisplay() : document.display.display;
-    if (!document.display.view.empty()) config.checkView(display, document.display.view);
+    if (!document.display.empty()) config.checkView(shown);
   } catch (const InputError& error) {
     m_messages.error(error.what());
     document.display = {};

@@ -8,8 +8,7 @@ std::shared_ptr<const DisplayTable> ViewTable::table(const std::string& colorSpa
   const DisplayChoice display = displayWithin(config, chosen);
   if (m_table && &config == m_config && colorSpace == m_colorSpace && display == m_display) return m_table;
   ViewSettings settings;
-  settings.display = display.display;
-  settings.view = display.view;
+  settings.display = display;
   m_table = std::make_shared<const DisplayTable>(config, colorSpace, settings);
   m_weights = swaplight::luminanceWeights(config, colorSpace);
   m_xyzFromRgb = xyzFromLinear(config, colorSpace);

@@ -89,20 +89,40 @@ DisplayChoice shownThrough(const StudioContext& studio) {
   return namedDisplay(config, displayWithin(config, studio.document().display));
 }
 
-std::string viewWords(const DisplayChoice& choice) {
-  return choice.display == choice.view ? choice.display : choice.display + " \u00b7 " + choice.view;
-}
-
 void chooseView(StudioContext& studio, const DisplayChoice& choice) {
   try {
-    ColorConfig::current().checkView(choice.display, choice.view);
+    ColorConfig::current().checkView(choice);
   } catch (const std::exception& error) {
     studio.messages.error(error.what());
     return;
   }
   Document next = studio.document();
   next.display = choice;
-  studio.editor.edit("View: " + viewWords(choice), std::move(next));
+  studio.editor.edit("View: " + displayWords(choice), std::move(next));
+}
+
+/// The looks that a view is seen under: its own, none, one of the configuration's.
+void drawLooks(StudioContext& studio, const DisplayChoice& shown) {
+  const ColorConfig& config = ColorConfig::current();
+  std::vector<std::string> looks = config.looks();
+  if (looks.empty()) return;
+  if (shown.look && !shown.look->empty() && std::find(looks.begin(), looks.end(), *shown.look) == looks.end())
+    looks.push_back(*shown.look);  // several at once, as a session may name them
+  const auto line = [&](const std::string& words, const char* id, const std::optional<std::string>& look,
+                        const std::string& tip) {
+    if (ImGui::MenuItem(("   " + words + "##look").c_str(), nullptr, look == shown.look))
+      chooseView(studio, {shown.display, shown.view, look});
+    markItem(std::string("look.") + id);
+    if (!tip.empty()) tooltip(tip.c_str());
+  };
+  ImGui::Separator();
+  ImGui::TextDisabled("Look of the view");
+  const std::string own = config.viewLook(shown.display, shown.view);
+  line("As the view says: " + (own.empty() ? "none" : own), "own", std::nullopt,
+       "A view may bring a look along. A look changes the colours before the view, on the monitor and in "
+       "exported PNG, TIFF and JPEG; never in EXR.");
+  line("None", "none", "", "The view without any look, also without its own");
+  for (const std::string& look : looks) line(look, look.c_str(), look, config.lookDescription(look));
 }
 
 }  // namespace
@@ -152,7 +172,7 @@ void drawDisplayMenu(StudioContext& studio) {
     if (ImGui::MenuItem(("   " + display + "##display").c_str(), nullptr, display == shown.display)) {
       const std::vector<std::string> views = config.views(display);
       const bool has = std::find(views.begin(), views.end(), shown.view) != views.end();
-      chooseView(studio, {display, has ? shown.view : config.defaultView(display)});
+      chooseView(studio, {display, has ? shown.view : config.defaultView(display), shown.look});
     }
     markItem("display." + display);
   }
@@ -160,11 +180,12 @@ void drawDisplayMenu(StudioContext& studio) {
   ImGui::TextDisabled("View");
   for (const std::string& view : config.views(shown.display)) {
     if (ImGui::MenuItem(("   " + view + "##view").c_str(), nullptr, view == shown.view))
-      chooseView(studio, {shown.display, view});
+      chooseView(studio, {shown.display, view, shown.look});
     markItem("view." + shown.display + "." + view);
     const std::string description = config.viewDescription(shown.display, view);
     if (!description.empty()) tooltip(description.c_str());
   }
+  drawLooks(studio, shown);
   ImGui::Separator();
   ImGui::TextDisabled("Colours: %s", config.title().c_str());
   actionMenuItem(studio.actions, "view.color_config");
@@ -201,7 +222,7 @@ void drawViewerBar(StudioContext& studio) {
   zebraButton(studio);
   const float room = ImGui::GetContentRegionAvail().x - px(6);
   if (room > px(60))
-    listButton("##view", viewWords(shownThrough(studio)), std::min(room / px(1), 190.0F),
+    listButton("##view", displayWords(shownThrough(studio)), std::min(room / px(1), 190.0F),
                "Display and view: how the picture is exported to PNG, TIFF and JPEG",
                [&] { drawDisplayMenu(studio); });
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));

@@ -62,9 +62,7 @@ PixelRect visiblePart(const ViewWindow& window) {
 
 ViewSettings viewerSettings(const StudioContext& studio) {
   ViewSettings settings = studio.view.settings;
-  const DisplayChoice display = displayWithin(ColorConfig::current(), studio.document().display);
-  settings.display = display.display;
-  settings.view = display.view;
+  settings.display = displayWithin(ColorConfig::current(), studio.document().display);
   return settings;
 }
 

@@ -118,6 +118,16 @@ OCIO::TransformRcPtr scale(double factor) {
   return matrix;
 }
 
+/// What comes before a view: on light in ACES2065-1.
+void addLook(const OCIO::ConfigRcPtr& config, const char* name, const char* style, const char* description) {
+  const auto look = OCIO::Look::Create();
+  look->setName(name);
+  look->setProcessSpace("aces2065_1");
+  look->setTransform(builtin(style));
+  look->setDescription(description);
+  config->addLook(look);
+}
+
 std::string addDisplaySpace(const OCIO::ConfigRcPtr& config, const std::string& name, const char* style) {
   const auto space = OCIO::ColorSpace::Create(OCIO::REFERENCE_SPACE_DISPLAY);
   std::string spaceName = name + " display";
@@ -196,6 +206,12 @@ OCIO::ConstConfigRcPtr builtinConfig() {
       group({acesFromRec709(),
              builtin("ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - HDR-VIDEO-1000nit-15nit-REC2020lim_1.1")}));
   config->setDefaultViewTransformName("Plain");
+  addLook(
+      config, "Gamut compression", "ACES-LMT - ACES 1.3 Reference Gamut Compression",
+      "Colours of LEDs and neon that are too pure for a monitor are brought within its reach softly (ACES "
+      "1.3)");
+  addLook(config, "Blue light fix", "ACES-LMT - BLUE_LIGHT_ARTIFACT_FIX",
+          "Strong blue light stays blue where ACES would turn it to violet (ACES 1.0.3)");
   addDisplay(config, "sRGB", "DISPLAY - CIE-XYZ-D65_to_sRGB", "ACES SDR");
   addDisplay(config, "Rec.709", "DISPLAY - CIE-XYZ-D65_to_REC.1886-REC.709", "ACES SDR");
   addDisplay(config, "P3-D65", "DISPLAY - CIE-XYZ-D65_to_G2.6-P3-D65", "ACES SDR P3");

@@ -73,12 +73,20 @@ OCIO::ConstProcessorRcPtr chain(const OCIO::ConstConfigRcPtr& config, const OCIO
 }
 
 OCIO::ConstProcessorRcPtr viewIn(const OCIO::ConstConfigRcPtr& config, const std::string& from,
-                                 const std::string& display, const std::string& view) {
+                                 const DisplayChoice& choice) {
   const auto transform = OCIO::DisplayViewTransform::Create();
   transform->setSrc(from.c_str());
-  transform->setDisplay(display.c_str());
-  transform->setView(view.c_str());
-  return config->getProcessor(transform);
+  transform->setDisplay(choice.display.c_str());
+  transform->setView(choice.view.c_str());
+  const auto pipeline = OCIO::LegacyViewingPipeline::Create();
+  pipeline->setDisplayViewTransform(transform);
+  pipeline->setLooksOverrideEnabled(choice.look.has_value());
+  pipeline->setLooksOverride(choice.look.value_or("").c_str());
+  return pipeline->getProcessor(config);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// Runs a processor over the first three planes, bands of rows in parallel.
@@ -135,12 +143,12 @@ OCIO::ConstProcessorRcPtr ColorConfig::Impl::conversion(const std::string& from,
   });
 }
 
-OCIO::ConstProcessorRcPtr ColorConfig::Impl::view(const std::string& from, const std::string& display,
-                                                  const std::string& view) const {
+OCIO::ConstProcessorRcPtr ColorConfig::Impl::view(const std::string& from,
+                                                  const DisplayChoice& choice) const {
   return inWords(name, [&]() -> OCIO::ConstProcessorRcPtr {
-    if (has(from)) return viewIn(config, from, display, view);
+    if (has(from)) return viewIn(config, from, choice);
     return chain(config, sharedBuiltin()->getProcessor(from.c_str(), bridgeBuiltin.c_str()),
-                 viewIn(config, bridgeHere, display, view));
+                 viewIn(config, bridgeHere, choice));
   });
 }
 
@@ -187,8 +195,17 @@ std::string ColorConfig::colorSpaceOfFile(const std::filesystem::path& picture) 
   }
 }
 
-void ColorConfig::checkView(const std::string& display, const std::string& view) const {
-  static_cast<void>(m_impl->view("lin_rec709", display, view));
+void ColorConfig::checkView(const DisplayChoice& choice) const {
+  const auto [display, view, look] = namedDisplay(*this, choice);
+  if (!contains(displays(), display))
+    throw InputError("there is no display '{}'; {} has {}", display, name(), join(displays()));
+  if (!contains(views(display), view))
+    throw InputError("the display {} has no view '{}'; {} has {}", display, view, name(),
+                     join(views(display)));
+  if (const std::string unknown = unknownLook(look.value_or("")); !unknown.empty())
+    throw InputError("there is no look '{}'; {} has {}", unknown, name(),
+                     looks().empty() ? "none" : join(looks()));
+  static_cast<void>(m_impl->view("lin_rec709", {display, view, look}));
 }
 
 std::vector<std::string> ColorConfig::colorSpaces() const {
@@ -223,6 +240,36 @@ std::string ColorConfig::viewDescription(const std::string& display, const std::
   return m_impl->config->getDisplayViewDescription(display.c_str(), view.c_str());
 }
 
+std::string ColorConfig::viewLook(const std::string& display, const std::string& view) const {
+  return m_impl->config->getDisplayViewLooks(display.c_str(), view.c_str());
+}
+
+std::vector<std::string> ColorConfig::looks() const {
+  const int count = m_impl->config->getNumLooks();
+  std::vector<std::string> names;
+  names.reserve(static_cast<size_t>(count));
+  for (int i = 0; i < count; ++i) names.emplace_back(m_impl->config->getLookNameByIndex(i));
+  return names;
+}
+
+std::string ColorConfig::lookDescription(const std::string& look) const {
+  const auto found = m_impl->config->getLook(look.c_str());
+  return found ? found->getDescription() : "";
+}
+
+std::string ColorConfig::unknownLook(const std::string& looks) const {
+  constexpr const char* kParting = ",:|";
+  for (size_t begin = 0; begin <= looks.size();) {
+    const size_t end = std::min(looks.find_first_of(kParting, begin), looks.size());
+    std::string name = looks.substr(begin, end - begin);
+    name.erase(0, name.find_first_not_of(" \t+-"));
+    name.erase(name.find_last_not_of(" \t") + 1);
+    if (!name.empty() && !m_impl->config->getLook(name.c_str())) return name;
+    begin = end + 1;
+  }
+  return {};
+}
+
 std::string ColorConfig::defaultDisplay() const {
   return m_impl->config->getDefaultDisplay();
 }
@@ -246,18 +293,11 @@ void ColorConfig::convert(ImageSpan image, const std::string& from, const std::s
   applyProcessor(m_impl->conversion(from, to), image);
 }
 
-void ColorConfig::applyView(ImageSpan image, const std::string& from, const std::string& display,
-                            const std::string& view) const {
+void ColorConfig::applyView(ImageSpan image, const std::string& from, const DisplayChoice& choice) const {
   checkColorSpace(from);
   checkThreeChannels(image);
-  const std::vector<std::string> known = displays();
-  if (std::find(known.begin(), known.end(), display) == known.end())
-    throw InputError("the display \"{}\" is not known. Known ({}): {}.", display, m_impl->name, join(known));
-  const std::vector<std::string> knownViews = views(display);
-  if (std::find(knownViews.begin(), knownViews.end(), view) == knownViews.end())
-    throw InputError("the display \"{}\" has no view \"{}\". Known ({}): {}.", display, view, m_impl->name,
-                     join(knownViews));
-  applyProcessor(m_impl->view(from, display, view), image);
+  checkView(choice);
+  applyProcessor(m_impl->view(from, namedDisplay(*this, choice)), image);
   clampToUnit(image);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/color/display_choice.h"
 #include "core/image/image.h"
 
 namespace swaplight {
@@ -41,6 +42,13 @@ class ColorConfig {
   [[nodiscard]] std::vector<std::string> views(const std::string& display) const;
   /// What the configuration says about a view, for people; may be empty.
   [[nodiscard]] std::string viewDescription(const std::string& display, const std::string& view) const;
+  /// The looks that a view brings along, as OpenColorIO writes them; empty: none.
+  [[nodiscard]] std::string viewLook(const std::string& display, const std::string& view) const;
+  [[nodiscard]] std::vector<std::string> looks() const;
+  /// What the configuration says about a look, for people; may be empty.
+  [[nodiscard]] std::string lookDescription(const std::string& look) const;
+  /// The first name in looks as DisplayChoice holds them that the configuration lacks; empty: none.
+  [[nodiscard]] std::string unknownLook(const std::string& looks) const;
   [[nodiscard]] std::string defaultDisplay() const;
   [[nodiscard]] std::string defaultView(const std::string& display) const;
 
@@ -48,16 +56,17 @@ class ColorConfig {
   /// or a rule without a colour space applies.
   [[nodiscard]] std::string colorSpaceOfFile(const std::filesystem::path& picture) const;
 
-  /// Throws InputError where a view of the configuration does not work: a table is missing, say.
-  void checkView(const std::string& display, const std::string& view) const;
+  /// Throws InputError where a display or view is unknown or does not work (a table is missing, say), and
+  /// where a look does; lists the known ones.
+  void checkView(const DisplayChoice& choice) const;
   /// Throws InputError that lists the known colour spaces.
   void checkColorSpace(const std::string& name) const;
 
   /// In place, on the first three channels. Throws InputError on an unknown space.
   void convert(ImageSpan image, const std::string& from, const std::string& to) const;
-  /// Scene-linear to display code values 0..1, in place, on the first three channels.
-  void applyView(ImageSpan image, const std::string& from, const std::string& display,
-                 const std::string& view) const;
+  /// Scene-linear to display code values 0..1, in place, on the first three channels. Throws InputError as
+  /// checkView does.
+  void applyView(ImageSpan image, const std::string& from, const DisplayChoice& choice) const;
 
   struct Impl;
   [[nodiscard]] const Impl& impl() const { return *m_impl; }

@@ -27,8 +27,7 @@ struct ColorConfig::Impl {
   [[nodiscard]] bool has(const std::string& colorSpace) const;
   /// Throws InputError on unknown names; OCIO::Exception never leaves.
   [[nodiscard]] OCIO::ConstProcessorRcPtr conversion(const std::string& from, const std::string& to) const;
-  [[nodiscard]] OCIO::ConstProcessorRcPtr view(const std::string& from, const std::string& display,
-                                               const std::string& view) const;
+  [[nodiscard]] OCIO::ConstProcessorRcPtr view(const std::string& from, const DisplayChoice& choice) const;
 };
 
 }  // namespace swaplight

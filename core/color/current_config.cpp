@@ -68,7 +68,7 @@ bool ColorConfig::fromEnvironment() {
 std::string ColorConfig::fallBack() {
   try {
     const ColorConfig& config = current();
-    config.checkView(config.defaultDisplay(), config.defaultView(config.defaultDisplay()));
+    config.checkView({});
     return {};
   } catch (const InputError& error) {
     const std::lock_guard lock(configs().mutex);

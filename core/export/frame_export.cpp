@@ -6,10 +6,8 @@ namespace swaplight {
 
 FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file,
                              FrameOptions asked) {
-  const bool decided = asked.linear || asked.tone || !asked.view.empty() || !asked.display.empty();
-  if (decided || isSceneLinear(file)) return asked;
-  asked.display = display.display;
-  asked.view = display.view;
+  const bool decided = asked.linear || asked.tone;
+  if (!decided && !isSceneLinear(file)) asked.display = asked.display.over(display);
   return asked;
 }
 

@@ -1,9 +1,5 @@
 #include "core/export/frame_file.h"
 
-#include <fmt/ranges.h>
-
-#include <algorithm>
-
 #include "core/color/color_config.h"
 #include "core/color/icc_profile.h"
 #include "core/error.h"
@@ -12,18 +8,9 @@
 #include "core/image/half.h"
 #include "core/image/image_format.h"
 #include "core/image/image_write_progress.h"
-#include "core/session/document.h"
 
 namespace swaplight {
 namespace {
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-bool hasView(const FrameOptions& options) {
-  return !options.display.empty() || !options.view.empty();
-}
 
 /// An EXR that is to be half float by default becomes float where light is brighter than half can hold.
 void keepInHalf(const Image& frame, const std::filesystem::path& file, WriteOptions& write) {
@@ -41,25 +28,20 @@ bool isSceneLinear(const std::filesystem::path& file) {
 
 void checkFrame(const std::filesystem::path& file, const FrameOptions& options) {
   static_cast<void>(imageFormatForWriting(file));
-  if (options.tone && (options.linear || hasView(options)))
+  if (options.tone && (options.linear || !options.display.empty()))
     throw InputError("a tone mapping takes the place of a view: ask for one of them");
   if (!options.colorSpace.empty()) ColorConfig::current().checkColorSpace(options.colorSpace);
-  if (!options.colorSpace.empty() && (options.tone || hasView(options)))
+  if (!options.colorSpace.empty() && (options.tone || !options.display.empty()))
     throw InputError("a colour space is for scene-linear light, a view gives its own: ask for one of them");
   if (options.tone && isSceneLinear(file))
     throw InputError("{}: holds scene-linear light, which is not tone mapped; write PNG, TIFF or JPEG",
                      file.string());
-  if (!hasView(options)) return;
+  if (options.display.empty()) return;
   if (options.linear)
     throw InputError("a frame is either linear or seen through a view: ask for one of them");
-  const ColorConfig& config = ColorConfig::current();
-  const std::string display = options.display.empty() ? config.defaultDisplay() : options.display;
-  if (!contains(config.displays(), display))
-    throw InputError("there is no display '{}'; {} has {}", display, config.name(),
-                     fmt::join(config.displays(), ", "));
-  if (!options.view.empty() && !contains(config.views(display), options.view))
-    throw InputError("the display {} has no view '{}'; {} has {}", display, options.view, config.name(),
-                     fmt::join(config.views(display), ", "));
+  if (options.display.view.empty() && options.display.display.empty() && isSceneLinear(file))
+    throw InputError("{}: holds scene-linear light, which no look is for; name a view too", file.string());
+  ColorConfig::current().checkView(options.display);
 }
 
 void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions options,
@@ -73,18 +55,18 @@ void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions opt
     applyStillTone(frame.span(), *options.tone);
     frame.setColorSpace("lin_rec709");
   }
-  const bool seen = hasView(options) || (!options.linear && !isSceneLinear(file));
+  const bool seen = !options.display.empty() || (!options.linear && !isSceneLinear(file));
   if (!seen && !options.colorSpace.empty()) {
     config.convert(frame.span(), space, options.colorSpace);
     frame.setColorSpace(options.colorSpace);
   }
   if (!seen) keepInHalf(frame, file, options.write);
-  if (hasView(options)) {
-    const auto [display, view] = namedDisplay(config, {options.display, options.view});
-    config.applyView(frame.span(), space, display, view);
+  if (!options.display.empty()) {
+    const DisplayChoice choice = namedDisplay(config, options.display);
+    config.applyView(frame.span(), space, choice);
     frame.setColorSpace("data");
-    options.write.iccProfile = iccProfileOf(display, view);
-    codePoints = codePointsOf(display);
+    options.write.iccProfile = iccProfileOf(choice.display, choice.view);
+    codePoints = codePointsOf(choice.display);
   } else if (!options.linear && !isSceneLinear(file)) {
     config.convert(frame.span(), frame.spec().colorSpace, "srgb");
     frame.setColorSpace("srgb");

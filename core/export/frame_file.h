@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/color/display_choice.h"
 #include "core/export/still_tone.h"
 #include "core/image/image.h"
 #include "core/image/image_io.h"
@@ -16,8 +17,7 @@ struct FrameOptions {
   /// Scene-linear pixels, whatever the format. Without it and without a view: EXR and HDR are scene-linear,
   /// all other formats are plain sRGB.
   bool linear = false;
-  std::string display;  ///< of the colour configuration; empty: its default one
-  std::string view;     ///< of that display; empty: its default one, where a display is named
+  DisplayChoice display;  ///< the view that it is seen through; where nothing of it is said: none
   WriteOptions write;
   /// Scene-linear pixels in these primaries, white adapted (Bradford): lin_rec709, acescg, aces2065_1, or
   /// another space of the configuration. Empty: the set's own.
@@ -31,8 +31,8 @@ struct FrameOptions {
 [[nodiscard]] bool isSceneLinear(const std::filesystem::path& file);
 
 /// What can be said before the frame is there. Throws InputError, listing the known ones, where the file's
-/// format, the display or the view is unknown, and where more than one of linear, a view and a
-/// tone mapping is asked for, or a tone mapping for a scene-linear format.
+/// format, the display, the view or a look is unknown, and where more than one of linear, a view and a
+/// tone mapping is asked for, or a tone mapping or a look alone for a scene-linear format.
 void checkFrame(const std::filesystem::path& file, const FrameOptions& options);
 
 /// Writes R G B of a scene-linear frame, in its colour space's primaries, to a temporary name that is then

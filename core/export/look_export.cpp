@@ -51,16 +51,16 @@ Image lattice() {
 
 std::string cubeText(const GlobalLook& look, const DisplayChoice& choice) {
   const ColorConfig& config = ColorConfig::current();
-  const auto [display, view] = namedDisplay(config, choice);
+  const DisplayChoice seen = namedDisplay(config, choice);
   Image image = lattice();
   ColorConfig("").convert(image.span(), "acescct", "lin_rec709");
   for (int c = 0; c < 3; ++c)
     for (size_t p = 0; p < image.pixelCount(); ++p) image.plane(c)[p] *= look.gain[c];
-  config.applyView(image.span(), "lin_rec709", display, view);
+  config.applyView(image.span(), "lin_rec709", seen);
   std::string text = fmt::format(
-      "# {}\n# Input: ACEScct. Output: {}, {}.\nTITLE \"Swaplight: global part, {}, {}\"\nLUT_3D_SIZE {}\n"
+      "# {}\n# Input: ACEScct. Output: {}.\nTITLE \"Swaplight: global part, {}\"\nLUT_3D_SIZE {}\n"
       "DOMAIN_MIN 0 0 0\nDOMAIN_MAX 1 1 1\n",
-      notice(look), display, view, display, view, kCubeSize);
+      notice(look), displayWords(seen), displayWords(seen), kCubeSize);
   for (size_t p = 0; p < image.pixelCount(); ++p)
     text += fmt::format("{:.6f} {:.6f} {:.6f}\n", image.plane(0)[p], image.plane(1)[p], image.plane(2)[p]);
   return text;

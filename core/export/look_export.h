@@ -25,7 +25,7 @@ struct GlobalLook {
 /// Writes the global part of a look, and says in the file that it is only that:
 ///   .ccc, .cc  an ASC CDL colour correction: slope = gain, on scene-linear light
 ///   .cube      33 x 33 x 33 table from ACEScct through gain and view to the display's code values
-/// Throws InputError where the file cannot be written, or the display or view is unknown.
+/// Throws InputError where the file cannot be written, or the display, the view or a look is unknown.
 void writeLook(const GlobalLook& look, const DisplayChoice& display, const std::filesystem::path& file);
 
 }  // namespace swaplight

@@ -73,10 +73,10 @@ std::string figure(const std::string& source, const std::string& caption) {
 /// A linear picture as the display shows it.
 std::string photograph(const Image& linear, const DisplayChoice& choice, const std::string& caption) {
   const ColorConfig& config = ColorConfig::current();
-  const auto [display, view] = namedDisplay(config, displayWithin(config, choice));
+  const DisplayChoice seen = namedDisplay(config, displayWithin(config, choice));
   Image shown = shrunk(linear, kPictureWidth);
-  config.applyView(shown.span(), linear.spec().colorSpace, display, view);
-  return figure(inlineImage(jpegBytes(shown), "jpeg"), fmt::format("{} ({}, {})", caption, display, view));
+  config.applyView(shown.span(), linear.spec().colorSpace, seen);
+  return figure(inlineImage(jpegBytes(shown), "jpeg"), fmt::format("{} ({})", caption, displayWords(seen)));
 }
 
 double percentile(const float* values, size_t count, double share) {

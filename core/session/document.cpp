@@ -42,19 +42,4 @@ Capture withNewLights(Capture capture, const EditStack& edits) {
   return capture;
 }
 
-DisplayChoice displayWithin(const ColorConfig& config, const DisplayChoice& display) {
-  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
-    return name.empty() || std::find(names.begin(), names.end(), name) != names.end();
-  };
-  if (!has(config.displays(), display.display)) return {};
-  const std::string shown = display.display.empty() ? config.defaultDisplay() : display.display;
-  return has(config.views(shown), display.view) ? display : DisplayChoice{};
-}
-
-DisplayChoice namedDisplay(const ColorConfig& config, DisplayChoice display) {
-  if (display.display.empty()) display.display = config.defaultDisplay();
-  if (display.view.empty()) display.view = config.defaultView(display.display);
-  return display;
-}
-
 }  // namespace swaplight

@@ -1,22 +1,14 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
-#include "core/color/color_config.h"
+#include "core/color/display_choice.h"
 #include "core/edit/edit.h"
 #include "core/look/saved_look.h"
 #include "core/relight/rig.h"
 #include "core/solve/solve_options.h"
 
 namespace swaplight {
-
-/// The colour management of the picture on the monitor; empty names stand for the configuration's own.
-struct DisplayChoice {
-  std::string display;
-  std::string view;
-  bool operator==(const DisplayChoice&) const = default;
-};
 
 /// Everything of a session that is the person's work: saved, and undone by going back to an earlier value.
 /// A value: cheap to copy, because what is heavy is shared and never changed in place. Where the person is
@@ -28,18 +20,13 @@ struct Document {
   Mask selection;                     ///< what restricts new edits: see core/edit/selection.h
   Rig rig;                            ///< in the source's order of lights, then those that the edits add
   std::filesystem::path colorConfig;  ///< an OpenColorIO configuration, absolute; empty: none chosen
-  DisplayChoice display;
-  std::vector<SavedLook> looks;  ///< the gallery
+  DisplayChoice display;              ///< of the picture on the monitor
+  std::vector<SavedLook> looks;       ///< the gallery
   bool operator==(const Document&) const = default;
 };
 
 /// Bytes that `document` holds and `before` does not share: what keeping it in the history costs.
 [[nodiscard]] size_t documentBytes(const Document& document, const Document& before);
-
-/// The choice where the configuration has it; its default where it has not.
-[[nodiscard]] DisplayChoice displayWithin(const ColorConfig& config, const DisplayChoice& display);
-/// The choice with the configuration's own names in the place of empty ones.
-[[nodiscard]] DisplayChoice namedDisplay(const ColorConfig& config, DisplayChoice display);
 
 /// The rig for exactly the lights of a capture, in its order: settings are taken from `rig` by name, lights
 /// that it does not know are as captured, lights that the capture does not have are left out.

@@ -28,12 +28,14 @@ std::filesystem::path readPath(const std::string& text, const std::filesystem::p
 }
 
 Json jsonFromDisplay(const DisplayChoice& display) {
-  return Json{{"display", display.display}, {"view", display.view}};
+  Json json{{"display", display.display}, {"view", display.view}};
+  if (display.look) json["look"] = *display.look;
+  return json;
 }
 
 DisplayChoice displayFromJson(const Json& json, const std::string& where) {
   JsonFields fields(json, where);
-  return {fields.text("display").value_or(""), fields.text("view").value_or("")};
+  return {fields.text("display").value_or(""), fields.text("view").value_or(""), fields.text("look")};
 }
 
 Json jsonFromEdits(const EditStack& edits, const std::filesystem::path& folder) {

@@ -66,9 +66,7 @@ void pickChannel(uint32_t* rgba, size_t count, ViewChannel channel) {
 
 std::shared_ptr<const BakedView> bake(const ColorConfig& config, const std::string& colorSpace,
                                       const ViewSettings& settings) {
-  const std::string display = settings.display.empty() ? config.defaultDisplay() : settings.display;
-  const std::string view = settings.view.empty() ? config.defaultView(display) : settings.view;
-  return std::make_shared<const BakedView>(exactView(config, colorSpace, display, view));
+  return std::make_shared<const BakedView>(exactView(config, colorSpace, settings.display));
 }
 
 }  // namespace
@@ -89,8 +87,7 @@ DisplayTable::DisplayTable(const ColorConfig& config, std::string colorSpace, co
 }
 
 void DisplayTable::change(const ViewSettings& settings) {
-  const bool sameView = settings.display == m_settings.display && settings.view == m_settings.view;
-  if (m_config && !sameView) m_view = bake(*m_config, m_colorSpace, settings);
+  if (m_config && settings.display != m_settings.display) m_view = bake(*m_config, m_colorSpace, settings);
   m_settings = settings;
   m_exposure = std::exp2(settings.exposureStops);
   m_falseColors.clear();

@@ -24,7 +24,7 @@ class DisplayTable {
   DisplayTable(std::shared_ptr<const BakedView> view, const ViewSettings& settings,
                const Rgb& luminanceWeights = kRec709Luminance);
   /// For pictures in a colour space of the configuration, which must outlive the table. Bakes the view: about
-  /// 40 ms. Throws InputError where the configuration lacks the space, the display or the view.
+  /// 40 ms. Throws InputError where the configuration lacks the space, the display, the view or a look.
   DisplayTable(const ColorConfig& config, std::string colorSpace, const ViewSettings& settings);
 
   /// Other settings. A millisecond, unless they name another display or view.

@@ -4,12 +4,12 @@
 
 namespace swaplight {
 
-ViewFunction exactView(const ColorConfig& config, const std::string& colorSpace, const std::string& display,
-                       const std::string& view) {
+ViewFunction exactView(const ColorConfig& config, const std::string& colorSpace,
+                       const DisplayChoice& choice) {
   // Lossless: the default optimisation replaces powers by approximations.
   const OCIO::ConstCPUProcessorRcPtr exact =
       config.impl()
-          .view(colorSpace, display, view)
+          .view(colorSpace, namedDisplay(config, choice))
           ->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32, OCIO::OPTIMIZATION_LOSSLESS);
   return [exact](ImageSpan pixels) {
     constexpr auto kFloat = static_cast<ptrdiff_t>(sizeof(float));

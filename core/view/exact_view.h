@@ -8,9 +8,9 @@
 namespace swaplight {
 
 /// OpenColorIO's processor for a view, without clamping to 0..1: what tables are made from. Throws InputError
-/// where the configuration lacks the space, the display or the view. Does not refer to the configuration
-/// later.
+/// where the configuration lacks the space, the display, the view or a look. Does not refer to the
+/// configuration later.
 [[nodiscard]] ViewFunction exactView(const ColorConfig& config, const std::string& colorSpace,
-                                     const std::string& display, const std::string& view);
+                                     const DisplayChoice& choice);
 
 }  // namespace swaplight

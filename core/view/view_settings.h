@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include "core/color/display_choice.h"
 
 namespace swaplight {
 
@@ -20,8 +20,7 @@ struct Zebra {
 ///
 ///   code = pow(view(rgb * 2^exposureStops), 1 / gamma), then channel, false colour or zebra
 struct ViewSettings {
-  std::string display;  ///< OpenColorIO's; empty: the configuration's default
-  std::string view;
+  DisplayChoice display;
   float exposureStops = 0;
   float gamma = 1;  ///< > 0
   ViewChannel channel = ViewChannel::Color;

@@ -119,8 +119,8 @@ void processorTable() {
   const ColorConfig& config = ColorConfig::current();
   ViewSettings plain, film;
   for (const std::string& view : config.views(config.defaultDisplay())) {
-    if (view.find("ACES") != std::string::npos) film.view = view;
-    if (view == config.defaultDisplay()) plain.view = view;
+    if (view.find("ACES") != std::string::npos) film.display.view = view;
+    if (view == config.defaultDisplay()) plain.display.view = view;
   }
   const DisplayTable plainTable(config, "lin_rec709", plain), filmTable(config, "lin_rec709", film);
   for (const Size size : {kFullHd, kUltraHd})

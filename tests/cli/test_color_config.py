@@ -63,6 +63,39 @@ class ColorConfigTest(cli.CliTest):
         self.fail('relight', self.solved, '--display', 'Old monitor', '-o', self.path('a.png'), env={'OCIO': CONFIG},
                   naming=["'Old monitor'", CONFIG, 'Projector, Monitor'])
 
+    def test_a_look_takes_the_place_of_the_views_own(self):
+        view = ['--display', 'Monitor', '--view']
+        film = self.frame(self.solved, *view, 'Film', config=CONFIG)
+        warm = self.frame(self.solved, *view, 'Warm film', config=CONFIG)
+        self.assertGreater(np.abs(warm - film).mean(), .005)
+        for arguments, expected in (([*view, 'Film', '--view-look', 'warm'], warm),
+                                    ([*view, 'Warm film', '--view-look', 'none'], film),
+                                    ([*view, 'Film', '--view-look=-warm,+warm,+warm'], warm)):
+            np.testing.assert_allclose(self.frame(self.solved, *arguments, config=CONFIG), expected, atol=1.1 / 255)
+        shutil.copytree(DATA, self.path('show'))
+        session = self.session(color_config='show/config.ocio',
+                               display={'display': 'Monitor', 'view': 'Warm film', 'look': 'bleach'})
+        bleached = self.frame(session)
+        self.assertGreater(np.abs(bleached - warm).mean(), .005)
+        self.assertIn('bleach', self.succeed('info', session).stdout)
+        np.testing.assert_array_equal(self.frame(session, '--view-look', 'none'), film)
+        np.testing.assert_array_equal(self.frame(session, *view, 'Warm film'), warm)
+        for name, look in (('a.cube', 'bleach'), ('b.cube', 'none')):
+            self.succeed('export', session, '--view-look', look, '-o', self.path(name), '-q')
+        with open(self.path('a.cube')) as a, open(self.path('b.cube')) as b:
+            bleached, plain = a.read(), b.read()
+        self.assertIn('Warm film · bleach', bleached)
+        self.assertNotEqual(bleached.splitlines()[9:], plain.splitlines()[9:])
+
+    def test_a_look_that_the_configuration_lacks_is_said_with_those_that_it_has(self):
+        for verb, file in (('relight', 'a.png'), ('export', 'a.cube'), ('report', 'a.html')):
+            self.fail(verb, self.solved, '--view-look', 'warm,cold', '-o', self.path(file), env={'OCIO': CONFIG},
+                      naming=["'cold'", CONFIG, 'warm, bleach'])
+        self.fail('relight', self.session(display={'display': 'sRGB', 'view': 'ACES SDR', 'look': 'cold'}),
+                  '-o', self.path('a.png'), naming=["'cold'", 'Gamut compression'])
+        self.fail('relight', self.solved, '--view-look', 'Gamut compression', '-o', self.path('a.exr'),
+                  naming=['a.exr', 'name a view'])
+
     def test_file_rules_say_what_a_capture_does_not(self):
         del self.capture.manifest['color_space']
         self.capture.save()

@@ -20,7 +20,7 @@ ViewFunction viewNamed(const std::string& words) {
   for (const std::string& display : config.displays())
     for (const std::string& view : config.views(display))
       if (fmt::format("{} {}", display, view).find(words) != std::string::npos)
-        return exactView(config, "lin_rec709", display, view);
+        return exactView(config, "lin_rec709", {display, view});
   throw std::logic_error("no view is named " + words);
 }
 

@@ -41,10 +41,9 @@ TEST(FrameFile, AViewIsAppliedToEveryFormat) {
   const test::TemporaryFolder folder;
   const ColorConfig& config = ColorConfig::current();
   FrameOptions options;
-  options.display = config.defaultDisplay();
-  options.view = config.defaultView(options.display);
+  options.display = namedDisplay(config, {});
   Image expected = grey(0.18f);
-  config.applyView(expected.span(), "lin_rec709", options.display, options.view);
+  config.applyView(expected.span(), "lin_rec709", options.display);
   writeFrame(grey(0.18f), folder / "a.exr", options);
   EXPECT_NEAR(firstPixel(folder / "a.exr"), expected.plane(1)[0], 1e-3);
 }
@@ -63,13 +62,16 @@ TEST(FrameFile, WhatCannotBeIsSaidWithWhatCan) {
   };
   FrameOptions options;
   EXPECT_THAT(message("a.webm", options), testing::HasSubstr("exr"));
-  options.display = "Cinema";
+  options.display.display = "Cinema";
   EXPECT_THAT(message("a.png", options),
               testing::AllOf(testing::HasSubstr("'Cinema'"),
                              testing::HasSubstr(ColorConfig::current().defaultDisplay())));
-  options.display.clear();
-  options.view = "Mine";
+  options.display = {};
+  options.display.view = "Mine";
   EXPECT_THAT(message("a.png", options), testing::HasSubstr("'Mine'"));
+  options.display = {"", "", "Bleached"};
+  EXPECT_THAT(message("a.png", options), testing::HasSubstr("'Bleached'"));
+  EXPECT_THAT(message("a.exr", options), testing::HasSubstr("name a view too"));
   options.linear = true;
   EXPECT_THAT(message("a.png", options), testing::HasSubstr("either linear"));
 }

@@ -138,13 +138,22 @@ TEST(SessionFile, ComesBackAsItWasWritten) {
   session.document = documentWithKey("3200K,green:-0.5,gel:L201,+1.5st,x1.7");
   session.document.rig.lights[1].solo = true;
   session.document.solve.model = Model::Transport;
-  session.document.display = {"sRGB", "Raw"};
+  session.document.display = {"sRGB", "Raw", "+warm, -bleach"};
   session.studio = {{"zoom", 2.5}};
   writeSession(session, folder.path() / "a.swaplight");
   const Session read = readSession(folder.path() / "a.swaplight");
   EXPECT_EQ(read.document, session.document);
   EXPECT_EQ(read.studio, session.studio);
   EXPECT_TRUE(read.warnings.empty());
+}
+
+TEST(SessionFile, NoLookIsNotTheViewsOwn) {
+  Session session;
+  for (const std::optional<std::string>& look :
+       {std::optional<std::string>{}, std::optional<std::string>{""}}) {
+    session.document.display.look = look;
+    EXPECT_EQ(sessionFromJson(jsonFromSession(session, "/"), "/", "x").document.display.look, look);
+  }
 }
 
 TEST(SessionFile, PathsAreRelativeToItsFolder) {

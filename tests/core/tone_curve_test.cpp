@@ -54,7 +54,7 @@ TEST(ToneCurve, TheViewIsTheCurveThenTheDisplaysEncoding) {
     for (int c = 0; c < 3; ++c)
       for (int x = 0; x < 200; ++x) image.plane(c)[x] = std::exp2(static_cast<float>(x - 140) / 10);
     const Image in = image.clone();
-    config.applyView(image.span(), "lin_rec709", "sRGB", tone.name);
+    config.applyView(image.span(), "lin_rec709", {"sRGB", tone.name});
     for (int x = 0; x < 200; ++x)
       ASSERT_NEAR(image.plane(1)[x], srgbFromLinear(static_cast<float>(tone.curve(in.plane(1)[x]))), 1e-4)
           << tone.name << " " << in.plane(1)[x];

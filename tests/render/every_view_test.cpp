@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "core/image/half.h"
 #include "core/image/image_io.h"
@@ -18,7 +19,8 @@ class EveryViewTest : public GlTest, public testing::WithParamInterface<std::str
  protected:
   /// The shader of every view against OpenColorIO's processor, pixel by pixel; in 8-bit codes. Both get the
   /// half floats that textures hold.
-  void expectEqual(Image image, const std::string& colorSpace, const std::string& what) {
+  void expectEqual(Image image, const std::string& colorSpace, const std::string& what,
+                   const std::optional<std::string>& look = {}) {
     for (int c = 0; c < 3; ++c)
       std::transform(image.plane(c), image.plane(c) + image.pixelCount(), image.plane(c), roundedToHalf);
     TiledTexture picture = uploaded(image);
@@ -27,19 +29,18 @@ class EveryViewTest : public GlTest, public testing::WithParamInterface<std::str
     for (const std::string& display : m_config.displays())
       for (const std::string& view : m_config.views(display)) {
         ViewSettings settings;
-        settings.display = display;
-        settings.view = view;
+        settings.display = {display, view, look};
         renderer.draw(picture, wholeOf(image), settings, target);
         const std::vector<uint8_t> codes = target.readback();
         Image exact = image.clone();
-        m_config.applyView(exact.span(), colorSpace, display, view);
+        m_config.applyView(exact.span(), colorSpace, settings.display);
         double worst = 0;
         for (size_t p = 0; p < image.pixelCount(); ++p)
           for (int c = 0; c < 3; ++c)
             worst =
                 std::max(worst, std::abs(255.0 * exact.plane(c)[p] - codes[4 * p + static_cast<size_t>(c)]));
-        EXPECT_LE(worst, 1.5) << what << ": " << display << ", " << view;
-        fmt::print("  {:32} {:13} {:18} {:.2f} codes\n", what, display, view, worst);
+        EXPECT_LE(worst, 1.5) << what << ": " << displayWords(settings.display);
+        fmt::print("  {:24} {:60} {:.2f} codes\n", what, displayWords(settings.display), worst);
       }
   }
   const ColorConfig m_config{GetParam()};
@@ -48,6 +49,13 @@ class EveryViewTest : public GlTest, public testing::WithParamInterface<std::str
 TEST_P(EveryViewTest, TheShaderShowsARampAsTheProcessorDoes) {
   expectEqual(colorRamp(400, 300), "lin_rec709", "ramp");
   expectEqual(colorRamp(200, 150), "acescg", "ramp in ACEScg");
+}
+
+TEST_P(EveryViewTest, TheShaderShowsARampUnderAnyLookAsTheProcessorDoes) {
+  const std::vector<std::string> looks = m_config.looks();
+  ASSERT_GE(looks.size(), 2U);
+  for (const std::string& look : {std::string(), looks[0], looks[1], "+" + looks[0] + ", -" + looks[1]})
+    expectEqual(colorRamp(200, 150), "lin_rec709", "ramp", look);
 }
 
 TEST_P(EveryViewTest, TheShaderShowsTheSamplesAsTheProcessorDoes) {

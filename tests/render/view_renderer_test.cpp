@@ -159,8 +159,7 @@ TEST_F(ViewRendererTest, ValuesThatAreNotFiniteAreShownAsOnTheProcessor) {
   for (const std::string& display : config.displays())
     for (const std::string& view : config.views(display)) {
       ViewSettings settings;
-      settings.display = display;
-      settings.view = view;
+      settings.display = {display, view};
       renderer.draw(picture, wholeOf(image), settings, target);
       EXPECT_LE(largestDifference(target.readback(),
                                   shownByTable(DisplayTable(config, "lin_rec709", settings), image)),
@@ -175,7 +174,7 @@ TEST_F(ViewRendererTest, AnUnknownViewIsSaid) {
   ViewRenderer renderer(config, "lin_rec709");
   ViewTarget target;
   ViewSettings settings;
-  settings.view = "no such view";
+  settings.display.view = "no such view";
   EXPECT_THROW(renderer.draw(picture, {0, 0, 1, 8, 8}, settings, target), InputError);
 }
 
@@ -187,7 +186,7 @@ TEST_F(ViewRendererTest, LeavesTheStateOfTheContextAsItWas) {
   const GlStateSnapshot before;
   for (const std::string& view : config.views(config.defaultDisplay())) {
     ViewSettings settings;
-    settings.view = view;
+    settings.display.view = view;
     renderer.draw(picture, {0, 0, 0.5, 32, 32}, settings, target);
     (void)target.readback();
   }

@@ -33,6 +33,42 @@ class Colors(StudioTest):
         studio.move(640, 705)
         self.assertGreater(np.abs(studio.picture('colors_warm') - before).mean(), 1)
 
+    def test_a_look_is_chosen_and_undone_and_saved_and_exported(self):
+        environment = {'OCIO': os.path.join(DATA, 'config.ocio')}
+        studio = self.open_sample(environment=environment)
+
+        def choose(item):
+            studio.click('bar.view')
+            studio.click(item)
+            studio.move(640, 705)
+            return studio.picture('look')
+
+        choose('display.Monitor')
+        warm = choose('view.Monitor.Warm film')
+        film = choose('look.none')
+        self.assertGreater(np.abs(film - warm).mean(), 1)
+        self.assertLess(np.abs(choose('view.Monitor.Film') - film).max(), 2)
+        self.assertLess(np.abs(choose('look.warm') - warm).max(), 2)
+        bleached = choose('look.bleach')
+        self.assertGreater(np.abs(bleached - warm).mean(), 1)
+        studio.click('bar.view')
+        studio.screenshot('look_menu')
+        studio.click('bar.view')
+        studio.key('ctrl+z')
+        studio.move(640, 705)
+        self.assertLess(np.abs(studio.picture('look_undone') - warm).max(), 2)
+        studio.key('ctrl+shift+z')
+        _, session = self.save_as('look')
+        self.assertEqual(session['display'], {'display': 'Monitor', 'view': 'Film', 'look': 'bleach'})
+
+    def test_the_built_in_looks_are_in_sight_in_a_small_window(self):
+        studio = self.open_sample()
+        studio.click('bar.view')
+        for name in ('own', 'none', 'Gamut compression', 'Blue light fix'):
+            self.assertLess(studio.item('look.' + name)[3], 720)
+        studio.move(*studio.point('look.Gamut compression'))
+        studio.screenshot('look_menu_builtin')
+
     def test_a_session_brings_its_own_and_undo_takes_it_away(self):
         shutil.copytree(DATA, self.path('show'))
         with open(self.path('a.swaplight'), 'w') as file:
