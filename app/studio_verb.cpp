@@ -4,6 +4,7 @@
 #include "app/verbs.h"
 #include "core/error.h"
 #include "ui/bench_paint.h"
+#include "ui/bench_tools.h"
 #include "ui/bench_ui.h"
 #include "ui/studio.h"
 
@@ -24,11 +25,15 @@ void readSize(const std::string& text, StudioOptions& options) {
     throw InputError("--size {}: write WIDTHxHEIGHT in pixels, from 320x240 to 16384x16384", text);
 }
 
-int bench(const StudioOptions& options, Terminal& terminal) {
-  const Json json = benchUi(options);
+void sayCircumstances(const Json& json, Terminal& terminal) {
   terminal.say("{}, in a {} of {} x {}, {} lights, load {:.1f}", json["engine"].get<std::string>(),
                json["in"].get<std::string>(), json["window"][0].get<int>(), json["window"][1].get<int>(),
                json["lights"].get<int>(), json["load_before"][0].get<double>());
+}
+
+int bench(const StudioOptions& options, Terminal& terminal) {
+  const Json json = benchUi(options);
+  sayCircumstances(json, terminal);
   std::string table = fmt::format("{:<26}{:^27}{:^27}\n{:<26}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>14}\n",
                                   "milliseconds", "a frame", "input to picture", "", "median", "p95", "worst",
                                   "median", "p95", "worst", "all threads");
@@ -46,9 +51,7 @@ int bench(const StudioOptions& options, Terminal& terminal) {
 
 int benchPainting(const StudioOptions& options, Terminal& terminal) {
   const Json json = benchPaint(options);
-  terminal.say("{}, in a {} of {} x {}, {} lights, load {:.1f}", json["engine"].get<std::string>(),
-               json["in"].get<std::string>(), json["window"][0].get<int>(), json["window"][1].get<int>(),
-               json["lights"].get<int>(), json["load_before"][0].get<double>());
+  sayCircumstances(json, terminal);
   std::string table;
   for (const Json& one : json["cases"]) {
     table += fmt::format("{}: {} edits, {} MB of history\n{:<28}{:>9}{:>9}{:>9}\n",
@@ -70,6 +73,17 @@ int benchPainting(const StudioOptions& options, Terminal& terminal) {
   return 0;
 }
 
+int benchOtherTools(const StudioOptions& options, Terminal& terminal) {
+  const Json json = benchTools(options);
+  sayCircumstances(json, terminal);
+  std::string table = fmt::format("{:<36}{:>14}{:>14}", "milliseconds", "longest frame", "until shown");
+  for (const Json& one : json["steps"])
+    table += fmt::format("\n{:<36}{:>14.1f}{:>14.1f}", one["what"].get<std::string>(),
+                         one["longest_frame_ms"].get<double>(), one["until_shown_ms"].get<double>());
+  terminal.result(table, json);
+  return 0;
+}
+
 }  // namespace
 
 void addStudioVerb(Program& program) {
@@ -78,17 +92,17 @@ void addStudioVerb(Program& program) {
     std::string size;
     bool bench = false;
     bool benchPaint = false;
+    bool benchTools = false;
+    [[nodiscard]] bool measures() const { return bench || benchPaint || benchTools; }
   };
   const auto a = std::make_shared<Arguments>();
   CLI::App& verb =
       program.addVerb("studio", "Open the studio: light a set again, and see it", [a](Terminal& terminal) {
-        readSize(!a->size.empty()            ? a->size
-                 : a->bench || a->benchPaint ? "1920x1080"
-                                             : "1600x900",
-                 a->options);
+        readSize(!a->size.empty() ? a->size : a->measures() ? "1920x1080" : "1600x900", a->options);
         a->options.samplesFolder = SWAPLIGHT_SAMPLES_DIR;
         if (a->bench) return bench(a->options, terminal);
         if (a->benchPaint) return benchPainting(a->options, terminal);
+        if (a->benchTools) return benchOtherTools(a->options, terminal);
         runStudio(a->options);
         if (!a->options.screenshot.empty()) terminal.say("wrote {}", a->options.screenshot.string());
         terminal.result("", Json{{"screenshot", a->options.screenshot.string()}});
@@ -116,6 +130,9 @@ void addStudioVerb(Program& program) {
       "Measure frame times and input-to-picture latency while a slider is dragged over large pictures");
   verb.add_flag("--bench-paint", a->benchPaint,
                 "Measure painting: 200 strokes at 3840x2160, from the mouse to the picture, undo, saving");
+  verb.add_flag("--bench-tools", a->benchTools,
+                "Measure a new light, selections, gradients and other edits at 3840x2160: for how long each "
+                "holds up the window");
   verb.add_option("--script", a->options.script, "Commands for the studio, one a line")->type_name("FILE");
   verb.add_option("--probe-layout", a->options.layoutProbe,
                   "Write where the named widgets lie to a JSON file, for tests")
