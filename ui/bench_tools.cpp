@@ -7,7 +7,7 @@
 #include "core/edit/selection.h"
 #include "ui/bench_stage.h"
 #include "ui/brush_tool.h"
-#include "ui/edit_list.h"
+#include "ui/look_edit.h"
 #include "ui/selection_tool.h"
 
 namespace swaplight {
@@ -109,6 +109,14 @@ void timeViews(Stopwatch& watch) {
   look("reflectance shown", Kind::Reflectance);
   look("residual shown", Kind::Residual);
   look("relit again", Kind::Relit);
+  const auto open = [&](const char* what, bool PanelLayout::*panel) {
+    watch.time(what, [&](StudioContext& context) { context.layout.*panel = true; });
+  };
+  open("key, fill and back shown", &PanelLayout::threePoint);
+  watch.time("a look of ten applied",
+             [](StudioContext& context) { applyPreset(context, presetLooks().front()); });
+  open("the gallery opened", &PanelLayout::gallery);
+  open("the scopes opened", &PanelLayout::scopes);
 }
 
 void timeSelections(Stopwatch& watch) {

@@ -11,7 +11,23 @@
 namespace swaplight {
 namespace {
 
-constexpr std::chrono::milliseconds kBudget{8};  // a frame, for what is not seen
+constexpr std::chrono::milliseconds kBudget{8};        // a frame, for what is not seen
+constexpr std::chrono::milliseconds kSeenBudget{160};  // and for what is: the rest follows in the next ones
+constexpr int kTilesAtOnce = 4;
+constexpr size_t kDrawnKept = 3;
+
+std::shared_ptr<const LightShadows> shadowsOf(
+    const std::map<std::string, std::shared_ptr<const LightShadows>>& found, const std::string& light) {
+  const auto known = found.find(light);
+  if (known == found.end()) throw InputError("\"{}\" is no light of the set: it has no shadows.", light);
+  return known->second;
+}
+
+/// Shapes that take long to draw.
+bool isSlow(const MaskShape& shape) {
+  return std::holds_alternative<SimilarShape>(shape.shape) ||
+         std::holds_alternative<SelectionShape>(shape.shape);
+}
 
 }  // namespace
 
@@ -27,6 +43,8 @@ void EditController::show(StudioContext& studio, const PixelRect& visible) {
     m_found = std::make_shared<Found>();
     m_making.cancel();
     m_finding.cancel();
+    m_drawingStale = true;
+    m_drawn.clear();
     m_followed = false;
     m_complaint.clear();
     m_foundFor.clear();
@@ -46,12 +64,15 @@ void EditController::takeJobs(StudioContext& studio) {
   } catch (const std::exception& error) {
     studio.messages.error(error.what());
   }
+  takeDrawn();
   try {
     auto found = m_finding.take();
     if (found && found->set == m_set) {
       *m_found = std::move(found->found);
       m_foundFor = std::move(found->thresholds);
       m_followed = false;
+      m_drawingStale = true;
+      m_drawn.clear();
     }
   } catch (const Stopped&) {
   } catch (const std::exception& error) {
@@ -59,51 +80,61 @@ void EditController::takeJobs(StudioContext& studio) {
   }
 }
 
+void EditController::takeDrawn() {
+  if (!m_drawing.running()) return;
+  try {
+    auto raster = m_drawing.take();
+    if (!raster || m_drawingStale) return;
+    if (m_room.edited) m_room.edited->ground().keep(m_drawingShape, *raster);
+    m_drawn.push_back({m_drawingShape, std::move(*raster)});
+  } catch (const InputError&) {
+    m_drawn.push_back({m_drawingShape, nullptr});  // who asks for it is told why
+  }
+  if (m_drawn.size() > kDrawnKept) m_drawn.pop_front();
+}
+
+bool EditController::isDrawn(const MaskShape& shape) {
+  if (!isSlow(shape) || m_room.edited->ground().known(shape)) return true;
+  const auto failed = [&](const Drawn& drawn) { return !drawn.raster && drawn.shape.shape == shape.shape; };
+  if (std::any_of(m_drawn.begin(), m_drawn.end(), failed)) return true;
+  if (m_drawing.running()) return false;
+  m_drawingShape = shape;
+  m_drawingStale = false;
+  m_drawing.start(
+      [set = m_set, found = *m_found, shape](const Progress&) {
+        MaskGround ground(*set, [&found](const std::string& light) { return shadowsOf(found, light); });
+        return ground.raster(shape);
+      },
+      m_wake);
+  return false;
+}
+
 void EditController::follow(StudioContext& studio) {
   const EditStack& wanted = studio.document().edits;
   if (m_followed && wanted == m_wanted) return;
-  const bool sameLights =
-      m_room.edited ? m_room.edited->stack().newLights == wanted.newLights : wanted.newLights.empty();
-  if (!m_room.edited && wanted.edits.empty() && wanted.newLights.empty()) {
-    m_wanted = wanted;
-    m_followed = true;
-    return;
-  }
-  // A rig with other lights than the picture's cannot wait.
-  if (!sameLights) {
-    m_making.cancel();
-    adopt(studio, makeRoom(m_set, m_found, wanted.newLights));
-    studio.session.lightsChanged();
-  } else if (!m_room.edited) {
-    prepare(studio);
-    return;
+  if (!m_room.edited && !(wanted.edits.empty() && wanted.newLights.empty())) return prepare(studio);
+  if (m_room.edited) {
+    const EditStack stack = usable(wanted);
+    for (const auto& edit : stack.edits)
+      for (const MaskShape& shape : edit->mask)
+        if (!isDrawn(shape)) return;  // the picture follows when it is
+    setStack(studio, stack);
   }
   m_wanted = wanted;
   m_followed = true;
-  setStack(studio, usable(wanted));
 }
 
 void EditController::prepare(StudioContext& studio) {
   if (m_room.edited || m_making.running() || !studio.set()) return;
-  m_making.start([set = m_set, found = m_found](const Progress&) { return makeRoom(set, found, {}); },
-                 m_wake);
+  m_making.start([set = m_set, found = m_found](const Progress&) { return makeRoom(set, found); }, m_wake);
 }
 
 EditController::Room EditController::makeRoom(std::shared_ptr<const SolvedSet> set,
-                                              std::shared_ptr<Found> found,
-                                              const std::vector<std::string>& newLights) {
+                                              std::shared_ptr<Found> found) {
   Room room;
   room.edited = std::make_shared<EditedSet>(
       std::move(set),
-      [found = std::move(found)](const std::string& light) -> std::shared_ptr<const LightShadows> {
-        const auto known = found->find(light);
-        if (known == found->end())
-          throw InputError("\"{}\" is no light of the set: it has no shadows.", light);
-        return known->second;
-      });
-  EditStack lights;
-  lights.newLights = newLights;
-  room.edited->setStack(lights);
+      [found = std::move(found)](const std::string& light) { return shadowsOf(*found, light); });
   room.edited->update();
   const std::shared_ptr<const SolvedSet> result(room.edited, &room.edited->result());
   room.pictures = std::make_shared<ViewPictures>(result);
@@ -132,6 +163,19 @@ EditStack EditController::usable(const EditStack& wanted) {
 }
 
 void EditController::setStack(StudioContext& studio, const EditStack& stack) {
+  if (m_room.edited->stack().newLights == stack.newLights) return applyStack(studio, stack);
+  {
+    const std::unique_lock lock(m_room.pictures->pixels());
+    applyStack(studio, stack);
+    m_room.pictures->lightsChanged();
+  }
+  studio.session.lightsChanged();
+  studio.subjects.editsChanged();
+  studio.pictures.forget();
+  ++m_revision;
+}
+
+void EditController::applyStack(StudioContext& studio, const EditStack& stack) {
   try {
     m_room.edited->setStack(stack);
     m_complaint.clear();
@@ -163,12 +207,23 @@ void EditController::update(StudioContext& studio, const PixelRect& visible) {
     return;
   }
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<PixelRect> changed = edited.update(visible);
-  while (std::chrono::steady_clock::now() - begin < kBudget) {
+  const auto spent = [&] { return std::chrono::steady_clock::now() - begin; };
+  std::vector<PixelRect> changed;
+  const auto compute = [&](const PixelRect& area) {
+    const std::vector<PixelRect> more = edited.update(area);
+    changed.insert(changed.end(), more.begin(), more.end());
+  };
+  // Where not all of what is seen can be done in time, the next frame goes on from there.
+  const int width = kTilesAtOnce * kTileSize;
+  const int columns = (m_set->width() + width - 1) / width;
+  const int parts = columns * ((m_set->height() + kTileSize - 1) / kTileSize);
+  for (int k = 0; k < parts && spent() < kSeenBudget; ++k, m_part = (m_part + 1) % parts)
+    compute(
+        intersection(visible, {m_part % columns * width, m_part / columns * kTileSize, width, kTileSize}));
+  while (spent() < kBudget) {
     const auto rest = edited.staleTile();
     if (!rest) break;
-    const std::vector<PixelRect> more = edited.update(*rest);
-    changed.insert(changed.end(), more.begin(), more.end());
+    compute(*rest);
   }
   refresh(studio, changed);
   if (edited.staleTile()) m_wake();
@@ -201,7 +256,7 @@ std::shared_ptr<const MaskRaster> EditController::raster(StudioContext& studio, 
     seekShadows(studio);
     return nullptr;
   }
-  return m_room.edited->ground().raster(shape);
+  return isDrawn(shape) ? m_room.edited->ground().raster(shape) : nullptr;
 }
 
 bool EditController::shadowsCurrent(const StudioContext& studio) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -15,8 +16,9 @@ namespace swaplight {
 struct StudioContext;
 
 /// Sees to it that the studio shows the set with the document's edits. What is seen is computed at once, the
-/// rest a little in each frame; what takes long (room for the edited set, finding shadows) goes on in
-/// threads, and the picture follows when it is there.
+/// rest a little in each frame; what takes long (room for the edited set, finding shadows, drawing
+/// selections) goes on in threads, and the picture follows when it is there. Until then it may lack lights
+/// that the rig has, or have one more.
 class EditController {
  public:
   explicit EditController(std::function<void()> wake) : m_wake(std::move(wake)) {}
@@ -29,8 +31,8 @@ class EditController {
   /// A light's shadows, of the set as solved; begins to look for them where nobody has yet: nullptr until
   /// they are there. For the document's thresholds, or still for those before.
   std::shared_ptr<const LightShadows> shadows(StudioContext& studio, const std::string& light);
-  /// A shape of a mask as pixels; nullptr while there is no room for edits or the shadows are being looked
-  /// for, and for shapes that are formulas. Throws InputError as MaskGround does.
+  /// A shape of a mask as pixels; nullptr while there is no room for edits, the shadows are being looked
+  /// for or the shape is being drawn, and for shapes that are formulas. Throws InputError as MaskGround does.
   std::shared_ptr<const MaskRaster> raster(StudioContext& studio, const MaskShape& shape);
   /// Whether shadows() are for the document's thresholds.
   [[nodiscard]] bool shadowsCurrent(const StudioContext& studio) const;
@@ -41,7 +43,7 @@ class EditController {
   [[nodiscard]] bool stoppedFindingShadows() const { return m_stopped && !m_finding.running(); }
   void findShadowsAgain() { m_stopped = false; }
   /// Something goes on after which the picture changes.
-  [[nodiscard]] bool busy() const { return m_making.running() || m_finding.running(); }
+  [[nodiscard]] bool busy() const { return m_making.running() || m_finding.running() || m_drawing.running(); }
   /// Counts up whenever pixels have changed.
   [[nodiscard]] uint64_t revision() const { return m_revision; }
 
@@ -61,16 +63,26 @@ class EditController {
 
   void follow(StudioContext& studio);
   void takeJobs(StudioContext& studio);
-  [[nodiscard]] static Room makeRoom(std::shared_ptr<const SolvedSet> set, std::shared_ptr<Found> found,
-                                     const std::vector<std::string>& newLights);
+  void takeDrawn();
+  [[nodiscard]] static Room makeRoom(std::shared_ptr<const SolvedSet> set, std::shared_ptr<Found> found);
   void adopt(StudioContext& studio, Room room);
   /// Looks for shadows where somebody needs them and there are none for the thresholds of now.
   void seekShadows(StudioContext& studio);
   /// What of the document can be shown now.
   [[nodiscard]] EditStack usable(const EditStack& wanted);
+  /// Whether the shape is drawn, or is drawn at once where it is asked for; else begins to draw it.
+  bool isDrawn(const MaskShape& shape);
   void setStack(StudioContext& studio, const EditStack& stack);
+  /// As much of the stack as can be applied.
+  void applyStack(StudioContext& studio, const EditStack& stack);
   void update(StudioContext& studio, const PixelRect& visible);
   void refresh(StudioContext& studio, const std::vector<PixelRect>& changed);
+
+  /// A selection that was drawn in a thread.
+  struct Drawn {
+    MaskShape shape;
+    std::shared_ptr<const MaskRaster> raster;  ///< nullptr: it cannot be drawn
+  };
 
   std::function<void()> m_wake;
   std::shared_ptr<const SolvedSet> m_set;  ///< as solved
@@ -84,6 +96,11 @@ class EditController {
   bool m_stopped = false;       ///< the person has stopped the search
   std::string m_complaint;      ///< about the edits, said already
   uint64_t m_revision = 0;
+  int m_part = 0;             ///< of the picture that is computed next
+  std::deque<Drawn> m_drawn;  ///< the last ones: kept until somebody uses them
+  MaskShape m_drawingShape;
+  bool m_drawingStale = false;  ///< the set or its shadows have changed since
+  Job<std::shared_ptr<const MaskRaster>> m_drawing;
   Job<Room> m_making;
   Job<FoundOf> m_finding;
 };

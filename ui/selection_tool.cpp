@@ -66,7 +66,7 @@ void click(StudioContext& studio, const Point& at, SelectHow how) {
   MaskShape part = clickedShape(studio, at);
   try {
     // A click into no shadow is told at once, and selects nothing.
-    if (studio.edits.raster(studio, part) || studio.editing.selection.kind == Kind::Similar)
+    if (studio.editing.selection.kind == Kind::Similar || studio.edits.raster(studio, part))
       addPart(studio, std::move(part), how);
     else
       studio.messages.info("The shadows are being looked for. Click again in a moment.");

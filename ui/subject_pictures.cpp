@@ -41,7 +41,7 @@ const SubjectPictures::Shown* SubjectPictures::picture(const OpenSet& set, const
   m_reading = subject;
   m_stale = false;
   m_job.start(
-      [solved = set.solved, shot = subject.index](const Progress& progress) {
+      [solved = set.original, shot = subject.index](const Progress& progress) {
         return readPhotograph(solved->capture, shot, solved->contributions.front(), progress);
       },
       m_wake);

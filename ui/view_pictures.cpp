@@ -1,5 +1,7 @@
 #include "ui/view_pictures.h"
 
+#include <algorithm>
+
 namespace swaplight {
 
 ViewPictures::ViewPictures(std::shared_ptr<const SolvedSet> set) : m_set(std::move(set)) {
@@ -11,6 +13,20 @@ ViewPictures::ViewPictures(std::shared_ptr<const SolvedSet> set) : m_set(std::mo
 void ViewPictures::refresh(const std::vector<PixelRect>& changed) {
   for (Pyramid& contribution : m_contributions)
     for (const PixelRect& rect : changed) contribution.refresh(rect.x, rect.y, rect.width, rect.height);
+}
+
+void ViewPictures::lightsChanged() {
+  std::vector<Pyramid> pictures;
+  for (const Image& contribution : m_set->contributions) {
+    const auto known = std::find_if(
+        m_contributions.begin(), m_contributions.end(),
+        [&](const Pyramid& picture) { return picture.level(0).data == contribution.view().data; });
+    if (known == m_contributions.end())
+      pictures.emplace_back(contribution.view());
+    else
+      pictures.push_back(std::move(*known));
+  }
+  m_contributions = std::move(pictures);
 }
 
 std::vector<ViewLayer> ViewPictures::layers(const ViewSubject& subject, std::span<const Rgb> factors,

@@ -23,6 +23,9 @@ class ViewPictures {
 
   /// To be called when pixels of the contributions have changed, alone with pixels().
   void refresh(const std::vector<PixelRect>& changed);
+  /// To be called when the set has other lights, alone with pixels(): pictures that lie where they lay are
+  /// kept.
+  void lightsChanged();
   [[nodiscard]] const std::vector<Pyramid>& contributions() const { return m_contributions; }
   /// Shared by other threads than the interface's while they read; held alone while pixels change.
   [[nodiscard]] std::shared_mutex& pixels() const { return m_pixels; }

@@ -22,6 +22,12 @@ EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
   return lights;
 }
 
+ImageSpec betaSpec(const EditedLights& lights) {
+  ImageSpec spec{lights.width, lights.height, {}, "data"};
+  for (const std::string& name : lights.names) spec.channels.push_back("beta." + name);
+  return spec;
+}
+
 // A set of the size with room for the lights; contributions are not initialised.
 SolvedSet emptyResult(const SolvedSet& set, const EditedLights& lights) {
   SolvedSet result;
@@ -29,15 +35,42 @@ SolvedSet emptyResult(const SolvedSet& set, const EditedLights& lights) {
   result.report = set.report;
   result.carried = set.carried;
   if (set.ambient) result.ambient = set.ambient->clone();
-  ImageSpec beta{lights.width, lights.height, {}, "data"};
   for (size_t i = 0; i < lights.names.size(); ++i) {
     result.contributions.emplace_back(set.contributions.front().spec());
-    beta.channels.push_back("beta." + lights.names[i]);
     if (i >= result.capture.lights.size())
       result.capture.lights.push_back({lights.names[i], Role::Other, Json::object()});
   }
-  result.beta = Image(std::move(beta));
+  result.beta = Image(betaSpec(lights));
   return result;
+}
+
+// Lights come and go; those that stay keep their pixels, where they lie; new ones are dark.
+void changeLights(const SolvedSet& set, const EditedLights& lights, SolvedSet& result) {
+  std::vector<Image> contributions;
+  std::vector<int> planes;  // of the old beta
+  std::vector<Light> described = set.capture.lights;
+  for (size_t i = 0; i < lights.names.size(); ++i) {
+    const int known = result.capture.lightIndex(lights.names[i]);
+    planes.push_back(known);
+    if (known >= 0)
+      contributions.push_back(std::move(result.contributions[static_cast<size_t>(known)]));
+    else
+      contributions.emplace_back(set.contributions.front().spec(), 0.F);
+    if (i >= described.size()) described.push_back({lights.names[i], Role::Other, Json::object()});
+  }
+  Image beta(betaSpec(lights));
+  parallelRows(beta.channelCount(), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const int known = planes[static_cast<size_t>(i)];
+      if (known >= 0)
+        std::copy_n(result.beta.plane(known), beta.pixelCount(), beta.plane(i));
+      else
+        std::fill_n(beta.plane(i), beta.pixelCount(), 0.F);
+    }
+  });
+  result.contributions = std::move(contributions);
+  result.capture.lights = std::move(described);
+  result.beta = std::move(beta);
 }
 
 // Contributions as they are, and beta from them.
@@ -94,30 +127,38 @@ void EditedSet::setStack(const EditStack& stack) {
 
   // Prepare what is new; what failed to prepare leaves the old stack in force.
   const bool sameShadows = stack.shadowThresholds == m_stack.shadowThresholds;
-  const auto stays = [&](const Edit& edit) { return sameLights && (sameShadows || !usesShadows(edit)); };
+  const auto stays = [&](const Edit& edit) { return sameShadows || !usesShadows(edit); };
   if (!sameShadows) m_ground.forgetDrawn();
   std::vector<Prepared> prepared;
   for (const auto& edit : stack.edits) {
     const auto known = std::find_if(m_prepared.begin(), m_prepared.end(),
                                     [&](const Prepared& p) { return p->edit == edit; });
-    if (known != m_prepared.end() && stays(*edit)) {
+    if (known != m_prepared.end() && sameLights && stays(*edit)) {
       prepared.push_back(*known);
       continue;
     }
-    const size_t place = prepared.size();
+    const auto place =
+        known != m_prepared.end()
+            ? known
+            : m_prepared.begin() + static_cast<ptrdiff_t>(std::min(prepared.size(), m_prepared.size()));
     const PreparedEdit* earlier =
-        place < m_prepared.size() && stays(*m_prepared[place]->edit) ? m_prepared[place].get() : nullptr;
+        place != m_prepared.end() && stays(*(*place)->edit) ? place->get() : nullptr;
     prepared.push_back(std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_ground, earlier)));
   }
   const bool otherShadows = !sameShadows && std::any_of(stack.edits.begin(), stack.edits.end(),
                                                         [](const auto& edit) { return usesShadows(*edit); });
-  if (sameLights && !otherShadows) {
-    if (m_checkpoint.follow(m_prepared, prepared)) m_staleBelow = m_stale;
-    for (const PixelRect& area : changedAreas(m_prepared, prepared)) markStale(area);
-  } else {
-    if (!sameLights) m_result = emptyResult(*m_set, lights);
+  if (!sameLights) changeLights(*m_set, lights, m_result);
+  if (otherShadows) {
     m_checkpoint.forget();
     markStale({0, 0, m_set->width(), m_set->height()});
+  } else if (!sameLights) {
+    // Where no edit acts, lights that stay are as they were and new ones are dark.
+    m_checkpoint.forget();
+    for (const auto* edits : {&m_prepared, &prepared})
+      for (const PixelRect& area : changedAreas(*edits, {})) markStale(area);
+  } else {
+    if (m_checkpoint.follow(m_prepared, prepared)) m_staleBelow = m_stale;
+    for (const PixelRect& area : changedAreas(m_prepared, prepared)) markStale(area);
   }
   m_prepared = std::move(prepared);
   m_stack = stack;

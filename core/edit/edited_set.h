@@ -25,7 +25,8 @@ class EditedSet {
   explicit EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows = {});
 
   /// Takes a new stack. Computes nothing yet; asks for shadows again where their thresholds have changed.
-  /// Throws InputError, and keeps the old stack then.
+  /// Where the stack has other new lights, result() has other images; those of lights that stay keep their
+  /// pixels where they lie in memory. Throws InputError, and keeps the old stack then.
   void setStack(const EditStack& stack);
   [[nodiscard]] const EditStack& stack() const { return m_stack; }
 

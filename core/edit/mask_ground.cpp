@@ -14,15 +14,23 @@ MaskGround::MaskGround(const SolvedSet& set, ShadowSource shadows)
 std::shared_ptr<const MaskRaster> MaskGround::raster(const MaskShape& shape, int shadowZone) {
   if (const auto* paint = std::get_if<PaintShape>(&shape.shape))
     return {paint->painting, &paint->painting->mask()};
-  std::erase_if(m_drawn, [](const Drawn& drawn) { return drawn.raster.expired(); });
-  const auto known = std::find_if(m_drawn.begin(), m_drawn.end(), [&](const Drawn& drawn) {
-    return drawn.shadowZone == shadowZone && drawn.shape.shape == shape.shape;
-  });
-  if (known != m_drawn.end())
-    if (auto raster = known->raster.lock()) return raster;
+  if (!std::holds_alternative<ShadowShape>(shape.shape)) shadowZone = 0;
+  if (auto raster = known(shape, shadowZone)) return raster;
   auto raster = draw(shape, shadowZone);
   if (raster) m_drawn.push_back({shape, shadowZone, raster});
   return raster;
+}
+
+std::shared_ptr<const MaskRaster> MaskGround::known(const MaskShape& shape, int shadowZone) {
+  std::erase_if(m_drawn, [](const Drawn& drawn) { return drawn.raster.expired(); });
+  const auto found = std::find_if(m_drawn.begin(), m_drawn.end(), [&](const Drawn& drawn) {
+    return drawn.shadowZone == shadowZone && drawn.shape.shape == shape.shape;
+  });
+  return found == m_drawn.end() ? nullptr : found->raster.lock();
+}
+
+void MaskGround::keep(const MaskShape& shape, const std::shared_ptr<const MaskRaster>& raster) {
+  if (!known(shape)) m_drawn.push_back({shape, 0, raster});
 }
 
 std::shared_ptr<const MaskRaster> MaskGround::draw(const MaskShape& shape, int shadowZone) {

@@ -32,6 +32,10 @@ class MaskGround {
   /// `shadowZone`: edits of shadows are measured by the visibility themselves: for them a shadow that was
   /// chosen counts in whole, with so many pixels around it.
   std::shared_ptr<const MaskRaster> raster(const MaskShape& shape, int shadowZone = 0);
+  /// The same where it has been drawn already and somebody holds it; else nullptr.
+  [[nodiscard]] std::shared_ptr<const MaskRaster> known(const MaskShape& shape, int shadowZone = 0);
+  /// A shape that was drawn elsewhere, on the same set and shadows.
+  void keep(const MaskShape& shape, const std::shared_ptr<const MaskRaster>& raster);
   /// To be called when the shadows are others.
   void forgetDrawn() { m_drawn.clear(); }
 

@@ -98,7 +98,7 @@ PixelShares pixelShares(const SolvedSet& set, int x, int y) {
 
 std::vector<Rgb> relitShares(const Rig& rig, const PixelShares& shares, const std::string& colorSpace) {
   std::vector<Rgb> given = rigFactors(rig, colorSpace);
-  for (size_t i = 0; i < given.size(); ++i) given[i] *= shares.lights.at(i);
+  for (size_t i = 0; i < given.size(); ++i) given[i] *= shares.of(i);
   given.push_back(rig.ambient * shares.ambient);
   return given;
 }
@@ -120,7 +120,7 @@ std::optional<Rig> neutralizePixel(Rig rig, const PixelShares& shares, std::span
   Rgb byOthers = rig.ambient * shares.ambient;
   for (size_t i = 0; i < factors.size(); ++i) {
     const bool isChosen = std::find(chosen.begin(), chosen.end(), i) != chosen.end();
-    (isChosen ? byChosen : byOthers) += factors[i] * shares.lights.at(i);
+    (isChosen ? byChosen : byOthers) += factors[i] * shares.of(i);
   }
   if (std::min({byChosen.r, byChosen.g, byChosen.b}) < kDarkest) return std::nullopt;
   const float level = (byChosen.r + byChosen.g + byChosen.b + byOthers.r + byOthers.g + byOthers.b) / 3;

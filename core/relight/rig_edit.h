@@ -30,6 +30,8 @@ namespace swaplight {
 struct PixelShares {
   std::vector<Rgb> lights;
   Rgb ambient{0, 0, 0};
+  /// A light that the set lacks, because it was made a moment ago, gives nothing.
+  [[nodiscard]] Rgb of(size_t light) const { return light < lights.size() ? lights[light] : Rgb(0); }
 };
 [[nodiscard]] PixelShares pixelShares(const SolvedSet& set, int x, int y);
 /// What each light gives to the pixel under a rig, in the order of the lights; ambient last. Their sum is the

@@ -246,6 +246,50 @@ TEST(EditedSet, EqualsTheReferenceAfterEveryChange) {
   check("light added");
 }
 
+TEST(EditedSet, EqualsTheReferenceWhileLightsComeAndGo) {
+  const auto set = std::make_shared<const SolvedSet>(smallSet(3, kWidth, kHeight));
+  EditedSet edited(set);
+  EditStack stack;
+  const auto check = [&](const char* what) {
+    edited.setStack(stack);
+    edited.update();
+    const SolvedSet reference = applyEdits(*set, stack);
+    ASSERT_EQ(edited.result().lightCount(), reference.lightCount()) << what;
+    ASSERT_EQ(edited.result().beta.spec(), reference.beta.spec()) << what;
+    ASSERT_EQ(edited.result().capture.lights.size(), reference.capture.lights.size()) << what;
+    ASSERT_LT(largestDifference(edited.result(), reference), 2e-6f) << what;
+  };
+  stack.append(makeEdit("", GainOperation{.5f, .1f}, Meaning::Add, painted(60, 240)));
+  stack.append(makeEdit("light2", FillOperation{0}, Meaning::Share, softEllipse()));
+  check("without");
+  stack.newLights = {"sun"};
+  check("a light for which nothing was painted, and which an edit of all lights reaches");
+  stack.append(makeEdit("sun", GainOperation{1, .5f}, Meaning::Add, painted(20, 20)));
+  check("painted");
+  stack.newLights = {"sun", "moon"};
+  stack.append(makeEdit("moon", FillOperation{.4f}, Meaning::Share, painted(90, 50)));
+  check("a second one");
+  stack.edits.erase(stack.edits.begin() + 2);
+  stack.newLights = {"moon"};
+  check("the first one gone");
+  stack.edits.pop_back();
+  stack.newLights = {};
+  check("both gone");
+}
+
+TEST(EditedSet, MakesNothingAgainForALightThatIsDark) {
+  const auto set = std::make_shared<const SolvedSet>(smallSet(2, 600, 600));
+  EditedSet edited(set);
+  edited.update();
+  const float* pixels = edited.result().contributions[1].view().data;
+  EditStack stack;
+  stack.newLights = {"sun"};
+  edited.setStack(stack);
+  EXPECT_FALSE(edited.staleTile());
+  EXPECT_EQ(edited.result().contributions[1].view().data, pixels);
+  EXPECT_EQ(edited.result().contributions[2].view().at(0, 300, 300), 0);
+}
+
 TEST(EditedSet, ComputesOnlyWhatAStrokeCanHaveChanged) {
   const auto set = std::make_shared<const SolvedSet>(smallSet(2, 900, 900));
   Painting painting(900, 900);
