@@ -40,7 +40,8 @@ RectangleShape firstRectangle(const StudioContext& studio) {
 void setPlace(StudioContext& studio, size_t index, Mask mask) {
   Edit next = *studio.document().edits.edits[index];
   next.mask = std::move(mask);
-  editEdit(studio, index, "Where an edit acts: " + placeWords(next.mask), std::move(next));
+  const std::string step = "Where an edit acts: " + placeWords(next.mask);
+  editEdit(studio, index, step, std::move(next));
 }
 
 void placeCombo(StudioContext& studio, size_t index) {
