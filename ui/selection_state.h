@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -8,6 +9,9 @@
 #include "core/edit/selection.h"
 
 namespace swaplight {
+
+/// The dashes of the outline march a step in such a time.
+constexpr std::chrono::milliseconds kMarchStep{150};
 
 /// How the next part of the selection is made, and the outline of what is selected.
 struct SelectionState {
@@ -28,6 +32,7 @@ struct SelectionState {
   bool outlineKnown = false;
   std::shared_ptr<const MaskRaster> raster;  ///< kept, so that edits find it drawn
   std::vector<std::vector<std::array<float, 2>>> outline;
+  bool marching = false;  ///< the last frame has drawn its dashes
 };
 
 }  // namespace swaplight

@@ -1,6 +1,7 @@
 #include "ui/selection_tool.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -19,6 +20,7 @@ using Point = std::array<float, 2>;
 constexpr float kLeastStep = 1.5F;     // pixels of the screen between two points of a lasso
 constexpr float kLeastDrag = 3;        // pixels of the screen: less is a click
 constexpr float kDash = 5;             // pixels of the screen at scale 1
+constexpr int kMarchSteps = 6;         // until a dash is where the next of its colour was
 constexpr size_t kMostPoints = 30000;  // of an outline: more is noise
 constexpr ImU32 kDark = IM_COL32(0, 0, 0, 220), kBright = IM_COL32(255, 255, 255, 235);
 
@@ -113,7 +115,15 @@ void follow(StudioContext& studio) {
   state.outlineKnown = true;
 }
 
-/// A closed or open line in picture space as dashes of two colours: to be seen on bright and dark.
+/// How far the dashes have marched, as a part of a bright and a dark one: in steps, so that frames between
+/// two steps are alike.
+float marched() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  const auto step = std::chrono::duration_cast<std::chrono::milliseconds>(now) / kMarchStep % kMarchSteps;
+  return static_cast<float>(step) / static_cast<float>(kMarchSteps);
+}
+
+/// A closed or open line in picture space as marching dashes of two colours: to be seen on bright and dark.
 void drawDashes(const std::vector<Point>& line, bool closed, const ViewWindow& window, ImVec2 origin) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 low = draw->GetClipRectMin(), high = draw->GetClipRectMax();
@@ -122,7 +132,7 @@ void drawDashes(const std::vector<Point>& line, bool closed, const ViewWindow& w
     return ImVec2(origin.x + static_cast<float>(window.windowX(p[0])),
                   origin.y + static_cast<float>(window.windowY(p[1])));
   };
-  float along = 0;
+  float along = 2 * dash * (1 - marched());
   for (size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
     const ImVec2 a = at(line[i]), b = at(line[(i + 1) % line.size()]);
     const float length = std::hypot(b.x - a.x, b.y - a.y);
@@ -193,14 +203,15 @@ void handleSelection(StudioContext& studio, const ViewWindow& window, ImVec2 ori
 
 void drawSelection(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
   follow(studio);
-  const SelectionState& state = studio.editing.selection;
+  SelectionState& state = studio.editing.selection;
+  const Mask& selection = studio.document().selection;
+  state.marching = !selection.empty() || state.going;
   size_t points = 0;
   for (const auto& line : state.outline) {
     points += line.size();
     if (points > kMostPoints) break;
     drawDashes(line, true, window, origin);
   }
-  const Mask& selection = studio.document().selection;
   if (!selection.empty() && selection.front().invert) {
     const auto width = static_cast<float>(studio.set()->pictures->width());
     const auto height = static_cast<float>(studio.set()->pictures->height());

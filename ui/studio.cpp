@@ -14,7 +14,6 @@
 namespace swaplight {
 namespace {
 
-constexpr double kTick = 0.25;        // seconds between looks at timers while nothing happens
 constexpr int kScreenshotFrames = 4;  // until every window has its size
 
 void writeScreenshot(Screen& screen, const std::filesystem::path& file) {
@@ -39,7 +38,7 @@ void run(Screen& screen, StudioWindow& studio, const StudioOptions& options) {
     script.emplace(options.script, [&](const std::filesystem::path& file) { writeScreenshot(screen, file); });
   int framesLeft = kScreenshotFrames;
   while (!studio.done()) {
-    screen.wait(kTick);
+    screen.wait(studio.restSeconds());
     studio.update();
     const bool scripted = script && !script->done();
     if (scripted) script->step(studio);

@@ -17,6 +17,8 @@ namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr std::chrono::milliseconds kTick{250};  // between looks at timers while nothing happens
+
 std::vector<fs::path> findSamples(const fs::path& folder) {
   std::vector<fs::path> samples;
   std::error_code error;
@@ -195,11 +197,18 @@ void StudioWindow::update() {
   m_wizard.update(m_messages);
   m_subjects.update(m_messages);
   if (m_messages.expire()) m_screen.requestFrames();
+  const bool marches = m_editing.selection.marching;
+  if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_screen.requestFrames(1);
   for (const fs::path& dropped : m_screen.takeDropped()) whenSaved([this, dropped] { open(dropped); });
   if (m_screen.closeAsked()) askToQuit();
   const std::string title = m_session.title();
   if (title != m_title) m_screen.setTitle(title);
   m_title = title;
+}
+
+double StudioWindow::restSeconds() const {
+  const std::chrono::duration<double> step = m_editing.selection.marching ? kMarchStep : kTick;
+  return step.count();
 }
 
 void StudioWindow::drawDialogs() {
@@ -211,6 +220,8 @@ void StudioWindow::drawDialogs() {
 }
 
 void StudioWindow::frame() {
+  m_lastFrame = std::chrono::steady_clock::now();
+  m_editing.selection.marching = false;  // whoever draws its outline says otherwise
   const bool dialog = m_chooser.isOpen() || m_export.isOpen() || m_wizard.isOpen() || m_unsaved.isOpen() ||
                       m_palette.isOpen() || m_keys.isOpen();
   if (!ImGui::GetIO().WantTextInput && !dialog) m_actions.runKeys(m_screen.keyboard());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 
 #include "ui/capture_wizard.h"
@@ -32,6 +33,9 @@ class StudioWindow {
 
   /// Opens a capture, a solved set or a session; a folder of photographs is brought in.
   void open(const std::filesystem::path& path);
+  /// For how long nothing has to be done if nothing happens, in seconds.
+  [[nodiscard]] double restSeconds() const;
+
   /// Shows the wizard for a folder of photographs, whether or not there is a capture in it.
   void bringIn(const std::filesystem::path& folder) { m_wizard.start(folder); }
   /// Something is being read, solved, guessed, looked for, saved or exported.
@@ -121,6 +125,7 @@ class StudioWindow {
   bool m_aboutOpen = false;
   bool m_historyOpen = false;
   std::string m_title;
+  std::chrono::steady_clock::time_point m_lastFrame;
   bool m_done = false;
 };
 

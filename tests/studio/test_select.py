@@ -2,6 +2,7 @@
 import json
 import os
 import subprocess
+import time
 import unittest
 
 import numpy as np
@@ -106,6 +107,34 @@ class Select(Tools):
         _, session = self.save_as('alike')
         part = session['selection'][0]['parts'][0]
         self.assertEqual((part['shape'], part['by'], part['connected']), ('similar', 'color', True))
+
+    def seconds_of_work(self):
+        """Processor time of the studio so far."""
+        with open(f'/proc/{self.studio.process.pid}/stat') as file:
+            fields = file.read().rsplit(')', 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf('SC_CLK_TCK')
+
+    def test_the_outline_marches_light_and_dark_and_costs_little(self):
+        studio = self.open()
+        studio.click('select.rectangle')
+        self.drag(0.3, 0.2, 0.7, 0.7)
+        studio.move(*self.at(0.9, 0.95))
+        x, top = self.at(0.5, 0.2)
+        bottom = self.at(0.5, 0.7)[1]
+        rest = studio.screenshot('select_march')
+        steps = [studio.screenshot(f'select_march_{i}') for i in range(3)]
+        line = rest[top - 2:top + 3, x - 60:x + 60].max(axis=(0, 2))
+        self.assertGreater(line.max(), 180, 'light dashes')
+        self.assertLess(rest[top - 2:top + 3, x - 60:x + 60].min(axis=(0, 2)).min(), 40, 'and dark ones')
+        moved = np.max([np.abs(step - rest).max(axis=2) for step in steps], axis=0)
+        self.assertGreater(moved[top - 2:top + 3, x - 60:x + 60].max(), 100, 'they march')
+        inside = moved[top + 6:bottom - 6, x - 60:x + 60]
+        self.assertEqual(inside.max(), 0, 'the picture stays')
+        begun = self.seconds_of_work()
+        time.sleep(3)
+        marching = (self.seconds_of_work() - begun) / 3
+        print(f'marching: {100 * marching:.0f} % of a core')
+        self.assertLess(marching, 0.5, 'a few frames a second')
 
     def test_all_shadows_of_a_light_are_selected(self):
         studio = self.open('key')
