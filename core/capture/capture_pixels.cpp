@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/capture/mosaic_saturation.h"
 #include "core/capture/sensor_limits.h"
 #include "core/color/chromaticities.h"
 #include "core/color/color_config.h"
@@ -92,6 +93,7 @@ Picture readPicture(const Capture& capture, const std::string& path) {
     from = to;
   }
   describeCoding(picture, from, to);
+  if (picture.info.format == "raw") spreadSaturation(picture.image, picture.clip);
   ColorConfig::current().convert(picture.image.span(), from, to);
   picture.image.setColorSpace(to);
   picture.counts = countPixels(picture.image, lowestCredible(capture));

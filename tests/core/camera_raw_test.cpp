@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/capture/capture_pixels.h"
+#include "core/capture/mosaic_saturation.h"
 #include "core/image/image_io.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/tiny_dng.h"
@@ -54,6 +55,18 @@ TEST(CameraRaw, ShotsOfACaptureAreLinearAndClipAtFullScale) {
   EXPECT_LT(pixels.shots[0].view().at(1, 96, 32), pixels.clipLevel[0]);
   ASSERT_EQ(pixels.warnings.size(), 1U);
   EXPECT_THAT(pixels.warnings[0], HasSubstr("camera raw is linear"));
+}
+
+TEST(CameraRaw, WhatIsInterpolatedFromASaturatedPixelCountsAsSaturated) {
+  Image image(ImageSpec::rgb(8, 6), 0.5F);
+  image.span().at(1, 4, 3) = 1;
+  spreadSaturation(image, 0.999F);
+  for (int y = 0; y < 6; ++y)
+    for (int x = 0; x < 8; ++x) {
+      const bool beside = std::abs(x - 4) <= 1 && std::abs(y - 3) <= 1;
+      EXPECT_EQ(image.view().at(1, x, y), beside ? 1.F : 0.5F);
+      EXPECT_EQ(image.view().at(0, x, y), 0.5F) << "the other channels are as they are";
+    }
 }
 
 }  // namespace

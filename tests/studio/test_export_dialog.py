@@ -58,6 +58,46 @@ class ExportDialog(StudioTest):
         with open(self.ask('page.html', 'export.kind.report')) as file:
             self.assertIn('three_point', file.read())
 
+    def parts(self, path):
+        """What every part of an EXR says of itself, and its pixels."""
+        found, source = [], oiio.ImageInput.open(path)
+        assert source, oiio.geterror()
+        while source.seek_subimage(len(found), 0):
+            spec = source.spec()
+            found.append({'name': spec.getattribute('name'), 'channels': spec.channelnames,
+                          'compression': spec.getattribute('compression'), 'type': str(spec.format),
+                          'primaries': spec.getattribute('chromaticities'),
+                          'pixels': np.asarray(source.read_image('float'))})
+        source.close()
+        return found
+
+    def test_a_part_a_light_in_other_primaries(self):
+        self.open_sample()
+        path = self.ask('parts.exr', 'export.kind.layers', 'export.naming', 'export.naming.multi', 'export.compression',
+                        'export.compression.piz', 'export.space', 'export.space.acescg')
+        again = self.path('again.exr')
+        subprocess.run([PROGRAM, 'export', SAMPLE, '--multipart', '--compression', 'piz', '--color-space', 'acescg', '-o',
+                        again], check=True, capture_output=True)
+        ours, line = self.parts(path), self.parts(again)
+        self.assertEqual([part['name'] for part in ours], [part['name'] for part in line])
+        self.assertLessEqual({'key', 'fill', 'back'}, {part['name'] for part in ours})
+        for a, b in zip(ours, line):
+            self.assertEqual((a['channels'], a['compression'], a['type']), (b['channels'], 'piz', 'half'))
+            np.testing.assert_allclose(a['primaries'][:6], (.713, .293, .165, .83, .128, .044), atol=1e-4)
+            np.testing.assert_array_equal(a['pixels'], b['pixels'])
+        frame = self.ask('aces.exr', 'export.kind.frame', 'export.format.exr', 'export.space',
+                         'export.space.aces2065_1', 'export.float')
+        self.same(frame, 'relight', SAMPLE, '--color-space', 'aces2065_1', '--type', 'float')
+        np.testing.assert_allclose(self.parts(frame)[0]['primaries'][:6], (.7347, .2653, 0, 1, .0001, -.077), atol=1e-4)
+
+    def test_every_tone_mapping_is_what_the_command_line_writes(self):
+        self.open_sample()
+        plain = read(self.ask('plain.png', 'export.kind.frame', 'export.format.png'))[1]
+        for tone in ('drago', 'mantiuk', 'reinhard'):
+            path = self.ask(tone + '.png', 'export.tone', 'export.tone.' + tone)
+            self.same(path, 'relight', SAMPLE, '--tone', tone)
+            self.assertGreater(np.abs(read(path)[1] - plain).mean(), 0.01)
+
     def test_choices_are_remembered_and_mistakes_said_before(self):
         self.open_sample()
         self.ask('frame.tif', 'export.kind.frame', 'export.format.tif', 'export.sixteen')

@@ -2,13 +2,17 @@
 import json
 import os
 import shutil
+import sys
 import unittest
 
 import numpy as np
 import OpenImageIO as oiio
 
 from drop_files import drop_files
-from studio_session import SAMPLES, StudioTest
+from studio_session import HERE, SAMPLES, StudioTest
+
+sys.path.append(os.path.join(HERE, '../cli'))
+from camera_raw import write_dng
 
 
 class Wizard(StudioTest):
@@ -128,6 +132,39 @@ class Wizard(StudioTest):
         colors = [shot['light_colors'] for shot in self.written()['shots']]
         np.testing.assert_allclose(colors[0][0], [.8, .3, .1], atol=1e-3)
         self.assertGreater(colors[0][1][2], colors[0][1][0], 'L201 is blue')
+
+    def test_camera_raw_is_shown_and_solved(self):
+        """The same photographs as raw files of a camera give the same picture."""
+        self.photographs('three_point')
+        with open(os.path.join(SAMPLES, 'three_point', 'capture.json')) as file:
+            manifest = json.load(file)
+        for k, shot in enumerate(manifest['shots']):
+            path = os.path.join(self.shots, shot['image'])
+            source = oiio.ImageInput.open(path)
+            pixels = np.asarray(source.read_image('float'))[..., :3]
+            source.close()
+            os.remove(path)
+            write_dng(os.path.join(self.shots, f'P{k}.dng'), np.maximum(pixels, 0), f'2026:11:21 10:00:0{k}')
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        shown = studio.screenshot('wizard_raw')
+        for k in range(len(manifest['shots'])):
+            x0, y0, x1, y1 = map(int, studio.item(f'wizard.picture.{k}'))
+            self.assertGreater(shown[y0:y1, x0:x1].std(), 10, 'a photograph is to be seen')
+        self.fill_in(0, *('/'.join(map(str, color)) for color in manifest['shots'][0]['light_colors']))
+        studio.click('wizard.guess')
+        studio.wait(lambda layout: 'guessed from the pictures' in layout.get('wizard.guess_words', ''), 'the guess')
+        studio.click('wizard.solve')
+        studio.wait_ready()
+        self.assertEqual([shot['image'] for shot in self.written()['shots']], ['P0.dng', 'P1.dng', 'P2.dng'])
+        studio.move(640, 15)
+        picture = studio.picture('wizard_raw_solved')
+        studio.quit()
+        self.open_sample()
+        self.studio.move(640, 15)
+        self.assertLess(np.abs(self.studio.picture('wizard_raw_sample') - picture).mean(), 3.5,
+                        'but for the mosaic, which no lens softens here')
 
     def test_what_has_no_photographs_is_said(self):
         studio = self.start()
