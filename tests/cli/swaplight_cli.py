@@ -140,8 +140,8 @@ class CliTest(unittest.TestCase):
         self.assertIsInstance(value, dict)
         return value
 
-    def fail(self, *arguments, naming=(), code=2, **options):
-        """Runs what must fail: nothing on standard output, one line on standard error that holds every text of
+    def deny(self, *arguments, naming=(), code=2, **options):
+        """Runs what must be refused: nothing on standard output, one line on standard error that holds every text of
         `naming`, and no file made or left behind. Gives the line."""
         before = self.files()
         result = run(*arguments, **options)

@@ -16,7 +16,7 @@ class BadInputTest(cli.CliTest):
 
     def refuse(self, *naming):
         """The capture as it is now cannot be solved."""
-        self.fail('solve', self.capture.path, '-o', self.solved, naming=naming)
+        self.deny('solve', self.capture.path, '-o', self.solved, naming=naming)
 
     def change(self, **keys):
         self.capture.manifest.update(keys)
@@ -26,7 +26,7 @@ class BadInputTest(cli.CliTest):
         return os.path.join(self.capture.folder, name)
 
     def test_no_capture(self):
-        self.fail('solve', self.path('none.json'), '-o', self.solved, naming='none.json')
+        self.deny('solve', self.path('none.json'), '-o', self.solved, naming='none.json')
 
     def test_missing_shot(self):
         os.remove(self.shot())
@@ -91,7 +91,7 @@ class BadInputTest(cli.CliTest):
         for shot in self.capture.manifest['shots']:
             shot['light_colors'] = [[.5, .4, .3], [.5, .4, .3]]
         self.capture.save()
-        self.refuse('key', 'fill', 'color')
+        self.refuse('key', 'fill', 'colour')
 
     def test_negative_color(self):
         self.capture.manifest['shots'][0]['light_colors'][0][1] = -.1
@@ -111,7 +111,7 @@ class BadInputTest(cli.CliTest):
     def test_light_name_with_a_dot(self):
         self.capture.manifest['lights'][1]['name'] = 'fill.left'
         self.capture.save()
-        self.refuse('fill.left', 'A-Z')
+        self.refuse('fill.left', 'fill_left')
 
     def test_two_lights_of_one_name(self):
         self.capture.manifest['lights'][1]['name'] = 'key'
@@ -119,7 +119,7 @@ class BadInputTest(cli.CliTest):
         self.refuse('key')
 
     def test_output_in_a_folder_that_is_not_there(self):
-        self.fail('solve', self.capture.path, '-o', self.path('no/such/solved.exr'), naming='solved.exr')
+        self.deny('solve', self.capture.path, '-o', self.path('no/such/solved.exr'), naming='solved.exr')
 
     def test_output_that_is_a_folder(self):
         os.mkdir(self.path('solved.exr'))
@@ -128,10 +128,10 @@ class BadInputTest(cli.CliTest):
     @unittest.skipIf(os.geteuid() == 0, 'root may write everywhere')
     def test_output_in_a_folder_that_is_read_only(self):
         os.mkdir(self.path('locked'), 0o500)
-        self.fail('solve', self.capture.path, '-o', self.path('locked/solved.exr'), naming='solved.exr')
+        self.deny('solve', self.capture.path, '-o', self.path('locked/solved.exr'), naming='solved.exr')
 
     def test_report_that_cannot_be_written(self):
-        self.fail('solve', self.capture.path, '-o', self.solved, '--report', self.path('no/such/report.json'),
+        self.deny('solve', self.capture.path, '-o', self.solved, '--report', self.path('no/such/report.json'),
                   naming='report.json')
 
     def test_picture_of_no_pixels(self):
@@ -166,22 +166,22 @@ class DiskTest(cli.CliTest):
         solved = self.path('solved.exr')
         self.succeed('solve', capture.path, '-o', solved, '-q')
         full = os.path.join(self.disk, 'full')
-        self.fail('solve', capture.path, '-o', full + '.exr', '-q', naming=['full.exr', 'full'])
-        self.fail('relight', solved, '-o', full + '.exr', '--type', 'float', '-q', naming='full.exr')
-        self.fail('relight', solved, '-o', full + '.tif', '--type', 'float', '-q', naming='full.tif')
+        self.deny('solve', capture.path, '-o', full + '.exr', '-q', naming=['full.exr', 'full'])
+        self.deny('relight', solved, '-o', full + '.exr', '--type', 'float', '-q', naming='full.exr')
+        self.deny('relight', solved, '-o', full + '.tif', '--type', 'float', '-q', naming='full.tif')
         self.assertEqual(os.listdir(self.disk), [])
 
     def test_of_a_disk_that_is_read_only(self):
         subprocess.run(['mount', '-o', 'remount,ro', self.disk], check=True)
         capture = cli.Capture(self.path('set'))
-        self.fail('solve', capture.path, '-o', os.path.join(self.disk, 'solved.exr'), '-q', naming='solved.exr')
+        self.deny('solve', capture.path, '-o', os.path.join(self.disk, 'solved.exr'), '-q', naming='solved.exr')
 
     def test_leaves_the_old_file_as_it_was(self):
         capture = cli.Capture(self.path('set'), height=120, width=160)
         old = os.path.join(self.disk, 'old.exr')
         with open(old, 'w') as file:
             file.write('old')
-        self.fail('solve', capture.path, '-o', old, '-q', naming='old.exr')
+        self.deny('solve', capture.path, '-o', old, '-q', naming='old.exr')
         with open(old) as file:
             self.assertEqual(file.read(), 'old')
 

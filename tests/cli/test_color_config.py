@@ -52,15 +52,15 @@ class ColorConfigTest(cli.CliTest):
         with open(undefined, 'w') as file:
             file.write(text.replace('{name: Print, colorspace: print}', '{name: Print, colorspace: gone}'))
         for config in ('/nowhere/none.ocio', broken, undefined):
-            self.fail('relight', self.solved, '-o', self.path('a.png'), env={'OCIO': config},
+            self.deny('relight', self.solved, '-o', self.path('a.png'), env={'OCIO': config},
                       naming=[config, '$OCIO', 'unset it'])
-        self.fail('relight', self.session(color_config='none.ocio'), '-o', self.path('a.png'),
+        self.deny('relight', self.session(color_config='none.ocio'), '-o', self.path('a.png'),
                   naming=[self.path('none.ocio'), 'color_config'])
 
     def test_a_view_that_the_configuration_lacks_is_said_with_those_that_it_has(self):
-        self.fail('relight', self.solved, '--view', 'Nope', '-o', self.path('a.png'), env={'OCIO': CONFIG},
+        self.deny('relight', self.solved, '--view', 'Nope', '-o', self.path('a.png'), env={'OCIO': CONFIG},
                   naming=["'Nope'", CONFIG, 'Film'])
-        self.fail('relight', self.solved, '--display', 'Old monitor', '-o', self.path('a.png'), env={'OCIO': CONFIG},
+        self.deny('relight', self.solved, '--display', 'Old monitor', '-o', self.path('a.png'), env={'OCIO': CONFIG},
                   naming=["'Old monitor'", CONFIG, 'Projector, Monitor'])
 
     def test_a_look_takes_the_place_of_the_views_own(self):

@@ -8,6 +8,13 @@ import swaplight_cli as cli
 
 
 class CommonTest(cli.CliTest):
+    def test_what_is_asserted_here_can_fail(self):
+        """A helper that hides a method of TestCase would silence every assertion that calls it."""
+        helpers = set(vars(cli.CliTest)) - {'setUp', '__doc__', '__module__'}
+        self.assertFalse(helpers & set(dir(unittest.TestCase)))
+        with self.assertRaises(AssertionError):
+            self.assertLess(2, 1)
+
     def test_version_names_the_program(self):
         self.assertRegex(self.succeed('--version').stdout, r'^swaplight \d+\.\d+\.\d+\n$')
 
@@ -21,13 +28,13 @@ class CommonTest(cli.CliTest):
                 self.assertIn(option, text, verb)
 
     def test_a_wrong_call_is_one_line_and_exit_2(self):
-        self.fail(naming='evaluate')
-        self.fail('develop', naming=['develop', 'evaluate'])
-        self.fail('--frobnicate', naming='--frobnicate')
-        self.fail('evaluate', 'a.exr', naming=['REFERENCE', '--help'])
-        self.fail('evaluate', 'a.exr', 'b.exr', '--frobnicate', naming=['--frobnicate', '--help'])
-        self.fail('evaluate', 'a.exr', 'b.exr', '--threads', 'many', naming='--threads')
-        self.fail('evaluate', 'a.exr', 'b.exr', '--threads', '-1', naming='--threads')
+        self.deny(naming='evaluate')
+        self.deny('develop', naming=['develop', 'evaluate'])
+        self.deny('--frobnicate', naming='--frobnicate')
+        self.deny('evaluate', 'a.exr', naming=['REFERENCE', '--help'])
+        self.deny('evaluate', 'a.exr', 'b.exr', '--frobnicate', naming=['--frobnicate', '--help'])
+        self.deny('evaluate', 'a.exr', 'b.exr', '--threads', 'many', naming='--threads')
+        self.deny('evaluate', 'a.exr', 'b.exr', '--threads', '-1', naming='--threads')
 
     def test_progress_is_one_line_on_a_terminal_and_none_elsewhere_or_when_quiet(self):
         capture = cli.Capture(self.path('set'), ('a', 'b', 'c', 'd'), height=540, width=960)

@@ -64,18 +64,18 @@ class EvaluateTest(cli.CliTest):
 
     def test_folders_that_cannot_be_compared_are_said(self):
         test, reference = self.folders()
-        self.fail('evaluate', test, self.path('reference', 'a.exr'), naming='two folders')
-        self.fail('evaluate', self.path('test', 'more'), reference, naming='same name')
-        self.fail('evaluate', test, reference, '--map', self.path('map.png'), naming='one pair')
-        self.fail('evaluate', test, reference, '--plot', self.path('no/box.png'), naming='no/box.png')
+        self.deny('evaluate', test, self.path('reference', 'a.exr'), naming='two folders')
+        self.deny('evaluate', self.path('test', 'more'), reference, naming='same name')
+        self.deny('evaluate', test, reference, '--map', self.path('map.png'), naming='one pair')
+        self.deny('evaluate', test, reference, '--plot', self.path('no/box.png'), naming='no/box.png')
 
     def test_bad_input_is_one_line(self):
         small = self.path('small.exr')
         cli.write_image(small, self.pixels[:5])
-        self.fail('evaluate', self.path('nothing.exr'), self.reference, naming='nothing.exr')
-        self.fail('evaluate', small, self.reference, naming=['small.exr', '5', '12'])
-        self.fail('evaluate', self.reference, self.reference, '--metric', 'ssim', naming=['ssim', 'de2000'])
-        self.fail('evaluate', self.reference, self.reference, '--json', '--plot', self.path('no/such/box.png'),
+        self.deny('evaluate', self.path('nothing.exr'), self.reference, naming='nothing.exr')
+        self.deny('evaluate', small, self.reference, naming=['small.exr', '5', '12'])
+        self.deny('evaluate', self.reference, self.reference, '--metric', 'ssim', naming=['ssim', 'de2000'])
+        self.deny('evaluate', self.reference, self.reference, '--json', '--plot', self.path('no/such/box.png'),
                   naming='box.png')
 
 

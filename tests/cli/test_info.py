@@ -54,14 +54,14 @@ class InfoTest(cli.CliTest):
             self.assertIn('16 x 12', self.succeed('info', self.path(name)).stdout)
 
     def test_bad_input_is_one_line(self):
-        self.fail('info', self.path('none.exr'), naming='none.exr')
-        self.fail('info', self.folder, naming='capture.json')
+        self.deny('info', self.path('none.exr'), naming='none.exr')
+        self.deny('info', self.folder, naming='capture.json')
         with open(self.path('a.txt'), 'w') as file:
             file.write('hello')
-        self.fail('info', self.path('a.txt'), naming='a.txt')
+        self.deny('info', self.path('a.txt'), naming='a.txt')
         with open(self.path('a.json'), 'w') as file:
             file.write('{"lights": [}')
-        self.fail('info', self.path('a.json'), naming=['a.json', 'line 1', 'column'])
+        self.deny('info', self.path('a.json'), naming=['a.json', 'line 1', 'column'])
 
 
 if __name__ == '__main__':

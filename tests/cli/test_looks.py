@@ -48,8 +48,8 @@ class Looks(cli.CliTest):
 
     def test_what_cannot_be_is_said_in_one_line(self):
         frame = self.path('x.exr')
-        self.fail('relight', self.solved, '--look', 'noir', '-o', frame, naming='there are: High key')
-        self.fail('relight', self.solved, '--look', 'neon:3', '-o', frame, naming='from 0 to 1')
+        self.deny('relight', self.solved, '--look', 'noir', '-o', frame, naming='there are: High key')
+        self.deny('relight', self.solved, '--look', 'neon:3', '-o', frame, naming='from 0 to 1')
 
 
 if __name__ == '__main__':

@@ -62,22 +62,22 @@ class New(cli.CliTest):
         mean = whole.reshape(16, 2, 20, 2, 3).mean(axis=(1, 3))
         self.assertLess(np.abs(half - mean).mean(), 0.02)
         arguments = ['new', folder, '--lights', 'key,fill,back', '--colors', RING, '--force']
-        self.fail(*arguments, '--crop', '40,4,40,32', naming=['64 x 48', '40,4,40,32'])
-        self.fail(*arguments, '--crop', 'much', naming='X,Y,WIDTH,HEIGHT')
-        self.fail(*arguments, '--scale', '3', naming='0.5 for half')
+        self.deny(*arguments, '--crop', '40,4,40,32', naming=['64 x 48', '40,4,40,32'])
+        self.deny(*arguments, '--crop', 'much', naming='X,Y,WIDTH,HEIGHT')
+        self.deny(*arguments, '--scale', '3', naming='0.5 for half')
 
     def test_gels_are_known_by_their_numbers(self):
         folder = self.photographs(('key', 'fill'))
         result = self.succeed_json('new', folder, '--lights', 'key,fill', '--gels', 'L106,L124')
         self.assertEqual([shot['colors'] for shot in result['shots']], [['L106', 'L124'], ['L124', 'L106']])
-        self.fail('new', folder, '--lights', 'key,fill', '--gels', 'L106,L99999', '--force', naming='L99999')
+        self.deny('new', folder, '--lights', 'key,fill', '--gels', 'L106,L99999', '--force', naming='L99999')
 
     def test_a_capture_that_is_there_is_not_replaced_unasked(self):
         folder = self.photographs()
         with open(os.path.join(folder, 'capture.json'), 'w') as file:
             file.write('precious')
         arguments = ['new', folder, '--lights', 'key,fill,back', '--colors', RING]
-        self.fail(*arguments, naming=['is there already', '--force'])
+        self.deny(*arguments, naming=['is there already', '--force'])
         self.succeed(*arguments, '--force')
         self.assertEqual(self.manifest()['format'], 'swaplight-capture')
 
@@ -123,12 +123,12 @@ class New(cli.CliTest):
 
     def test_what_is_missing_is_asked_for_in_one_line(self):
         folder = self.photographs(('key', 'fill'))
-        self.fail('new', folder, '--lights', 'key,fill', naming='say which colours the lights had')
-        self.fail('new', folder, '--lights', 'key,fill', '--gels', 'L106', naming='1 colours for 2 lights')
-        self.fail('new', folder, '--lights', 'key,9', '--gels', 'L106,L124', naming='9')
-        self.fail('new', self.path('nowhere'), '--lights', 'key,fill', '--gels', 'L106,L124', naming='nowhere')
+        self.deny('new', folder, '--lights', 'key,fill', naming='say which colours the lights had')
+        self.deny('new', folder, '--lights', 'key,fill', '--gels', 'L106', naming='1 colours for 2 lights')
+        self.deny('new', folder, '--lights', 'key,9', '--gels', 'L106,L124', naming='9')
+        self.deny('new', self.path('nowhere'), '--lights', 'key,fill', '--gels', 'L106,L124', naming='nowhere')
         cli.write_image(os.path.join(folder, 'IMG_11.exr'), np.zeros((10, 10, 3)))
-        self.fail('new', folder, '--lights', 'key,fill', '--gels', 'L106,L124', naming='at one size')
+        self.deny('new', folder, '--lights', 'key,fill', '--gels', 'L106,L124', naming='at one size')
 
 
 @unittest.skipUnless(os.path.isdir(os.path.join(cli.SHARED, 'captures', 'swapped_lion')), 'no real photographs here')

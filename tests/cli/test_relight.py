@@ -35,21 +35,21 @@ class RelightTest(cli.CliTest):
         self.near(self.frame('--light', 'key=+1st,x0.25', '--light', 'fill=-1st'), .5 * (self.key + self.fill))
 
     def test_tone_mapping_as_a_view_and_as_a_still(self):
-        bright = ('--light', 'key=+6st')
+        bright = ('--light', 'key=+4st')  # below Hable's white
         plain = self.frame(*bright, name='plain.png')
         for options in (('--view', 'Reinhard'), ('--view', 'Hable'), ('--view', 'Logarithmic'), ('--tone', 'drago'),
                         ('--tone', 'mantiuk:scale=0.8'), ('--tone', 'reinhard')):
             toned = self.frame(*bright, *options, name='toned.png')
             self.assertGreater((plain == 1).mean(), .5)
             self.assertLess((toned == 1).mean(), .5, options)
-        light = (self.key * 64 + self.fill).astype(float)
+        light = (self.key * 16 + self.fill).astype(float)
         np.testing.assert_allclose(self.frame(*bright, '--view', 'Reinhard', '--type', 'uint16', name='r.png'),
                                    encoded(light / (1 + light)), atol=2e-3)
-        self.fail('relight', self.solved, '--tone', 'drago', '-o', self.path('a.exr'), naming='scene-linear')
-        self.fail('relight', self.solved, '--tone', 'bright', '-o', self.path('a.png'), naming='drago, mantiuk, reinhard')
-        self.fail('relight', self.solved, '--tone', 'drago', '--view', 'Hable', '-o', self.path('a.png'),
+        self.deny('relight', self.solved, '--tone', 'drago', '-o', self.path('a.exr'), naming='scene-linear')
+        self.deny('relight', self.solved, '--tone', 'bright', '-o', self.path('a.png'), naming='drago, mantiuk, reinhard')
+        self.deny('relight', self.solved, '--tone', 'drago', '--view', 'Hable', '-o', self.path('a.png'),
                   naming='ask for one')
-        self.fail('relight', self.solved, '--tone', 'drago', '-F', '1-2', '-o', self.path('a.%04d.png'),
+        self.deny('relight', self.solved, '--tone', 'drago', '-F', '1-2', '-o', self.path('a.%04d.png'),
                   naming='flicker')
 
     def test_settings_for_one_light_add_up_over_several_options(self):
@@ -122,7 +122,7 @@ class RelightTest(cli.CliTest):
             json.dump({'format': 'swaplight-edits', 'version': 1,
                        'edits': [{'lights': ['key'], 'operation': 'fill', 'value': 1,
                                   'mask': [{'shape': 'shadow', 'light': 'key', 'at': [-1, -1]}]}]}, out)
-        self.fail('relight', self.solved, '--edits', file, '-o', self.path('frame.exr'),
+        self.deny('relight', self.solved, '--edits', file, '-o', self.path('frame.exr'),
                   naming=['there is no shadow of "key" at -1, -1'])
 
     def test_a_session_names_the_set_and_its_rig(self):
@@ -156,24 +156,24 @@ class RelightTest(cli.CliTest):
     def test_bad_input_is_one_line(self):
         out = ('-o', self.path('frame.exr'))
         for source in (self.solved, self.capture.path):
-            self.fail('relight', source, '--light', 'kicker=off', *out, naming=['kicker', 'key, fill'])
-            self.fail('relight', source, '--light', 'key=lots', *out, naming=['key=lots', "'lots'", '3200K'])
-            self.fail('relight', source, '--light', 'key', *out, naming='NAME=SETTING')
-        self.fail('relight', self.path('none.exr'), *out, naming='none.exr')
-        self.fail('relight', *out, naming='solved set')
-        self.fail('relight', self.solved, naming='--output')
-        self.fail('relight', self.solved, '-o', self.path('frame.webm'), naming=['frame.webm', 'exr'])
-        self.fail('relight', self.solved, '-o', self.path('no/such/frame.exr'), naming='frame.exr')
-        self.fail('relight', self.solved, '--view', 'Film', *out, naming=['Film', 'sRGB'])
-        self.fail('relight', self.solved, '--display', 'Wall', *out, naming=['Wall', 'sRGB'])
-        self.fail('relight', self.solved, '--linear', '--view', 'sRGB', *out, naming='linear')
-        self.fail('relight', self.solved, '--rig', self.path('none.json'), *out, naming='none.json')
+            self.deny('relight', source, '--light', 'kicker=off', *out, naming=['kicker', 'key, fill'])
+            self.deny('relight', source, '--light', 'key=lots', *out, naming=['key=lots', "'lots'", '3200K'])
+            self.deny('relight', source, '--light', 'key', *out, naming='NAME=SETTING')
+        self.deny('relight', self.path('none.exr'), *out, naming='none.exr')
+        self.deny('relight', *out, naming='solved set')
+        self.deny('relight', self.solved, naming='--output')
+        self.deny('relight', self.solved, '-o', self.path('frame.webm'), naming=['frame.webm', 'exr'])
+        self.deny('relight', self.solved, '-o', self.path('no/such/frame.exr'), naming='frame.exr')
+        self.deny('relight', self.solved, '--view', 'Film', *out, naming=['Film', 'sRGB'])
+        self.deny('relight', self.solved, '--display', 'Wall', *out, naming=['Wall', 'sRGB'])
+        self.deny('relight', self.solved, '--linear', '--view', 'sRGB', *out, naming='linear')
+        self.deny('relight', self.solved, '--rig', self.path('none.json'), *out, naming='none.json')
         with open(self.path('rig.json'), 'w') as file:
             file.write('{"lights": [{"name": "key", "color": "lots"}]}')
-        self.fail('relight', self.solved, '--rig', self.path('rig.json'), *out, naming=['rig.json', 'key', "'lots'"])
+        self.deny('relight', self.solved, '--rig', self.path('rig.json'), *out, naming=['rig.json', 'key', "'lots'"])
         frame = self.path('picture.exr')
         cli.write_image(frame, self.key)
-        self.fail('relight', frame, *out, naming=['picture.exr', 'capture'])
+        self.deny('relight', frame, *out, naming=['picture.exr', 'capture'])
 
 
 if __name__ == '__main__':

@@ -38,8 +38,8 @@ class SequenceTest(cli.CliTest):
                 os.remove(self.path(name))
         for frames, word in (('1-', '1-'), ('a', "'a'"), ('1-5x0', 'step'), ('', 'none'), ('1-9999999', 'million')):
             if frames:
-                self.fail('relight', self.solved, '-F', frames, '-o', self.path('out.%04d.exr'), naming=word)
-        self.fail('relight', self.solved, '-F', '1-3', '-o', self.path('out.exr'), naming='%04d')
+                self.deny('relight', self.solved, '-F', frames, '-o', self.path('out.%04d.exr'), naming=word)
+        self.deny('relight', self.solved, '-F', '1-3', '-o', self.path('out.exr'), naming='%04d')
 
     def test_what_a_killed_batch_has_left_is_removed_on_restart(self):
         host = os.uname().nodename
@@ -82,10 +82,10 @@ class SequenceTest(cli.CliTest):
 
     def test_wrong_keys_are_one_line(self):
         out = ('-F', '1-3', '-o', self.path('out.%04d.exr'))
-        self.fail('relight', self.solved, *out, '--key', 'key=+1st', naming='NAME@FRAME')
-        self.fail('relight', self.solved, *out, '--key', 'rim@1=+1st', naming=['rim', 'key, fill'])
-        self.fail('relight', self.solved, *out, '--key', 'key@2=lots', naming=['frame 2', 'lots'])
-        self.fail('relight', self.solved, *out, '--between', 'jumping', naming=['jumping', 'smooth'])
+        self.deny('relight', self.solved, *out, '--key', 'key=+1st', naming='NAME@FRAME')
+        self.deny('relight', self.solved, *out, '--key', 'rim@1=+1st', naming=['rim', 'key, fill'])
+        self.deny('relight', self.solved, *out, '--key', 'key@2=lots', naming=['frame 2', 'lots'])
+        self.deny('relight', self.solved, *out, '--between', 'jumping', naming=['jumping', 'smooth'])
 
     def test_a_set_a_frame(self):
         for frame in (1, 2):
@@ -127,8 +127,8 @@ class SequenceTest(cli.CliTest):
                     self.sequence(*moving, env={'SLURM_ARRAY_TASK_ID': str(2 + 3 * part), 'SLURM_ARRAY_TASK_MIN': '2',
                                                 'SLURM_ARRAY_TASK_STEP': '3', 'SLURM_ARRAY_TASK_COUNT': '4'})
             self.assertEqual(self.bytes(), expected, how)
-        self.fail('relight', self.solved, '-F', '1-3', '--frame-index', 4, '--frame-count', 4, '-o', self.path('x.%d.exr'), naming='part 4')
-        self.fail('relight', self.solved, '-F', '1-3', '--frame-index', 0, '-o', self.path('x.%d.exr'), naming='together')
+        self.deny('relight', self.solved, '-F', '1-3', '--frame-index', 4, '--frame-count', 4, '-o', self.path('x.%d.exr'), naming='part 4')
+        self.deny('relight', self.solved, '-F', '1-3', '--frame-index', 0, '-o', self.path('x.%d.exr'), naming='together')
 
     def test_a_killed_batch_finishes_the_rest_and_nothing_else(self):
         big = cli.Capture(self.path('big'), height=540, width=960)

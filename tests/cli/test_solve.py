@@ -20,7 +20,7 @@ class SolveTest(cli.CliTest):
 
     def test_ambient_light_that_has_no_picture_is_found_from_one_more_shot(self):
         capture = cli.Capture(self.path('set'))
-        self.fail('solve', capture.path, '-o', self.path('no.exr'), '--solve-ambient',
+        self.deny('solve', capture.path, '-o', self.path('no.exr'), '--solve-ambient',
                   naming=['capture.json', 'more shots than lights'])
         three = [[[.9, .2, .15], [.15, .8, .25]], [[.15, .8, .25], [.9, .2, .15]], [[0, 0, 0], [0, 0, 0]]]
         capture = cli.Capture(self.path('three'), light_colors=three)
@@ -67,11 +67,18 @@ class SolveTest(cli.CliTest):
         self.assertEqual(self.succeed_json('info', solved)['report']['message'], result.stdout.strip())
 
     def error_of(self, capture, *options):
-        """Relative to the truth, whose overall scale nobody can tell from wrong colours."""
+        """Relative to the truth, but for what nobody can tell from wrong colours: a factor a channel, and mixing the
+        lights alike in all channels."""
         solved = self.solve(capture, '--float', *options)
-        found = np.stack([cli.read_rgb(solved, light['name']) for light in capture.manifest['lights']])
-        found *= capture.truth.mean((0, 1, 2)) / found.mean((0, 1, 2))
-        return np.sqrt(((found - capture.truth) ** 2).mean() / (capture.truth ** 2).mean())
+        found = np.stack([cli.read_rgb(solved, light['name']).reshape(-1, 3) for light in capture.manifest['lights']])
+        truth = capture.truth.reshape(found.shape).astype(float)
+        factors = np.ones(3)
+        for _ in range(20):
+            mixing = np.linalg.lstsq((truth * factors).reshape(len(truth), -1).T, found.reshape(len(found), -1).T,
+                                     rcond=None)[0].T
+            mixed = np.einsum('ij,jpc->ipc', mixing, truth)
+            factors = (found * mixed).sum((0, 1)) / (mixed ** 2).sum((0, 1))
+        return np.sqrt(((found - mixed * factors) ** 2).mean() / (truth ** 2).mean())
 
     def test_refined_colors_are_nearer_to_the_true_ones(self):
         capture = cli.Capture(self.path('set'), height=60, width=80)
@@ -119,13 +126,13 @@ class SolveTest(cli.CliTest):
     def test_wrong_options_are_one_line(self):
         capture = cli.Capture(self.path('set'))
         out = ('solve', capture.path, '-o', self.path('solved.exr'))
-        self.fail(*out, '--model', 'magic', naming=['magic', 'lambert', 'transport'])
-        self.fail(*out, '--solver', 'magic', naming='magic')
-        self.fail(*out, '--denoise', 'magic', naming=['magic', 'off', 'guided'])
-        self.fail(*out, '--align', 'magic', naming=['--align', 'magic', 'off', 'on'])
-        self.fail(*out, '--noise', 'read=much', naming=['--noise', 'read=much', 'full_well'])
-        self.fail(*out, '--noise', 'grain=2', naming=['--noise', 'grain=2'])
-        self.fail(*out, '--color-uncertainty', '2', naming='--color-uncertainty')
+        self.deny(*out, '--model', 'magic', naming=['magic', 'lambert', 'transport'])
+        self.deny(*out, '--solver', 'magic', naming='magic')
+        self.deny(*out, '--denoise', 'magic', naming=['magic', 'off', 'guided'])
+        self.deny(*out, '--align', 'magic', naming=['--align', 'magic', 'off', 'on'])
+        self.deny(*out, '--noise', 'read=much', naming=['--noise', 'read=much', 'full_well'])
+        self.deny(*out, '--noise', 'grain=2', naming=['--noise', 'grain=2'])
+        self.deny(*out, '--color-uncertainty', '2', naming='--color-uncertainty')
 
     def test_interrupted_it_leaves_nothing_behind(self):
         capture = cli.Capture(self.path('set'), ('a', 'b', 'c', 'd'), height=1080, width=1920)
