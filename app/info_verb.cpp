@@ -9,6 +9,7 @@
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
 #include "core/session/session_file.h"
+#include "core/solve/set_color_space.h"
 #include "core/solve/solved_file.h"
 
 namespace swaplight {
@@ -118,6 +119,7 @@ Description describeSession(const fs::path& file) {
   d.text = fmt::format("{}: session\n", file.string());
   d.line("set", document.source.empty() ? "none" : document.source.string());
   if (!document.colorConfig.empty()) d.line("colours", document.colorConfig.string());
+  if (!document.workingSpace.empty()) d.line("working space", setColorSpaceWords(document.workingSpace));
   if (!document.display.view.empty())
     d.line("view", fmt::format("{} on {}", document.display.view, document.display.display));
   if (document.display.look)

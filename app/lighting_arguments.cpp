@@ -7,6 +7,7 @@
 #include "core/look/rig_blend.h"
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
+#include "core/solve/set_color_space.h"
 
 namespace swaplight {
 namespace {
@@ -62,6 +63,10 @@ void LightingArguments::addTo(CLI::App& verb) {
   verb.add_option("--session", m_session,
                   "Take the edits, the rig, the view and, without SOURCE, the set of a session")
       ->type_name("FILE");
+  verb.add_option("--working-space", m_workingSpace,
+                  "Primaries that lights are multiplied in: lin_rec709, acescg or aces2065_1 (default: the "
+                  "session's, else the set's)")
+      ->type_name("NAME");
   verb.add_option("--look", m_look,
                   "A look: one that the session holds, or high-key, low-key, rembrandt, silhouette, "
                   "day-for-night, cool-morning, golden-hour, moonlight, candle, neon; with an amount from 0 "
@@ -114,7 +119,12 @@ SolveOptions LightingArguments::solveOptions(const std::optional<Session>& sessi
   return session && !m_solve.given() ? session->document.solve : m_solve.resolve();
 }
 
+std::string LightingArguments::workingSpace(const std::optional<Session>& session) const {
+  return session && m_workingSpace.empty() ? session->document.workingSpace : m_workingSpace;
+}
+
 void LightingArguments::check(const std::optional<Session>& session) const {
+  checkSetColorSpace(workingSpace(session));
   const std::filesystem::path set = source(session);
   const bool moreLights = !m_edits.file.empty() || (session && !session->document.edits.newLights.empty());
   if (sourceKind(set) == SourceKind::Capture && !moreLights)
@@ -127,7 +137,8 @@ SolvedSet LightingArguments::open(const std::optional<Session>& session, const P
 
 SolvedSet LightingArguments::openFile(const std::filesystem::path& file,
                                       const std::optional<Session>& session, const Progress& progress) const {
-  return m_edits.applyTo(openSource(file, solveOptions(session), progress),
+  SolvedSet set = openSource(file, solveOptions(session), progress);
+  return m_edits.applyTo(inColorSpace(std::move(set), workingSpace(session)),
                          session ? session->document.edits : EditStack{});
 }
 

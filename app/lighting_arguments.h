@@ -30,14 +30,17 @@ class LightingArguments {
   /// where the mistake is.
   [[nodiscard]] Rig rig(const std::optional<Session>& session, const Capture& capture,
                         const SolvedSet* set = nullptr) const;
+  /// The primaries to work in: as the command line says, else as the session does.
+  [[nodiscard]] std::string workingSpace(const std::optional<Session>& session) const;
   /// How a capture is solved: as the command line says, else as the session does.
   [[nodiscard]] SolveOptions solveOptions(const std::optional<Session>& session) const;
-  /// Says what is wrong with the rig before a capture is solved, where that can be known.
+  /// Says what is wrong with the rig or the working space before a capture is solved, where that can be
+  /// known.
   void check(const std::optional<Session>& session) const;
   /// How lights change over the frames of a sequence: of the session, the rig file, and the command line's
   /// keys, one over the other. Throws InputError.
   [[nodiscard]] RigAnimation animation(const std::optional<Session>& session) const;
-  /// The set, edited.
+  /// The set in the working space, edited.
   [[nodiscard]] SolvedSet open(const std::optional<Session>& session, const Progress& progress) const;
   /// The same from another file: a frame of a sequence.
   [[nodiscard]] SolvedSet openFile(const std::filesystem::path& file, const std::optional<Session>& session,
@@ -49,6 +52,7 @@ class LightingArguments {
   std::string m_rig;
   std::string m_session;
   std::string m_look;
+  std::string m_workingSpace;
   std::vector<std::string> m_keys;
   std::string m_between;
   std::optional<float> m_ambient;

@@ -24,7 +24,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolve();
   const Capture capture = readCapture(sourceFile(arguments.capture));
   for (const std::string& warning : capture.warnings) terminal.say("warning: {}", warning);
-  if (!arguments.colorSpace.empty()) checkSetColorSpace(arguments.colorSpace);
+  checkSetColorSpace(arguments.colorSpace);
   checkWritable(arguments.output);
   if (!arguments.report.empty()) checkWritable(arguments.report);
 
@@ -32,7 +32,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const CapturePixels pixels = loadCapturePixels(capture, progress.part(0, 0.2f));
   for (const std::string& warning : pixels.warnings) terminal.say("warning: {}", warning);
   SolvedSet set = solve(capture, pixels, options, progress.part(0.2f, 0.8f));
-  if (!arguments.colorSpace.empty()) set = inColorSpace(std::move(set), arguments.colorSpace);
+  set = inColorSpace(std::move(set), arguments.colorSpace);
   writeSolvedSet(set, arguments.output, arguments.file, progress.part(0.8f, 1));
   if (!arguments.report.empty()) writeJson(set.report, arguments.report);
 

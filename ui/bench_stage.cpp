@@ -69,6 +69,7 @@ void BenchStage::openLarge(int width, int height) {
   OpenSet set;
   set.source = m_source;
   set.solved = std::make_shared<SolvedSet>(tiledSet(m_small, width, height));
+  set.original = set.found = set.solved;
   set.pictures = std::make_shared<ViewPictures>(set.solved);
   m_studio->context().session.openSet(std::move(set));
 }

@@ -97,7 +97,8 @@ void SessionController::begin(Pending pending) {
   }
   m_colors.follow(pending.session.document.colorConfig, m_messages);  // pictures may be in its colour spaces
   if (m_slot) m_slot->opening(pending.file.empty() ? pending.session.document.source : pending.file);
-  m_sets.load(pending.session.document.source, pending.session.document.solve);
+  m_sets.load(pending.session.document.source, pending.session.document.solve,
+              pending.session.document.workingSpace);
   m_pending = std::move(pending);
 }
 
@@ -105,24 +106,44 @@ void SessionController::takeSet() {
   try {
     std::optional<OpenSet> set = m_sets.take();
     if (!set) return;
-    adopt(*std::exchange(m_pending, std::nullopt), std::move(set));
+    if (m_pending) {
+      adopt(*std::exchange(m_pending, std::nullopt), std::move(set));
+    } else {
+      m_set = std::move(set);
+      ++m_setRevision;
+    }
   } catch (const Stopped&) {
     m_messages.info("Cancelled.");
-    m_pending.reset();
+    notTaken();
   } catch (const std::bad_alloc&) {
     m_messages.error("There is not enough memory for these pictures.");
-    m_pending.reset();
+    notTaken();
   } catch (const std::exception& error) {
     m_messages.error(error.what());
-    m_pending.reset();
+    notTaken();
   }
   if (m_slot) m_slot->opened();
+}
+
+void SessionController::notTaken() {
+  if (!m_pending && m_set) {
+    Document next = m_editor.document();
+    next.workingSpace = m_set->original == m_set->found ? "" : m_set->original->colorSpace();
+    m_editor.edit("Working space: as before", std::move(next));
+  }
+  m_pending.reset();
+}
+
+void SessionController::followWorkingSpace() {
+  if (!m_set || m_pending || m_sets.busy() || m_editor.inGesture()) return;
+  const std::string& wanted = m_editor.document().workingSpace;
+  if (m_set->original->colorSpace() == (wanted.empty() ? m_set->found->colorSpace() : wanted)) return;
+  m_sets.convert(*m_set, wanted);
 }
 
 void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   Document& document = pending.session.document;
   if (set) {
-    set->original = set->solved;
     document.edits = fitEdits(document.edits, set->solved->width(), set->solved->height());
     document.rig = fitRig(document.rig, withNewLights(set->solved->capture, document.edits));
     for (const std::string& warning : set->solved->capture.warnings) m_messages.warn(warning);
@@ -236,6 +257,7 @@ void SessionController::takeSaved() {
 
 void SessionController::update() {
   takeSet();
+  followWorkingSpace();
   takeSaved();
   autosave();
 }

@@ -81,6 +81,10 @@ class SessionController {
   [[nodiscard]] Pending pendingFor(const std::filesystem::path& path) const;
   void begin(Pending pending);
   void takeSet();
+  /// A set was not to be had: what was there stays.
+  void notTaken();
+  /// Brings the set into the document's working space.
+  void followWorkingSpace();
   void adopt(Pending pending, std::optional<OpenSet> set);
   /// Says where the display's view is not to be had.
   void checkDisplay(Document& document);

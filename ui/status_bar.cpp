@@ -58,7 +58,7 @@ void drawProgress(StudioContext& studio, float centerX, float centerY) {
                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing;
   if (ImGui::Begin("##progress", nullptr, flags)) {
     ImGui::PushFont(fonts().strong);
-    ImGui::Text("Opening %s", studio.sets.loading().filename().c_str());
+    ImGui::TextUnformatted(studio.sets.task().c_str());
     ImGui::PopFont();
     const std::string what = studio.sets.what();
     ImGui::ProgressBar(studio.sets.fraction(), ImVec2(-1, px(8)), "");

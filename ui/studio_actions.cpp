@@ -17,7 +17,7 @@ void StudioWindow::addActions() {
 
 void StudioWindow::addFileActions() {
   const auto hasDocument = [this] { return m_session.hasDocument(); };
-  const auto canExport = [this] { return m_session.set() && !m_exports.busy(); };
+  const auto canExport = [this] { return m_session.set() && !m_exports.busy() && !m_sets.busy(); };
   m_actions.add({"file.new", "New from photographs \u2026", "Ctrl+N",
                  "Bring in a folder of photographs: say what the lights were, and solve it.",
                  [this] { whenSaved([this] { askForPhotographs(); }); }});

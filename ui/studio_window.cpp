@@ -272,6 +272,7 @@ void StudioWindow::frame() {
   markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");
   markState("title", m_title);
   markState("colors", ColorConfig::current().title());
+  if (const OpenSet* set = m_session.set()) markState("working_space", set->original->colorSpace());
   endLayoutFrame();
   m_screen.endFrame();
 }

@@ -59,6 +59,7 @@ class StudioWindow {
   void addFileActions();
   void addLightActions();
   void addViewActions();
+  void addWorkingSpaces();
   void addCompareActions();
   void addWindowActions();
   void addLookActions();

@@ -1,3 +1,4 @@
+#include "core/solve/set_color_space.h"
 #include "ui/studio_window.h"
 
 namespace swaplight {
@@ -17,6 +18,7 @@ void StudioWindow::addViewActions() {
   m_actions.add({"view.builtin_colors", "Built-in configuration", "",
                  "The displays and views that need no file.", [this] { useColorConfig({}); },
                  [this, free] { return free() && !m_editor.document().colorConfig.empty(); }});
+  addWorkingSpaces();
   const auto shown = [this] { return m_shown.valid; };
   m_actions.add({"view.fit", "Fit", "F", "Show the whole picture.", [this] { m_view.showFit(); }, shown,
                  [this] { return m_shown.valid && m_view.fit; }});
@@ -63,6 +65,27 @@ void StudioWindow::addViewActions() {
                    m_view.probe = true;
                  },
                  shown});
+}
+
+void StudioWindow::addWorkingSpaces() {
+  const auto add = [&](const std::string& space, const std::string& name, const std::string& tip) {
+    m_actions.add({"working_space." + (space.empty() ? "own" : space), "Work in " + name, "",
+                   tip + " White stays white; only coloured light looks different. Exported EXR are in it, "
+                         "unless you choose their primaries.",
+                   [this, space, name] {
+                     Document next = m_editor.document();
+                     next.workingSpace = space;
+                     m_editor.edit("Work in " + name, std::move(next));
+                   },
+                   [this] { return m_session.set() != nullptr; },
+                   [this, space] { return m_editor.document().workingSpace == space; }});
+  };
+  add("", "the photographs' colours", "Lights are multiplied in the primaries of the photographs.");
+  add("lin_rec709", setColorSpaceWords("lin_rec709"),
+      "Lights are multiplied in the primaries of sRGB and HD monitors, as Blender does.");
+  add("acescg", setColorSpaceWords("acescg"),
+      "Lights are multiplied in wider primaries, as renderers do in ACES pipelines: pure LED colours have "
+      "room.");
 }
 
 }  // namespace swaplight

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "core/color/color_config.h"
+#include "core/solve/set_color_space.h"
 #include "ui/layout_probe.h"
 #include "ui/menu_bar.h"
 #include "ui/theme.h"
@@ -188,6 +189,16 @@ void drawDisplayMenu(StudioContext& studio) {
   drawLooks(studio, shown);
   ImGui::Separator();
   ImGui::TextDisabled("Colours: %s", config.title().c_str());
+  if (const OpenSet* set = studio.set()) {
+    const std::string space = setColorSpaceWords(set->original->colorSpace());
+    const bool open = ImGui::BeginMenu(("Working space: " + space + "###working_space").c_str());
+    markItem("working_space");
+    if (open) {
+      for (const char* id : {"working_space.own", "working_space.lin_rec709", "working_space.acescg"})
+        actionMenuItem(studio.actions, id);
+      ImGui::EndMenu();
+    }
+  }
   actionMenuItem(studio.actions, "view.color_config");
   actionMenuItem(studio.actions, "view.builtin_colors");
 }

@@ -24,9 +24,7 @@ std::optional<LayeredPicture> sidePicture(StudioContext& studio, ViewSubject sub
   }
   const SubjectPictures::Shown* shown = studio.subjects.picture(set, subject);
   if (!shown) return std::nullopt;
-  const bool picture =
-      subject.kind == ViewSubject::Kind::Photograph || subject.kind == ViewSubject::Kind::Reflectance;
-  return LayeredPicture{{{shown->pyramid.get(), Rgb(1)}}, picture ? colorSpace : ""};
+  return LayeredPicture{{{shown->pyramid.get(), Rgb(1)}}, shown->image.spec().colorSpace};
 }
 
 std::string lightTitle(const StudioContext& studio, int index) {

@@ -31,11 +31,6 @@ struct Picture {
   std::vector<std::string> warnings;
 };
 
-/// Scene-linear spaces with known primaries stay what they are; anything else is converted.
-std::string linearSpaceOf(const std::string& colorSpace) {
-  return chromaticitiesOf(colorSpace) ? colorSpace : "lin_rec709";
-}
-
 /// A code value, the same in all channels, in linear light.
 float linearOf(float code, const std::string& from, const std::string& to) {
   Image pixel(ImageSpec::rgb(1, 1), code);
@@ -158,6 +153,10 @@ std::vector<Picture> readPictures(const Capture& capture, const Progress& progre
 }
 
 }  // namespace
+
+std::string linearSpaceOf(const std::string& colorSpace) {
+  return chromaticitiesOf(colorSpace) ? colorSpace : "lin_rec709";
+}
 
 CapturePixels loadCapturePixels(const Capture& capture, const Progress& progress) {
   const ColorConfig& config = ColorConfig::current();

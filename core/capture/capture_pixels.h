@@ -34,9 +34,13 @@ struct CapturePixels {
   [[nodiscard]] int height() const { return shots.empty() ? 0 : shots.front().height(); }
 };
 
-/// Reads the pictures and brings them to linear light in the capture's own primaries (acescg, aces2065_1 and
-/// lin_rec709 stay; anything else becomes lin_rec709). Throws InputError: missing or broken file, sizes that
-/// differ (both named with their sizes), unknown colour space (the known ones listed).
+/// The primaries that a capture's pictures have in linear light, and its light colours, by its colour space:
+/// lin_rec709, acescg and aces2065_1 stay, anything else becomes lin_rec709.
+[[nodiscard]] std::string linearSpaceOf(const std::string& colorSpace);
+
+/// Reads the pictures and brings them to linear light: see linearSpaceOf. Throws InputError: missing or
+/// broken file, sizes that differ (both named with their sizes), unknown colour space (the known ones
+/// listed).
 [[nodiscard]] CapturePixels loadCapturePixels(const Capture& capture, const Progress& progress = {});
 
 }  // namespace swaplight

@@ -17,7 +17,7 @@ DisplayChoice displayWithin(const ColorConfig& config, const DisplayChoice& choi
   };
   DisplayChoice within = choice;
   if (choice.look && !config.unknownLook(*choice.look).empty()) within.look.reset();
-  const DisplayChoice own{"", "", within.look};
+  DisplayChoice own{"", "", within.look};
   if (!has(config.displays(), choice.display)) return own;
   const std::string display = choice.display.empty() ? config.defaultDisplay() : choice.display;
   return has(config.views(display), choice.view) ? within : own;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "core/capture/capture_pixels.h"
 #include "core/color/color_config.h"
 #include "core/color/srgb.h"
 
@@ -35,7 +36,8 @@ Rig rigOfShot(Rig rig, const SolvedSet& set, size_t shot) {
   for (size_t i = 0; i < rig.lights.size() && i < taken.lightColors.size(); ++i) {
     if (!taken.lightColors[i]) continue;
     LightSetting& light = rig.lights[i];
-    light.color = linearColor(converted(*taken.lightColors[i], set.colorSpace(), "lin_rec709"));
+    light.color =
+        linearColor(converted(*taken.lightColors[i], linearSpaceOf(set.capture.colorSpace), "lin_rec709"));
     light.stops = taken.exposureStops;
     light.multiplier = 1;
     light.on = true;

@@ -17,7 +17,7 @@ size_t rigBytes(const Rig& rig) {
 
 size_t documentBytes(const Document& document, const Document& before) {
   size_t bytes = sizeof(Document) + document.source.native().size() + document.colorConfig.native().size() +
-                 rigBytes(document.rig);
+                 document.workingSpace.size() + rigBytes(document.rig);
   bytes += editBytes(document.edits, before.edits);
   for (const SavedLook& look : document.looks)
     bytes += sizeof(SavedLook) + look.name.size() + look.note.size() + rigBytes(look.rig);

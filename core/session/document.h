@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/color/display_choice.h"
 #include "core/edit/edit.h"
@@ -14,11 +15,13 @@ namespace swaplight {
 /// A value: cheap to copy, because what is heavy is shared and never changed in place. Where the person is
 /// looking (zoom, panels) is no part of it.
 struct Document {
-  std::filesystem::path source;       ///< a capture or a solved set, absolute; empty where nothing is open
-  SolveOptions solve;                 ///< how a capture is solved; without meaning for a solved set
-  EditStack edits;                    ///< of the source's lights, before they are mixed
-  Mask selection;                     ///< what restricts new edits: see core/edit/selection.h
-  Rig rig;                            ///< in the source's order of lights, then those that the edits add
+  std::filesystem::path source;  ///< a capture or a solved set, absolute; empty where nothing is open
+  SolveOptions solve;            ///< how a capture is solved; without meaning for a solved set
+  EditStack edits;               ///< of the source's lights, before they are mixed
+  Mask selection;                ///< what restricts new edits: see core/edit/selection.h
+  Rig rig;                       ///< in the source's order of lights, then those that the edits add
+  /// Primaries in which lights are multiplied and added: see inColorSpace; empty: the source's own.
+  std::string workingSpace;
   std::filesystem::path colorConfig;  ///< an OpenColorIO configuration, absolute; empty: none chosen
   DisplayChoice display;              ///< of the picture on the monitor
   std::vector<SavedLook> looks;       ///< the gallery

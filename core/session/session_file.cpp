@@ -7,6 +7,7 @@
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
 #include "core/session/unknown_keys.h"
+#include "core/solve/set_color_space.h"
 
 namespace swaplight {
 namespace {
@@ -59,6 +60,16 @@ EditStack editsFromJson(const Json& json, const std::filesystem::path& folder, c
                    [&](const std::string& file) { return readPath(file, folder).string(); });
 }
 
+std::string workingSpaceFrom(JsonFields& fields) {
+  const std::string space = fields.text("working_space").value_or("");
+  try {
+    checkSetColorSpace(space);
+  } catch (const InputError& error) {
+    throw InputError("{}: working_space: {}", fields.where(), error.what());
+  }
+  return space;
+}
+
 std::vector<std::string> topLevelNames(const Json& unknown) {
   std::vector<std::string> names;
   for (const auto& [key, value] : unknown.items())
@@ -78,6 +89,7 @@ Json jsonFromSession(const Session& session, const std::filesystem::path& folder
   json["rig"] = jsonFromRig(document.rig);
   if (document.edits != EditStack{}) json["edits"] = jsonFromEdits(document.edits, folder);
   if (!document.colorConfig.empty()) json["color_config"] = writtenPath(document.colorConfig, folder);
+  if (!document.workingSpace.empty()) json["working_space"] = document.workingSpace;
   if (!document.selection.empty()) json["selection"] = jsonFromMask(document.selection);
   json["display"] = jsonFromDisplay(document.display);
   if (!document.looks.empty()) json["looks"] = jsonFromSavedLooks(document.looks);
@@ -101,6 +113,7 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& folder, c
     session.document.selection = selectionOf(maskFromJson(*selection, 1, 1, name + ": selection"));
   if (const Json* rig = fields.find("rig")) session.document.rig = rigFromJson(*rig, name + ": rig");
   session.document.colorConfig = readPath(fields.text("color_config").value_or(""), folder);
+  session.document.workingSpace = workingSpaceFrom(fields);
   if (const Json* display = fields.find("display"))
     session.document.display = displayFromJson(*display, name + ": display");
   if (const Json* looks = fields.find("looks"))

@@ -19,18 +19,38 @@ void convert(Image& picture, const std::string& colorSpace) {
 
 }  // namespace
 
+std::string setColorSpaceWords(const std::string& colorSpace) {
+  if (colorSpace == "lin_rec709") return "linear Rec.709";
+  if (colorSpace == "acescg") return "ACEScg";
+  if (colorSpace == "aces2065_1") return "ACES2065-1";
+  return colorSpace;
+}
+
 void checkSetColorSpace(const std::string& colorSpace) {
-  if (!chromaticitiesOf(colorSpace))
+  if (!colorSpace.empty() && !chromaticitiesOf(colorSpace))
     throw InputError(
         "the colour space {} is none that a set can be kept in: give lin_rec709, acescg or aces2065_1",
         colorSpace);
 }
 
-SolvedSet inColorSpace(SolvedSet set, const std::string& colorSpace) {
+SolvedSet inColorSpace(SolvedSet set, const std::string& colorSpace, const Progress& progress) {
   checkSetColorSpace(colorSpace);
-  for (Image& contribution : set.contributions) convert(contribution, colorSpace);
+  if (colorSpace.empty() || colorSpace == set.colorSpace()) return set;
+  float done = 0;
+  for (Image& contribution : set.contributions) {
+    progress.update(done++ / static_cast<float>(set.lightCount()), "changing the working space");
+    convert(contribution, colorSpace);
+  }
   if (set.ambient) convert(*set.ambient, colorSpace);
   return set;
+}
+
+SolvedSet copyInColorSpace(const SolvedSet& set, const std::string& colorSpace, const Progress& progress) {
+  SolvedSet copy{set.capture, {}, set.beta.clone(), {}, set.quality.clone(), set.carried, set.report};
+  copy.contributions.reserve(set.contributions.size());
+  for (const Image& contribution : set.contributions) copy.contributions.push_back(contribution.clone());
+  if (set.ambient) copy.ambient = set.ambient->clone();
+  return inColorSpace(std::move(copy), colorSpace, progress);
 }
 
 }  // namespace swaplight

@@ -24,8 +24,8 @@ enum PixelFlag : uint8_t {
 /// The channels of SolvedSet::quality, in order.
 enum QualityChannel { kResidual = 0, kSigma = 1, kFlags = 2, kModel = 3 };
 
-/// A capture whose lights have been told apart. Pictures are linear light in `capture.colorSpace`'s primaries
-/// (see loadCapturePixels), the lights at unit white.
+/// A capture whose lights have been told apart. Pictures are linear light in the primaries that their spec
+/// names, all the same ones; the lights at unit white.
 struct SolvedSet {
   Capture capture;
   std::vector<Image> contributions;  ///< T[i], one a light in the capture's order; R G B, >= 0, finite

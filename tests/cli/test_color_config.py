@@ -96,6 +96,33 @@ class ColorConfigTest(cli.CliTest):
         self.fail('relight', self.solved, '--view-look', 'Gamut compression', '-o', self.path('a.exr'),
                   naming=['a.exr', 'name a view'])
 
+    def test_a_working_space_is_where_lights_are_multiplied(self):
+        def frame(source, *arguments):
+            self.succeed('relight', source, *arguments, '--type', 'uint16', '-o', self.path('a.png'), '-q')
+            return cli.read_rgb(self.path('a.png'))
+
+        neon = ['--light', 'key=rgb:0.1/1/0.1', '--light', 'fill=rgb:0.2/0.1/1']
+        wide = ['--working-space', 'acescg']
+        np.testing.assert_allclose(frame(self.solved, *wide), frame(self.solved), atol=3e-4)
+        own = frame(self.solved, *neon)
+        worked = frame(self.solved, *neon, *wide)
+        self.assertGreater(np.abs(worked - own).max(), .02)
+        self.succeed('solve', self.capture.path, '-o', self.path('wide.exr'), '--model', 'transport', '--float', '-q',
+                     '--color-space', 'acescg')
+        np.testing.assert_allclose(worked, frame(self.path('wide.exr'), *neon), atol=1e-3)
+        session = self.session(working_space='acescg')
+        np.testing.assert_array_equal(frame(session, *neon), worked)
+        np.testing.assert_array_equal(frame(session, *neon, '--working-space', 'lin_rec709'), own)
+        self.assertIn('ACEScg', self.succeed('info', session).stdout)
+        self.succeed('relight', session, '-o', self.path('a.exr'), '-q')
+        self.succeed('export', session, '-o', self.path('layers.exr'), '-q')
+        for name in ('a.exr', 'layers.exr'):
+            header = self.succeed('info', self.path(name)).stdout
+            self.assertIn('acescg', header)
+        self.fail('relight', self.solved, '--working-space', 'srgb', '-o', self.path('a.png'), naming=['srgb', 'acescg'])
+        self.fail('relight', self.session(working_space='film'), '-o', self.path('a.png'),
+                  naming=['working_space', 'film', 'acescg'])
+
     def test_file_rules_say_what_a_capture_does_not(self):
         del self.capture.manifest['color_space']
         self.capture.save()

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "core/color/color_config.h"
 #include "core/relight/relight.h"
 #include "core/relight/rig_edit.h"
 #include "core/relight/setting.h"
+#include "core/solve/set_color_space.h"
 
 namespace swaplight {
 namespace {
@@ -34,6 +36,17 @@ TEST(RigEdit, AsCapturedGivesThePhotographAgain) {
   const Rig second = rigOfShot(defaultRig(set.capture), set, 1);
   EXPECT_EQ(second.lights[0].stops, 1.5F);
   EXPECT_EQ(second.lights[1], defaultRig(set.capture).lights[1]);  // unknown there
+}
+
+TEST(RigEdit, AsCapturedIsTheSameInEveryWorkingSpace) {
+  const SolvedSet own = twoLights();
+  const SolvedSet wide = copyInColorSpace(own, "acescg");
+  EXPECT_EQ(wide.colorSpace(), "acescg");
+  EXPECT_EQ(own.colorSpace(), "lin_rec709") << "the set itself stays";
+  EXPECT_EQ(rigOfShot(defaultRig(wide.capture), wide, 0), rigOfShot(defaultRig(own.capture), own, 0));
+  Image frame = allWhite(wide);
+  ColorConfig::current().convert(frame.span(), "acescg", "lin_rec709");
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(frame.plane(c)[0], allWhite(own).plane(c)[0], 1e-6F);
 }
 
 TEST(RigEdit, AChosenLightMakesAPixelNeutralAndTheOthersStay) {

@@ -139,12 +139,21 @@ TEST(SessionFile, ComesBackAsItWasWritten) {
   session.document.rig.lights[1].solo = true;
   session.document.solve.model = Model::Transport;
   session.document.display = {"sRGB", "Raw", "+warm, -bleach"};
+  session.document.workingSpace = "acescg";
   session.studio = {{"zoom", 2.5}};
   writeSession(session, folder.path() / "a.swaplight");
   const Session read = readSession(folder.path() / "a.swaplight");
   EXPECT_EQ(read.document, session.document);
   EXPECT_EQ(read.studio, session.studio);
   EXPECT_TRUE(read.warnings.empty());
+}
+
+TEST(SessionFile, AWorkingSpaceThatNoSetCanHaveIsSaid) {
+  Json json = jsonFromSession({}, "/");
+  EXPECT_FALSE(json.contains("working_space"));
+  json["working_space"] = "srgb";
+  EXPECT_THAT(test::inputError([&] { static_cast<void>(sessionFromJson(json, "/", "a.swaplight")); }),
+              testing::AllOf(testing::HasSubstr("a.swaplight: working_space"), testing::HasSubstr("acescg")));
 }
 
 TEST(SessionFile, NoLookIsNotTheViewsOwn) {

@@ -2,11 +2,13 @@
 import json
 import os
 import shutil
+import subprocess
 import unittest
 
 import numpy as np
+import OpenImageIO as oiio
 
-from studio_session import HERE, SAMPLES, StudioTest
+from studio_session import HERE, PROGRAM, SAMPLES, StudioTest
 
 DATA = os.path.join(HERE, '../data/color')
 
@@ -68,6 +70,62 @@ class Colors(StudioTest):
             self.assertLess(studio.item('look.' + name)[3], 720)
         studio.move(*studio.point('look.Gamut compression'))
         studio.screenshot('look_menu_builtin')
+
+    def test_a_working_space_is_chosen_undone_saved_and_exported(self):
+        def session(name, color):
+            rig = {'format': 'swaplight-rig', 'version': 1,
+                   'lights': [{'name': light, 'color': color} for light in ('key', 'fill', 'back')]}
+            with open(self.path(name), 'w') as file:
+                json.dump({'format': 'swaplight-session', 'version': 1, 'rig': rig,
+                           'source': os.path.join(SAMPLES, 'three_point', 'capture.json')}, file)
+            return self.path(name)
+
+        studio = self.start(session('white.swaplight', '#ffffff'))
+        studio.wait_ready()
+
+        def work_in(space):
+            studio.click('bar.view')
+            studio.click('working_space')
+            studio.screenshot('working_space_menu')
+            studio.click('menu.working_space.' + space)
+            studio.wait(lambda layout: layout.get('working_space') == space and layout['status'] == 'ready', space)
+            studio.move(640, 705)
+            return studio.picture('working_space_' + space)
+
+        white = studio.picture('working_space_before')
+        self.assertEqual(studio.state('working_space'), 'lin_rec709')
+        self.assertLess(np.abs(work_in('acescg') - white).max(), 3, 'white light looks the same')
+        studio.key('ctrl+z')
+        studio.wait(lambda layout: layout.get('working_space') == 'lin_rec709', 'the photographs\' own')
+        self.assertTrue(studio.quit())
+        studio = self.start(session('neon.swaplight', 'rgb:0.1/0.2/1'))
+        studio.wait_ready()
+        own = studio.picture('working_space_own')
+        wide = work_in('acescg')
+        self.assertGreater(np.abs(wide - own).max(), 12)
+        studio.key('ctrl+z')
+        studio.wait(lambda layout: layout.get('working_space') == 'lin_rec709', 'the photographs\' own')
+        self.assertLess(np.abs(studio.picture('working_space_undone') - own).max(), 2)
+        studio.key('ctrl+shift+z')
+        studio.wait(lambda layout: layout.get('working_space') == 'acescg', 'ACEScg again')
+        path, saved = self.save_as('wide')
+        self.assertEqual(saved['working_space'], 'acescg')
+        self.assertTrue(studio.quit())
+        studio = self.start(path)
+        studio.wait_ready()
+        self.assertEqual(studio.state('working_space'), 'acescg')
+        self.assertLess(np.abs(studio.picture('working_space_opened') - wide).max(), 2)
+        script = self.path('export.txt')
+        with open(script, 'w') as file:
+            file.write('\n'.join([f'open {session("neon.swaplight", "rgb:0.1/0.2/1")}', 'wait',
+                                  'action working_space.acescg', 'wait', f'save {path}', 'wait',
+                                  f'export {self.path("a.exr")}', 'wait', 'sleep 1', 'frames 3', 'quit']))
+        subprocess.run([PROGRAM, 'studio', '--screenshot', self.path('x.png'), '--script', script, '--size', '640x480'],
+                       check=True, env={**os.environ, 'HOME': self.folder}, capture_output=True)
+        subprocess.run([PROGRAM, 'relight', path, '-o', self.path('b.exr')], check=True, capture_output=True)
+        a, b = (oiio.ImageBuf(self.path(name)) for name in ('a.exr', 'b.exr'))
+        np.testing.assert_array_equal(a.get_pixels(oiio.FLOAT), b.get_pixels(oiio.FLOAT))
+        self.assertAlmostEqual(a.spec().getattribute('chromaticities')[0], .713, places=4)
 
     def test_a_session_brings_its_own_and_undo_takes_it_away(self):
         shutil.copytree(DATA, self.path('show'))
