@@ -29,16 +29,16 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
   const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.7F));
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
-  const ReportSubject subject{set, rig, displayOver(session, arguments.display),
-                              arguments.lighting.source(session).filename().string()};
+  const SessionReport report({set, rig, displayOver(session, arguments.display),
+                              arguments.lighting.source(session).filename().string()});
   progress.update(0.8F, "writing");
-  writeFile(arguments.page, reportHtml(subject));
+  writeFile(arguments.page, report.html());
   terminal.say("wrote {}", arguments.page);
   if (!arguments.histogram.empty()) {
-    writeImage(reportHistogram(subject), arguments.histogram);
+    writeImage(report.histogram(), arguments.histogram);
     terminal.say("wrote {}", arguments.histogram);
   }
-  const Json json = reportJson(subject);
+  const Json json = report.json();
   std::string text;
   for (const Json& range : json["dynamic_range"])
     text += fmt::format("{:<12} {:.1f} stops between the noise and its brightest parts\n",

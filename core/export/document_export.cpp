@@ -48,8 +48,9 @@ std::vector<std::filesystem::path> exportDocument(const std::shared_ptr<const So
       break;
     case ExportKind::Report:
       progress.update(0, "drawing");
-      writeFile(file,
-                reportHtml({shown, document.rig, document.display, document.source.filename().string()}));
+      writeFile(
+          file,
+          SessionReport({shown, document.rig, document.display, document.source.filename().string()}).html());
       break;
   }
   return {file};

@@ -74,7 +74,7 @@ std::string figure(const std::string& source, const std::string& caption) {
 std::string photograph(const Image& linear, const DisplayChoice& choice, const std::string& caption) {
   const ColorConfig& config = ColorConfig::current();
   const DisplayChoice seen = namedDisplay(config, displayWithin(config, choice));
-  Image shown = shrunk(linear, kPictureWidth);
+  Image shown = linear.clone();
   config.applyView(shown.span(), linear.spec().colorSpace, seen);
   return figure(inlineImage(jpegBytes(shown), "jpeg"), fmt::format("{} ({})", caption, displayWords(seen)));
 }
@@ -181,50 +181,55 @@ std::string solverSection(const Json& report) {
   return html;
 }
 
-Image relitPicture(const ReportSubject& subject) {
-  return relight(subject.set, rigFactors(subject.rig, subject.set.colorSpace()), subject.rig.ambient);
-}
-
-std::vector<NamedHistogram> histogramsOf(const ReportSubject& subject) {
-  return {{"before", luminanceHistogram(allWhite(subject.set))},
-          {"after", luminanceHistogram(relitPicture(subject))}};
-}
-
 }  // namespace
 
-std::string reportHtml(const ReportSubject& subject) {
-  const SolvedSet& set = subject.set;
+SessionReport::SessionReport(ReportSubject subject)
+    : m_subject(std::move(subject)),
+      m_white(taken(allWhite(m_subject.set), "before")),
+      m_relit(taken(relight(m_subject.set, rigFactors(m_subject.rig, m_subject.set.colorSpace()),
+                            m_subject.rig.ambient),
+                    "after")),
+      m_ranges(dynamicRange(m_subject.set)) {}
+
+Image SessionReport::taken(const Image& picture, const char* name) {
+  m_luminance.push_back({name, luminanceHistogram(picture)});
+  return shrunk(picture, kPictureWidth);
+}
+
+std::string SessionReport::html() const {
+  const SolvedSet& set = m_subject.set;
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width\"><title>{0}: lighting report</title><style>{1}</style></head><body>\n"
       "<h1>{0}</h1>\n<p class=\"quiet\">Lighting report. {2}; {3} x {4} pixels, {5} lights, {6} shots.</p>\n",
-      escaped(set.capture.name), kStyle, escaped(subject.source), set.width(), set.height(), set.lightCount(),
-      set.capture.shotCount());
+      escaped(set.capture.name), kStyle, escaped(m_subject.source), set.width(), set.height(),
+      set.lightCount(), set.capture.shotCount());
   html += "<h2>Before and after</h2>\n<div class=\"pair\">" +
-          photograph(allWhite(set), subject.display, "Every light at unit white") +
-          photograph(relitPicture(subject), subject.display, "Under this rig") + "</div>\n";
-  html += "<h2>Lights</h2>\n" + lightTable(subject, dynamicRange(set));
+          photograph(m_white, m_subject.display, "Every light at unit white") +
+          photograph(m_relit, m_subject.display, "Under this rig") + "</div>\n";
+  html += "<h2>Lights</h2>\n" + lightTable(m_subject, m_ranges);
   html += solverSection(set.report);
   if (!set.quality.empty())
     html += "<h2>How far to trust it</h2>\n<div class=\"pair\">" +
             mapFigure(set, kResidual, "Residual, in units of its expected noise") +
             mapFigure(set, kSigma, "Standard error, relative to the pixel") + "</div>\n";
   html += "<h2>Luminance</h2>\n" +
-          figure(inlineImage(pngBytes(reportHistogram(subject)), "png"),
+          figure(inlineImage(pngBytes(histogram()), "png"),
                  "Share of the pixels by luminance, before (unit white) and after (this rig)");
   return html + "</body></html>\n";
 }
 
-Image reportHistogram(const ReportSubject& subject) {
-  return drawLuminanceHistograms(histogramsOf(subject), {1000, 420});
+Image SessionReport::histogram() const {
+  return drawLuminanceHistograms(m_luminance, {1000, 420});
 }
 
-Json reportJson(const ReportSubject& subject) {
-  Json json{
-      {"name", subject.set.capture.name}, {"source", subject.source}, {"rig", jsonFromRig(subject.rig)}};
-  json["dynamic_range"] = jsonFromRanges(dynamicRange(subject.set));
-  json["solver"] = subject.set.report.value("message", "");
-  for (const NamedHistogram& named : histogramsOf(subject))
+Json SessionReport::json() const {
+  Json json{{"name", m_subject.set.capture.name},
+            {"source", m_subject.source},
+            {"rig", jsonFromRig(m_subject.rig)}};
+  json["dynamic_range"] = jsonFromRanges(m_ranges);
+  json["solver"] = m_subject.set.report.value("message", "");
+  for (const NamedHistogram& named : m_luminance)
     json["luminance"][named.name] = {{"median_stops", named.histogram.median},
                                      {"below_12_stops", named.histogram.black},
                                      {"above_12_stops", named.histogram.bright}};

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/json.h"
+#include "core/measure/dynamic_range.h"
+#include "core/measure/luminance_histogram.h"
 #include "core/relight/rig.h"
 #include "core/session/document.h"
 #include "core/solve/solved_set.h"
@@ -17,15 +20,29 @@ struct ReportSubject {
   std::string source;  ///< as the person named it
 };
 
-/// A page (HTML) that needs nothing else and prints well: the set before and after, its lights with colour,
-/// temperature, gel, stops and dynamic range, the solver's summary, maps of residual and sigma, luminance
-/// before and after. The same subject gives the same page.
-[[nodiscard]] std::string reportHtml(const ReportSubject& subject);
+/// A report on a set under a rig. What it tells is found out once, when it is made.
+class SessionReport {
+ public:
+  /// `subject.set` must outlive it. Throws InputError where a colour space is not known.
+  explicit SessionReport(ReportSubject subject);
 
-/// Its figures: lights, dynamic range, solver, luminance.
-[[nodiscard]] Json reportJson(const ReportSubject& subject);
+  /// A page (HTML) that needs nothing else and prints well: the set before and after, its lights with colour,
+  /// temperature, gel, stops and dynamic range, the solver's summary, maps of residual and sigma, luminance
+  /// before and after. The same subject gives the same page.
+  [[nodiscard]] std::string html() const;
+  /// Its figures: lights, dynamic range, solver, luminance.
+  [[nodiscard]] Json json() const;
+  /// Luminance before and after as a plot.
+  [[nodiscard]] Image histogram() const;
 
-/// Luminance before and after as a plot.
-[[nodiscard]] Image reportHistogram(const ReportSubject& subject);
+ private:
+  /// Takes a picture into the report: its luminance; gives it at the size of the page.
+  Image taken(const Image& picture, const char* name);
+
+  ReportSubject m_subject;
+  std::vector<NamedHistogram> m_luminance;  ///< before and after
+  Image m_white, m_relit;                   ///< scene-linear, as wide as the page shows them
+  std::vector<LightRange> m_ranges;
+};
 
 }  // namespace swaplight
