@@ -58,7 +58,7 @@ class CameraRaw(cli.CliTest):
         self.photographs()
         with open(self.path('raw', 'IMG_1.dng'), 'r+b') as file:
             file.truncate(400)
-        self.fail('solve', self.path('raw'), '-o', self.path('never.exr'), naming='IMG_1.dng')
+        self.deny('solve', self.path('raw'), '-o', self.path('never.exr'), naming='IMG_1.dng')
 
 
 if __name__ == '__main__':
