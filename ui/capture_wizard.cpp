@@ -190,11 +190,14 @@ void CaptureWizard::drawGuess() {
   if (!m_guess.empty()) markState("wizard.guess_words", m_guess);
 }
 
-void CaptureWizard::drawWarnings(float height) {
+std::vector<std::string> CaptureWizard::warnings() const {
   std::vector<std::string> warnings = m_found->warnings;
-  const std::string wrong = mistake();
-  if (wrong.empty())
+  if (mistake().empty())
     for (std::string& warning : colorWarnings(draft())) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
+void CaptureWizard::drawWarnings(const std::vector<std::string>& warnings, float height) {
   ImGui::BeginChild("##warnings", ImVec2(0, height));
   if (warnings.empty()) ImGui::TextDisabled("Nothing is wrong with the pictures.");
   ImGui::PushTextWrapPos(0);
@@ -211,15 +214,21 @@ void CaptureWizard::drawWarnings(float height) {
 void CaptureWizard::drawFooter(Messages& messages, const Solve& solve) {
   const std::string wrong = mistake();
   const bool exists = fs::exists(m_found->folder.folder / "capture.json");
+  const float button = px(110);
+  const float buttons = ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x;
   if (exists && wrong.empty()) {
     ImGui::Checkbox("Replace the capture.json that is there", &m_replace);
     markItem("wizard.replace");
   } else {
     ImGui::AlignTextToFramePadding();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float right = ImGui::GetWindowPos().x + buttons - px(10);
+    ImGui::PushClipRect(at, ImVec2(right, at.y + ImGui::GetFrameHeight()), true);
     hint(wrong.empty() ? "Writes capture.json beside the photographs, then tells the lights apart." : wrong);
+    ImGui::PopClipRect();
+    if (!wrong.empty()) tooltip(wrong.c_str());
   }
-  const float button = px(110);
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SameLine(buttons);
   ImGui::BeginDisabled(!wrong.empty() || busy() || (exists && !m_replace));
   const bool go = ImGui::Button("Solve", ImVec2(button, 0));
   ImGui::EndDisabled();
@@ -256,12 +265,15 @@ void CaptureWizard::draw(Messages& messages, const Solve& solve) {
   } else {
     drawLights();
     const float line = ImGui::GetFrameHeightWithSpacing();
-    const float warnings = std::min(px(96), 0.18F * ImGui::GetWindowHeight());
-    drawTable(ImGui::GetContentRegionAvail().y - 3 * line - warnings - px(24));
+    const std::vector<std::string> warned = warnings();
+    const float lines =
+        std::max(1.F, static_cast<float>(warned.size())) * ImGui::GetTextLineHeightWithSpacing();
+    const float room = std::min({px(96), 0.18F * ImGui::GetWindowHeight(), lines + px(6)});
+    drawTable(ImGui::GetContentRegionAvail().y - 3 * line - room - px(24));
     drawGuess();
     drawFrame();
     ImGui::Separator();
-    drawWarnings(warnings);
+    drawWarnings(warned, room);
     ImGui::Separator();
     drawFooter(messages, solve);
   }

@@ -65,7 +65,9 @@ class CaptureWizard {
   void drawFrame();
   void drawCell(size_t shot, size_t light);
   void drawGuess();
-  void drawWarnings(float height);
+  /// What is to be said about the pictures and the colours.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+  void drawWarnings(const std::vector<std::string>& warnings, float height);
   void drawFooter(Messages& messages, const Solve& solve);
 
   std::function<void()> m_wake;

@@ -22,6 +22,11 @@ void applyPreset(StudioContext& studio, const Look& look) {
   try {
     const Rig whole = applyLook(before, look, lightRatios(studio));
     editRig(studio, look.name, whole);
+    if (leavesDark(whole))
+      studio.messages.info(
+          "No light comes from behind in this set, and " + look.name +
+          " leaves the others dark. Give a light the role back below, or paint a new light on "
+          "the background (Shift+B).");
     studio.looks.blend = LookState::Blend{look.name, before, whole, whole, 1};
   } catch (const InputError& error) {
     studio.messages.error(error.what());

@@ -13,6 +13,7 @@ namespace {
 
 constexpr float kMostBoost = 8;  ///< stops: beyond, a light that hardly reaches the set would be all noise
 constexpr float kMostDimming = -30;
+constexpr float kDark = -5;  ///< stops
 
 std::string plainName(const std::string& name) {
   std::string plain;
@@ -34,6 +35,7 @@ const RoleLook& partOf(const Look& look, Role role) {
     case Role::Practical:
       return look.practical;
     case Role::Background:
+      return look.background ? *look.background : look.others;
     case Role::Other:
       return look.others;
   }
@@ -83,6 +85,12 @@ Rig applyLook(Rig rig, const Look& look, const LightRatios& ratios) {
     light.stops = std::clamp(wanted - now, kMostDimming, kMostBoost);
   }
   return rig;
+}
+
+bool leavesDark(const Rig& rig) {
+  for (size_t i = 0; i < rig.lights.size(); ++i)
+    if (rig.lights[i].on && settingStops(rig, i) > kDark) return false;
+  return true;
 }
 
 LookRequest lookRequestFromText(const std::string& text) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Look {
   RoleLook practical;  ///< lamps in the picture
   RoleLook others;     ///< lights of any other role
   float ambient = 1;
+  std::optional<RoleLook> background = {};  ///< lights of the background; without: as the others
 };
 
 /// High key, low key, Rembrandt, silhouette, day for night, cool morning, golden hour, moonlight, candle,
@@ -42,6 +44,9 @@ struct Look {
 /// The rig under a look: colour, dimmer and switch of every light. Throws InputError where no light has the
 /// role key.
 [[nodiscard]] Rig applyLook(Rig rig, const Look& look, const LightRatios& ratios);
+
+/// Whether a rig leaves the set dark: every light off, or five stops and more below how it was photographed.
+[[nodiscard]] bool leavesDark(const Rig& rig);
 
 /// "golden-hour:0.6" or "golden hour:60%" as a name and an amount 0..1 (without one: 1). Throws InputError.
 struct LookRequest {

@@ -47,7 +47,7 @@ const std::vector<Look>& presetLooks() {
        overKey(-2, kelvin(4800)), overKey(-2, kelvin(4300)), at(-1, kelvin(2700)), at(-2, kelvin(3800)),
        0.4F},
       {"Silhouette", "Only light from behind.", at(-7, white()), off(), at(1, kelvin(6500)),
-       at(-3, kelvin(3200)), at(-1, white()), 0.05F},
+       at(-3, kelvin(3200)), at(-1, white()), 0.05F, at(1, kelvin(6500))},
       {"Day for night", "Daylight printed down and blue.", at(-2, hue(215, 0.55F)),
        overKey(-2.5F, hue(225, 0.6F)), overKey(0, hue(210, 0.45F)), at(-0.5F, kelvin(2400)),
        at(-3, hue(220, 0.6F)), 0.2F},

@@ -169,6 +169,19 @@ TEST(Look, EveryPresetSuitsThreeLightsAndHasTheRatioThatItNames) {
   EXPECT_FALSE(applyLook(known.rig, findLook("silhouette"), known.ratios).lights[1].on);
 }
 
+TEST(PresetLook, ASilhouetteNeedsLightFromBehindOrOnTheBackground) {
+  const KnownSet two({0.6F, 0.2F});
+  EXPECT_FALSE(leavesDark(two.rig));
+  EXPECT_TRUE(leavesDark(applyLook(two.rig, findLook("silhouette"), two.ratios)));
+  const KnownSet three({0.6F, 0.2F, 0.3F});
+  EXPECT_FALSE(leavesDark(applyLook(three.rig, findLook("silhouette"), three.ratios)));
+  Rig wall = two.rig;
+  wall.lights[1].role = Role::Background;
+  const Rig against = applyLook(wall, findLook("silhouette"), two.ratios);
+  EXPECT_TRUE(against.lights[1].on);
+  EXPECT_GT(settingStops(against, 1), settingStops(against, 0) + 6);
+}
+
 TEST(Look, TheRatioDoesNotDependOnHowTheLightsWerePhotographed) {
   const KnownSet even({1, 1, 1}), weak({1, 0.1F, 0.2F});
   const Look& look = findLook("Rembrandt");
