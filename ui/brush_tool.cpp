@@ -155,6 +155,7 @@ void addPaintedLight(StudioContext& studio) {
   studio.view.selectedLights.clear();
   studio.editing.brush.mode = BrushState::Mode::Add;
   studio.editing.brush.meaning = Meaning::Add;
+  studio.editing.brush.light = 1;  // as much as all others together: to be seen on a dark wall, too
   studio.editing.brush.erase = false;
   studio.tool = Tool::Brush;
   studio.editor.edit("New light: " + name, std::move(next));
