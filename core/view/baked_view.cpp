@@ -105,6 +105,53 @@ void applyMatrix(const float* matrix, float* r, float* g, float* b, size_t count
   }
 }
 
+/// How code values are made from what is interpolated: by a power, or as sRGB (0).
+struct Encoding {
+  float power = 0;
+  [[nodiscard]] float decoded(float code) const {
+    return power > 0 ? std::copysign(std::pow(std::abs(code), power), code) : linearFromSrgb(code);
+  }
+  [[nodiscard]] float encoded(float light) const {
+    return power > 0 ? std::copysign(std::pow(std::abs(light), 1 / power), light) : srgbFromLinear(light);
+  }
+};
+
+/// The encoding under which a view's colours half way between two neighbouring vertices of a cube are most
+/// nearly the mean of theirs: that of the display, mostly. Decided by random colours.
+Encoding fittingEncoding(const ViewFunction& view) {
+  constexpr int kPairs = 2048;
+  constexpr std::array<Encoding, 4> kEncodings = {{{0}, {2.0F}, {2.4F}, {2.6F}}};
+  constexpr float kOffset = 0x1p-8F;  // of the cube's axes
+  Image colors(ImageSpec::rgb(kPairs, 3));
+  std::mt19937 random(1);
+  const auto level = [&] { return static_cast<float>(random() >> 8) * 0x1p-24F; };
+  for (int i = 0; i < kPairs; ++i) {
+    const float strength = std::exp2(14 * level() - 11), saturation = level();
+    for (int c = 0; c < 3; ++c) {
+      const float from = strength * (1 - saturation * level());
+      const float step = random() % 2 == 0 ? 1 : std::exp2(1.0F / ColorCube::kVerticesPerOctave);
+      colors.span().at(c, i, 0) = from;
+      colors.span().at(c, i, 1) = (from + kOffset) * std::sqrt(step) - kOffset;
+      colors.span().at(c, i, 2) = (from + kOffset) * step - kOffset;
+    }
+  }
+  view(colors.span());
+  const auto errorUnder = [&](const Encoding& encoding) {
+    double error = 0;
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < kPairs; ++i) {
+        const auto at = [&](int row) { return colors.span().at(c, i, row); };
+        const float mean = (encoding.decoded(at(0)) + encoding.decoded(at(2))) / 2;
+        const float off = std::clamp(encoding.encoded(mean), 0.0F, 1.0F) - std::clamp(at(1), 0.0F, 1.0F);
+        error += static_cast<double>(off) * off;
+      }
+    return error;
+  };
+  return *std::min_element(kEncodings.begin(), kEncodings.end(), [&](const Encoding& a, const Encoding& b) {
+    return errorUnder(a) < errorUnder(b);
+  });
+}
+
 }  // namespace
 
 float finiteHalf(int bits) {
@@ -120,17 +167,18 @@ BakedView::BakedView(const ViewFunction& view) : m_curves(curvesOfGreys(view)) {
   m_matrix = matrixBefore(view, m_curves);
   m_mixes = true;
   if (explains(m_matrix, m_curves, view)) return;
+  const Encoding encoding = fittingEncoding(view);
   m_cube = ColorCube([&](ImageSpan vertices) {
     view(vertices);
     for (int c = 0; c < 3; ++c)
       for (int y = 0; y < vertices.height; ++y)
         // Decoded, so that what is interpolated is nearly linear in light.
         std::transform(vertices.row(c, y), vertices.row(c, y) + vertices.width, vertices.row(c, y),
-                       linearFromSrgb<float>);
+                       [&](float code) { return encoding.decoded(code); });
   });
   for (std::vector<float>& curve : m_curves)
     for (int bits = 0; bits < kHalves; ++bits)
-      curve[static_cast<size_t>(bits)] = srgbFromLinear(finiteHalf(bits));
+      curve[static_cast<size_t>(bits)] = encoding.encoded(finiteHalf(bits));
 }
 
 void BakedView::mix(float* rgb, size_t count) const {

@@ -16,11 +16,11 @@ using ViewFunction = std::function<void(ImageSpan)>;
 
 /// The same view as samples, for pictures that must follow the mouse: a matrix or a cube, then a curve a
 /// channel. Views that only change primaries and encode (sRGB, Rec.709, P3, raw) become a matrix and exact
-/// curves; whatever else (film-like ones) a cube of display-linear colours, encoded by a curve afterwards, so
-/// that the bend at black is not smeared over a cell.
+/// curves; whatever else (film-like ones) a cube of display-linear colours, encoded by a curve afterwards
+/// (sRGB or the power that fits the view best), so that the bend at black is not smeared over a cell.
 class BakedView {
  public:
-  /// About 30 ms.
+  /// About 40 ms.
   explicit BakedView(const ViewFunction& view);
 
   /// True where the view is a matrix and curves, to a quarter of an 8-bit code.

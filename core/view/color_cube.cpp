@@ -13,6 +13,11 @@ namespace {
 // An axis counts the bits of (value + kOffset) as a float: they grow linearly within an octave.
 constexpr float kOffset = 0x1p-8F;
 constexpr float kVerticesPerBit = ColorCube::kVerticesPerOctave / static_cast<float>(1 << 23);
+// Where the octaves of the picture end and those beyond begin, which have fewer vertices.
+constexpr auto kBend = static_cast<float>((ColorCube::kHighestOctave - ColorCube::kLowestOctave) *
+                                          ColorCube::kVerticesPerOctave);
+constexpr auto kSlopeBeyond =
+    1.0F / static_cast<float>(ColorCube::kVerticesPerOctave * ColorCube::kOctavesPerStepBeyond);
 constexpr auto kLastPosition = static_cast<float>(ColorCube::kSide - 1) - 0x1p-12F;
 constexpr int kStepR = 4, kStepG = kStepR * ColorCube::kSide, kStepB = kStepG * ColorCube::kSide;
 constexpr int kStepAll = kStepR + kStepG + kStepB;
@@ -20,7 +25,9 @@ constexpr int kStepAll = kStepR + kStepG + kStepB;
 static_assert(kOffset == 1.0F / (1 << -ColorCube::kLowestOctave));
 
 float valueAtVertex(int vertex) {
-  const auto steps = static_cast<uint32_t>(std::lround(static_cast<float>(vertex) / kVerticesPerBit));
+  const auto at = static_cast<float>(vertex);
+  const float position = at < kBend ? at : kBend + (at - kBend) / kSlopeBeyond;
+  const auto steps = static_cast<uint32_t>(std::lround(position / kVerticesPerBit));
   return std::bit_cast<float>(std::bit_cast<uint32_t>(kOffset) + steps) - kOffset;
 }
 
@@ -43,7 +50,8 @@ void interpolate(const float* vertices, const float* in, float* out, size_t coun
       const float value = in[c * kBlock + i];
       const float shifted = (value > 0 ? value : 0) + kOffset;
       const int bits = std::bit_cast<int>(shifted) - std::bit_cast<int>(kOffset);
-      const float position = static_cast<float>(bits) * kVerticesPerBit;
+      const float even = static_cast<float>(bits) * kVerticesPerBit;
+      const float position = even < kBend ? even : kBend + (even - kBend) * kSlopeBeyond;
       at[c][i] = position < kLastPosition ? position : kLastPosition;
     }
 

@@ -9,13 +9,16 @@
 namespace swaplight {
 
 /// A table of colours over R, G, B, for functions too slow to be called for every pixel. Its axes run from 0
-/// to about 64, piecewise linear in the logarithm: every octave has the same number of vertices, black is
-/// resolved, and the bends lie on vertices.
+/// to 65536, piecewise linear in the logarithm: every octave up to 64 has the same number of vertices, black
+/// is resolved, and the bends lie on vertices; what is brighter, where views are nearly white, has a vertex
+/// every other octave.
 class ColorCube {
  public:
   static constexpr int kVerticesPerOctave = 4;
-  static constexpr int kLowestOctave = -8, kHighestOctave = 6;
-  static constexpr int kSide = (kHighestOctave - kLowestOctave) * kVerticesPerOctave + 1;
+  static constexpr int kLowestOctave = -8, kHighestOctave = 6, kLastOctave = 16;
+  static constexpr int kOctavesPerStepBeyond = 2;
+  static constexpr int kSide = (kHighestOctave - kLowestOctave) * kVerticesPerOctave +
+                               (kLastOctave - kHighestOctave) / kOctavesPerStepBeyond + 1;
   static constexpr size_t kBlock =
       256;  ///< the most pixels that apply() takes, so that steps stay in the cache
 

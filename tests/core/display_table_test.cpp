@@ -38,11 +38,11 @@ ViewFunction acesView() {
   return viewNamed("ACES");
 }
 
-/// Colours from black to 8, from grey to as saturated as random ones are.
-Image manyColors() {
+/// Colours of these stops over full scale, from grey to as saturated as random ones are.
+Image manyColors(float lowest, float highest) {
   Image image(ImageSpec::rgb(512, 256));
   std::mt19937 random(3);
-  std::uniform_real_distribution<float> stops(-9, 3), level(0, 1);
+  std::uniform_real_distribution<float> stops(lowest, highest), level(0, 1);
   for (size_t p = 0; p < image.pixelCount(); ++p) {
     const float strength = std::exp2(stops(random)), saturation = level(random);
     for (int c = 0; c < 3; ++c) image.plane(c)[p] = strength * (1 - saturation * level(random));
@@ -56,9 +56,9 @@ struct CodeError {
   double beyondTwo = 0;  ///< share of the values that are more than two codes off
 };
 
-CodeError errorOf(const ViewFunction& view) {
+CodeError errorOf(const ViewFunction& view, float lowest = -9, float highest = 3) {
   const DisplayTable table(std::make_shared<const BakedView>(view), {});
-  Image image = manyColors();
+  Image image = manyColors(lowest, highest);
   std::vector<uint8_t> codes(image.pixelCount() * 4);
   table.apply(image.plane(0), image.plane(1), image.plane(2), static_cast<int>(image.pixelCount()),
               codes.data());
@@ -91,6 +91,20 @@ TEST(DisplayTable, AFilmLikeViewIsWithinTwoCodesButForVerySaturatedPixels) {
   EXPECT_LT(error.mean, 0.3);
   EXPECT_LT(error.beyondTwo, 1e-3);
   RecordProperty("worst", std::to_string(error.worst));
+}
+
+TEST(DisplayTable, WhatIsBrighterThanSixtyFourTimesFullScaleIsShownToo) {
+  for (const char* view : {"PQ ACES HDR", "HLG ACES HDR", "sRGB ACES SDR"}) {
+    const CodeError error = errorOf(viewNamed(view), 6, 16);
+    EXPECT_LT(error.mean, 0.35) << view;
+    EXPECT_LE(error.worst, 2.0) << view;
+    EXPECT_EQ(error.beyondTwo, 0) << view;
+  }
+}
+
+TEST(DisplayTable, TheEncodingOfTheDisplayIsFound) {
+  for (const char* view : {"P3-D65 Hable", "P3-D65 Reinhard", "HLG 203"})
+    EXPECT_LT(errorOf(viewNamed(view)).worst, 3) << view << ": nearly 6 if it were taken for sRGB";
 }
 
 std::array<int, 4> codesOf(const DisplayTable& table, const Rgb& color) {
