@@ -3,28 +3,9 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "core/simd.h"
+#include "core/solve/shares_kernel.h"
 
 namespace swaplight {
-namespace {
-
-SWAPLIGHT_SIMD void addGrey(const float* __restrict r, const float* __restrict g, const float* __restrict b,
-                            float* __restrict grey, float* __restrict total, size_t count) {
-  for (size_t p = 0; p < count; ++p) {
-    grey[p] = r[p] + g[p] + b[p];
-    total[p] += grey[p];
-  }
-}
-
-SWAPLIGHT_SIMD void invert(float* x, size_t count) {
-  for (size_t p = 0; p < count; ++p) x[p] = x[p] > 0 ? 1 / x[p] : 0;
-}
-
-SWAPLIGHT_SIMD void multiply(float* __restrict x, const float* __restrict by, size_t count) {
-  for (size_t p = 0; p < count; ++p) x[p] *= by[p];
-}
-
-}  // namespace
 
 Image allWhite(const SolvedSet& set) {
   Image sum = set.contributions.front().clone();
@@ -45,18 +26,7 @@ Image allWhite(const SolvedSet& set) {
 }
 
 void sharesOf(int lights, const float* const* contributions, float* const* shares, size_t count) {
-  // In blocks that stay in the first-level cache, so that each plane is read from memory once.
-  constexpr size_t kBlock = 512;
-  for (size_t first = 0; first < count; first += kBlock) {
-    const size_t length = std::min(kBlock, count - first);
-    alignas(64) float total[kBlock];
-    std::fill_n(total, length, 0.0F);
-    for (int i = 0; i < lights; ++i)
-      addGrey(contributions[3 * i] + first, contributions[3 * i + 1] + first,
-              contributions[3 * i + 2] + first, shares[i] + first, total, length);
-    invert(total, length);
-    for (int i = 0; i < lights; ++i) multiply(shares[i] + first, total, length);
-  }
+  SWAPLIGHT_KERNEL(shareRun)(lights, contributions, shares, count);
 }
 
 void updateBeta(SolvedSet& set) {
