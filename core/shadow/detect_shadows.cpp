@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/shadow/penumbra.h"
 #include "core/shadow/shadow_evidence.h"
 #include "core/shadow/shadow_fill.h"
 #include "core/shadow/shadow_regions.h"
@@ -64,21 +65,30 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
   const int smallest = smallestShadow(options, evidence.known);
 
   std::vector<LightShadows> all(evidence.lights.size());
-  std::vector<cv::Mat> visibilities;
+  const auto share = [&](size_t i) { return static_cast<float>(i) / static_cast<float>(all.size()); };
+  std::vector<cv::Mat> divided;
   for (size_t i = 0; i < all.size(); ++i) {
-    progress.update(.3f + .3f * static_cast<float>(i) / static_cast<float>(all.size()), "finding shadows");
+    progress.update(.3f + .2f * share(i), "finding shadows");
     const ShadowEvidence& light = evidence.lights[i];
     const float lit = litLevel(light, evidence.known);
     const std::optional<float> given = options.thresholdOf(set.capture.lights[i].name);
     const float threshold =
         given ? lit + std::log(std::max(*given, 1e-6f)) : shadowThreshold(light, evidence.known);
-    visibilities.push_back(visibilityOf(light, evidence.known, threshold));
-    static_cast<void>(labelShadows(visibilities[i], evidence.known, smallest));
+    divided.push_back(visibilityOf(light, evidence.known, threshold));
+    static_cast<void>(labelShadows(divided[i], evidence.known, smallest));
     all[i].threshold = std::exp(threshold - lit);
   }
+  std::vector<cv::Mat> visibilities;
+  std::vector<cv::Mat> told;
   for (size_t i = 0; i < all.size(); ++i) {
-    progress.update(.6f + .4f * static_cast<float>(i) / static_cast<float>(all.size()), "filling shadows");
-    FilledShadow filled = fillShadow(evidence, visibilities, i);
+    progress.update(.5f + .2f * share(i), "finding shadows");
+    RefinedVisibility refined = refineVisibility(evidence, divided, i);
+    visibilities.push_back(std::move(refined.visibility));
+    told.push_back(std::move(refined.told));
+  }
+  for (size_t i = 0; i < all.size(); ++i) {
+    progress.update(.7f + .3f * share(i), "filling shadows");
+    FilledShadow filled = fillShadow(evidence, visibilities, told[i], i);
     all[i].labels = labelShadows(filled.visibility, evidence.known, smallest);
     all[i].visibility = imageOf(filled.visibility, {"Y"}, 1);
     all[i].direct = imageOf(filled.direct, {"R", "G", "B"}, evidence.white);

@@ -10,7 +10,7 @@ struct FilledShadow {
   /// What the light would add where its shadow lies (R G B float, in units of SetEvidence::white): such that
   /// contribution + (1 - visibility) * direct has no shadow.
   cv::Mat direct;
-  /// The visibility again, in penumbras as exact as the fill is.
+  /// The visibility again, as exact as the fill where nothing else told it.
   cv::Mat visibility;
 };
 
@@ -22,7 +22,8 @@ struct FilledShadow {
 /// of the surface, and the filled contribution itself is continued. What faces away from the light has
 /// borders at which the ratio fades out; those are continued as dark as they are. An approximation: objects
 /// in the shadow keep their outlines, but not their shape's own shading.
+/// `told` as in RefinedVisibility.
 [[nodiscard]] FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visibilities,
-                                      size_t light);
+                                      const cv::Mat& told, size_t light);
 
 }  // namespace swaplight

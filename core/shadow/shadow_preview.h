@@ -12,8 +12,6 @@
 
 namespace swaplight {
 
-struct SetEvidence;
-
 /// How bright a light shows, pixel by pixel, reflectance mostly taken out: the shares of the pixels in even
 /// steps from kLowestStops to kHighestStops over well-lit pixels. The ends hold what lies beyond.
 struct ShadowHistogram {
@@ -49,7 +47,8 @@ class ShadowPreview {
     float lit = 0;  // log level of well-lit pixels
     float threshold = 0;
   };
-  std::shared_ptr<const SetEvidence> m_evidence;
+  struct Found;  // evidence, and visibilities by the lights' own thresholds
+  std::shared_ptr<const Found> m_found;
   std::vector<PreviewedLight> m_lights;
   float m_scale = 1;
 };

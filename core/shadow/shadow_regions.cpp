@@ -11,7 +11,7 @@ namespace {
 constexpr float kGuideScale = .2f;  // brings the level's steps to the filter's scale
 constexpr double kGuideEpsilon = 1e-4;
 constexpr float kUmbra = .1f;  // below: umbra
-constexpr float kLit = .7f;    // above: lit
+constexpr float kLit = .9f;    // above: lit
 
 enum Marker { kShadowMarker = 1, kLitMarker = 2 };
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+namespace swaplight {
+
+// 32-bit float pictures of one or three channels, as the search for shadows handles them.
+
+inline cv::Mat greyOf(const cv::Mat& rgb) {
+  cv::Mat grey;
+  cv::transform(rgb, grey, cv::Matx13f(1 / 3.f, 1 / 3.f, 1 / 3.f));
+  return grey;
+}
+
+inline cv::Mat shrunk(const cv::Mat& x, cv::Size size) {
+  cv::Mat out;
+  cv::resize(x, out, size, 0, 0, cv::INTER_AREA);
+  return out;
+}
+
+inline cv::Mat grown(const cv::Mat& x, cv::Size size) {
+  cv::Mat out;
+  cv::resize(x, out, size, 0, 0, cv::INTER_LINEAR);
+  return out;
+}
+
+/// One channel as three.
+inline cv::Mat spread(const cv::Mat& grey) {
+  cv::Mat rgb;
+  cv::merge(std::vector<cv::Mat>(3, grey), rgb);
+  return rgb;
+}
+
+/// A mask of 0 and 255 as 0 and 1.
+inline cv::Mat asFloat(const cv::Mat& mask) {
+  cv::Mat out;
+  mask.convertTo(out, CV_32F, 1 / 255.);
+  return out;
+}
+
+inline cv::Mat clampedToOne(cv::Mat x) {
+  cv::min(x, 1, x);
+  cv::max(x, 0, x);
+  return x;
+}
+
+/// Mean of x over the pixels that `mask` (0 or 1) chooses, at a smaller size.
+inline cv::Mat meanOver(const cv::Mat& x, const cv::Mat& mask, cv::Size size) {
+  const auto as = [&](const cv::Mat& one) { return x.channels() == 3 ? spread(one) : one; };
+  cv::Mat weight = shrunk(mask, size);
+  cv::max(weight, 1e-6, weight);
+  cv::Mat mean;
+  cv::divide(shrunk(x.mul(as(mask)), size), as(weight), mean);
+  return mean;
+}
+
+}  // namespace swaplight
