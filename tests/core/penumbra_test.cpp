@@ -17,7 +17,7 @@ SetEvidence surface(const Own& own, const Other& other) {
   for (int light = 0; light < 2; ++light) set.contributions.emplace_back(kHeight, kWidth, CV_32FC3);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
-      const float print = (x / 12 + y / 12) % 2 ? .5F : .4F;
+      const float print = (x / 12 + y / 12) % 2 ? .5F : .48F;
       set.contributions[0].at<cv::Vec3f>(y, x) = cv::Vec3f::all(print * own(x));
       set.contributions[1].at<cv::Vec3f>(y, x) = cv::Vec3f::all(print * other(x));
     }
