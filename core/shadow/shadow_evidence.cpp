@@ -10,9 +10,8 @@ namespace swaplight {
 namespace {
 
 constexpr int kDenoiseRadius = 3;
-constexpr float kLeastLight = 2e-4f;       // of white: what counts as black
-constexpr float kDenoisedShare = 1 / 6.f;  // of the noise that is left by the filter
-constexpr float kTellable = 3;             // standard errors of the denoised sum
+constexpr float kLeastLight = 2e-4f;  // of white: what counts as black
+constexpr int kKnownWindow = 7;       // pixels
 
 cv::Mat planeOf(const Image& image, int channel) {
   return {image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(channel))};
@@ -141,7 +140,9 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress)
     greys.push_back(denoised(grey, sigma.mul(sigma)));
     sum += greys.back();
   }
-  all.known = (sum > kLeastLight) & (sum > kTellable * kDenoisedShare * sigma);
+  // More than a pixel's standard error: of which the filter leaves about a sixth.
+  all.known = (sum > kLeastLight) & (sum > sigma);
+  cv::medianBlur(all.known, all.known, kKnownWindow);  // noise does not decide pixel by pixel
   const float floor = kLeastLight + .5f * percentile(sigma, .5);
   std::vector<cv::Mat> logs;
   logs.reserve(greys.size());
