@@ -18,7 +18,7 @@ struct DisplayChoice {
   /// file is missing. Empty: none at all. Without a value: what the view says.
   std::optional<std::string> look = {};
 
-  auto operator<=>(const DisplayChoice&) const = default;
+  auto operator<=>(const DisplayChoice&) const = default;  // NOLINT(modernize-use-nullptr)
   [[nodiscard]] bool empty() const { return *this == DisplayChoice{}; }
   /// This choice where it names a display or a view; else the other one, with this one's look if it has one.
   [[nodiscard]] DisplayChoice over(const DisplayChoice& other) const;

@@ -61,7 +61,7 @@ EditStack editsFromJson(const Json& json, const std::filesystem::path& folder, c
 }
 
 std::string workingSpaceFrom(JsonFields& fields) {
-  const std::string space = fields.text("working_space").value_or("");
+  std::string space = fields.text("working_space").value_or("");
   try {
     checkSetColorSpace(space);
   } catch (const InputError& error) {

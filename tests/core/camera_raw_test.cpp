@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/capture/capture_pixels.h"
 #include "core/capture/mosaic_saturation.h"
 #include "core/image/image_io.h"
@@ -20,7 +23,7 @@ std::string twoPatches() {
     const bool blue = x % 2 == 1 && y % 2 == 1;
     const double left = red ? 0.8 : (blue ? 0.1 : 0.4);
     const double right = red ? 1.2 : (blue ? 0.25 : 0.5);
-    return static_cast<uint16_t>(512 + (16383 - 512) * (x < 64 ? left : std::min(right, 1.0)) + 0.5);
+    return static_cast<uint16_t>(std::lround(512 + (16383 - 512) * (x < 64 ? left : std::min(right, 1.0))));
   });
 }
 
