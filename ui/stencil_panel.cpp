@@ -90,7 +90,8 @@ void drawStencilPanel(StudioContext& studio) {
     Edit edit = *chosen;
     edit.mask.front() = withKind(edit.mask.front(), state.kind);
     edit.mask.front().invert = state.invert;
-    previewEdit(studio, static_cast<size_t>(studio.editing.chosen), edit.name + ": stencil", std::move(edit));
+    const std::string step = edit.name + ": stencil";
+    previewEdit(studio, static_cast<size_t>(studio.editing.chosen), step, std::move(edit));
   }
   const Edit* placed = chosenStencil(studio);
   const bool movable = placed && !handlesOf(placed->mask.front()).empty();
