@@ -40,9 +40,8 @@ int run(const Arguments& arguments, Terminal& terminal) {
   }
   const Json json = report.json();
   std::string text;
-  for (const Json& range : json["dynamic_range"])
-    text += fmt::format("{:<12} {:.1f} stops between the noise and its brightest parts\n",
-                        range["light"].get<std::string>(), range["stops"].get<double>());
+  for (const LightRange& range : report.ranges())
+    text += fmt::format("{:<12} {}\n", range.light, rangeWords(range));
   terminal.result(text, json);
   return 0;
 }

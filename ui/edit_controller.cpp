@@ -64,7 +64,12 @@ void EditController::takeJobs(StudioContext& studio) {
   } catch (const std::exception& error) {
     studio.messages.error(error.what());
   }
-  takeDrawn();
+  try {
+    takeDrawn();
+  } catch (const Stopped&) {
+  } catch (const std::exception& error) {
+    studio.messages.error(error.what());
+  }
   try {
     auto found = m_finding.take();
     if (found && found->set == m_set) {
@@ -82,15 +87,21 @@ void EditController::takeJobs(StudioContext& studio) {
 
 void EditController::takeDrawn() {
   if (!m_drawing.running()) return;
+  const auto keep = [this](std::shared_ptr<const MaskRaster> raster) {
+    m_drawn.push_back({m_drawingShape, std::move(raster)});
+    if (m_drawn.size() > kDrawnKept) m_drawn.pop_front();
+  };
   try {
     auto raster = m_drawing.take();
     if (!raster || m_drawingStale) return;
     if (m_room.edited) m_room.edited->ground().keep(m_drawingShape, *raster);
-    m_drawn.push_back({m_drawingShape, std::move(*raster)});
+    keep(std::move(*raster));
   } catch (const InputError&) {
-    m_drawn.push_back({m_drawingShape, nullptr});  // who asks for it is told why
+    keep(nullptr);  // who asks for it is told why
+  } catch (...) {
+    keep(nullptr);  // or it would be begun again in every frame
+    throw;
   }
-  if (m_drawn.size() > kDrawnKept) m_drawn.pop_front();
 }
 
 bool EditController::isDrawn(const MaskShape& shape) {

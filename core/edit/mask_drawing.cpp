@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kShift = 4;  // OpenCV draws at 1/16 of a pixel
 
-// `pixels`: 32-bit float, placed with its corner at x, y.
 // 8 bits to 0..1, with a soft edge.
 cv::Mat softened(const cv::Mat& drawn, float feather) {
   cv::Mat pixels;

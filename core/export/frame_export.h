@@ -11,8 +11,7 @@ namespace swaplight {
 
 /// How a session's frame is written to this file: as asked for, and where neither linear, a view nor a tone
 /// mapping is asked for, through the session's view (under the look asked for, if any) where the format is
-/// made for the eye. Throws InputError on
-/// an unknown format.
+/// made for the eye. Throws InputError on an unknown format.
 [[nodiscard]] FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file,
                                            FrameOptions asked = {});
 

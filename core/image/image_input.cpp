@@ -151,9 +151,8 @@ ImageInput::ImageInput(const std::filesystem::path& file)
     : m_file(file), m_format(imageFormatOf(file)), m_input(OIIO::ImageInput::create(m_format)) {
   if (!m_input && m_format == "raw")
     throw InputError(
-        "{}: camera raw cannot be read here: OpenImageIO was built without LibRaw. Develop the photographs "
-        "to "
-        "16-bit TIFF or EXR with a linear curve, all with the same white balance.",
+        "{}: camera raw cannot be read here: OpenImageIO was built without LibRaw. Develop the "
+        "photographs to 16-bit TIFF or EXR with a linear curve, all with the same white balance.",
         name());
   if (!m_input) fail(OIIO::geterror());
   checkIntegrity(file, m_format);

@@ -32,6 +32,8 @@ class SessionReport {
   [[nodiscard]] std::string html() const;
   /// Its figures: lights, dynamic range, solver, luminance.
   [[nodiscard]] Json json() const;
+  /// Of each light; empty where the set has no quality.
+  [[nodiscard]] const std::vector<LightRange>& ranges() const { return m_ranges; }
   /// Luminance before and after as a plot.
   [[nodiscard]] Image histogram() const;
 

@@ -74,8 +74,7 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
     const std::optional<float> given = options.thresholdOf(set.capture.lights[i].name);
     const float threshold =
         given ? lit + std::log(std::max(*given, 1e-6f)) : shadowThreshold(light, evidence.known);
-    divided.push_back(visibilityOf(light, evidence.known, threshold));
-    static_cast<void>(labelShadows(divided[i], evidence.known, smallest));
+    divided.push_back(visibilityOf(light, evidence.known, threshold, smallest));
     all[i].threshold = std::exp(threshold - lit);
   }
   std::vector<cv::Mat> visibilities;

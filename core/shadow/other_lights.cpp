@@ -1,16 +1,12 @@
 #include "core/shadow/other_lights.h"
 
-#include <algorithm>
-
 #include "core/shadow/shadow_pictures.h"
 
 namespace swaplight {
 namespace {
 
-constexpr int kLargestWork = 640;
 constexpr float kDark = .004f;  // of white: where the other lights say nothing of the surface
 constexpr float kSeen = .7f;    // visibility from which on a light shows a surface well enough
-constexpr float kGuideFloor = .01f;
 
 }  // namespace
 
@@ -31,15 +27,10 @@ OtherLights otherLights(const SetEvidence& set, const std::vector<cv::Mat>& visi
   return others;
 }
 
-cv::Size workingSize(cv::Size full) {
-  const int shrink = (std::max(full.width, full.height) + kLargestWork - 1) / kLargestWork;
-  return {(full.width + shrink - 1) / shrink, (full.height + shrink - 1) / shrink};
-}
-
-cv::Mat guideOf(const cv::Mat& rgb) {
-  cv::Mat guide = rgb + cv::Scalar::all(kGuideFloor);
-  cv::log(guide, guide);
-  return guide;
+cv::Mat OtherLights::ratioOf(const cv::Mat& own, const cv::Mat& mask, cv::Size size) const {
+  cv::Mat ratio;
+  cv::divide(shrunk(own.mul(mask), size), cv::max(shrunk(grey.mul(mask), size), 1e-6), ratio);
+  return ratio;
 }
 
 }  // namespace swaplight

@@ -12,19 +12,16 @@ inline constexpr float kRatioEdge = .3f;  ///< log step of the other lights that
 struct OtherLights {
   cv::Mat rgb;   ///< the sum of their contributions
   cv::Mat grey;  ///< its mean over the channels
-  cv::Mat
-      known;  ///< 8-bit: not 0 where at least one of them reaches the surface, and is bright enough to tell
+  /// 8-bit: not 0 where at least one of them reaches the surface, and is bright enough to tell.
+  cv::Mat known;
+
+  /// A light's grey over theirs at a smaller size, from the pixels that `mask` (0 or 1, float) chooses.
+  [[nodiscard]] cv::Mat ratioOf(const cv::Mat& own, const cv::Mat& mask, cv::Size size) const;
 };
 
 /// `visibilities`: of all lights of the set, 0..1; at the borders of what is known, `rim` pixels are left
 /// out.
 [[nodiscard]] OtherLights otherLights(const SetEvidence& set, const std::vector<cv::Mat>& visibilities,
                                       size_t light, int rim);
-
-/// A size at which what is smooth is solved: no side longer than 640 pixels.
-[[nodiscard]] cv::Size workingSize(cv::Size full);
-
-/// The logarithm of a picture at that size (R G B); what is dark is all alike.
-[[nodiscard]] cv::Mat guideOf(const cv::Mat& rgb);
 
 }  // namespace swaplight

@@ -116,16 +116,16 @@ RefinedVisibility refineVisibility(const SetEvidence& set, const std::vector<cv:
   // The ratio, and what it would be without the shadow, at the working size.
   const cv::Mat weight = asFloat(others.known);
   const cv::Mat known = shrunk(weight, size) > .49;
-  cv::Mat ratio;
-  cv::divide(shrunk(own.mul(weight), size), cv::max(shrunk(others.grey.mul(weight), size), 1e-6), ratio);
+  const cv::Mat ratio = others.ratioOf(own, weight, size);
   const cv::Mat guide = guideOf(meanOver(others.rgb, weight, size));
+  const cv::Mat divided = shrunk(visibility, size);
   cv::Mat distance;  // from the shadow
-  cv::distanceTransform(shrunk(visibility, size) > .5, distance, cv::DIST_L2, cv::DIST_MASK_5);
+  cv::distanceTransform(divided > .5, distance, cv::DIST_L2, cv::DIST_MASK_5);
   const cv::Mat fixed = fullyLit(ratio, distance, known, unit);
   const cv::Mat unshadowed = cv::max(fillSmoothly(ratio, fixed, guide, kRatioEdge), 1e-6);
 
   EdgeKinds kinds = edgeKinds(ratio / unshadowed, greyOf(guide), known, unit);
-  const cv::Mat lit = known & (shrunk(visibility, size) > kFullyDivided);
+  const cv::Mat lit = known & (divided > kFullyDivided);
   kinds.turning = kinds.turning.mul(1 - kFadeDoubt * castBeyond(fadingLight(ratio, lit, guide), lit, guide));
   cv::Mat exact;
   cv::divide(own, grown(unshadowed, full).mul(others.grey) + 1e-6f, exact);

@@ -19,8 +19,9 @@ struct RefinedVisibility {
 /// is continued into the shadow's edge (Poisson, not across the edges that the other lights show), and the
 /// ratio over that is the visibility. Two things make a light fade at an edge, and the other lights tell them
 /// apart: they stay as they are where a cast shadow begins, and change where the surface turns away; there
-/// the light is dim, but all of it arrives until the surface no longer sees it. In between, and where the
-/// other lights show nothing, the visibility stays as it was.
+/// the light is dim, but all of it arrives until the surface no longer sees it (less surely where the light
+/// does not fade towards there, see FadingLight). In between, and where the other lights show nothing, the
+/// visibility stays as it was.
 ///
 /// `visibilities`: of all lights, from visibilityOf.
 [[nodiscard]] RefinedVisibility refineVisibility(const SetEvidence& set,

@@ -51,10 +51,8 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
 
   // The ratio to the other lights, known where both light the surface, continued into the shadow.
   const cv::Mat both = asFloat(sure & others.known);
-  cv::Mat ratio;
-  cv::Mat below = shrunk(others.grey.mul(both), size);
-  cv::max(below, 1e-6, below);
-  cv::divide(shrunk(greyOf(own).mul(both), size), below, ratio);
+  const cv::Mat ownGrey = greyOf(own);
+  const cv::Mat ratio = others.ratioOf(ownGrey, both, size);
   const cv::Mat fixed = shrunk(both, size) > .49;
   const cv::Mat otherMean = meanOver(others.rgb, known, size);
   const cv::Mat guide = guideOf(otherMean);
@@ -88,7 +86,7 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   // Where most of the light arrives, what is missing says how much of it exactly: bounced light counts
   // little.
   FilledShadow filled{cv::Mat(), visibility.clone()};
-  const cv::Mat present = greyOf(own) + kLeastGrey;
+  const cv::Mat present = ownGrey + kLeastGrey;
   cv::Mat seenShare;
   cv::divide(present, present + greyOf(missing), seenShare);
   seenShare = cv::min(cv::max(seenShare, kMostlySeen), visibility);

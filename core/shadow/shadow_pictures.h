@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -53,6 +54,19 @@ inline cv::Mat meanOver(const cv::Mat& x, const cv::Mat& mask, cv::Size size) {
   cv::Mat mean;
   cv::divide(shrunk(x.mul(as(mask)), size), as(weight), mean);
   return mean;
+}
+
+/// A size at which what is smooth is solved: no side longer than 640 pixels.
+inline cv::Size workingSize(cv::Size full) {
+  const int shrink = (std::max(full.width, full.height) + 639) / 640;
+  return {(full.width + shrink - 1) / shrink, (full.height + shrink - 1) / shrink};
+}
+
+/// The logarithm of a picture (R G B), for edges that nothing is continued over; what is dark is all alike.
+inline cv::Mat guideOf(const cv::Mat& rgb) {
+  cv::Mat guide = rgb + cv::Scalar::all(.01);
+  cv::log(guide, guide);
+  return guide;
 }
 
 }  // namespace swaplight

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/image/shrunk_image.h"
-#include "core/shadow/penumbra.h"
 #include "core/shadow/shadow_evidence.h"
 #include "core/shadow/shadow_regions.h"
 #include "core/shadow/shadow_threshold.h"
@@ -34,13 +33,6 @@ SolvedSet shrunk(const SolvedSet& set, int factor, const Progress& progress) {
   return small;
 }
 
-// Shadow and light, small parts left out.
-cv::Mat divided(const ShadowEvidence& light, const cv::Mat& known, float threshold) {
-  cv::Mat visibility = visibilityOf(light, known, threshold);
-  static_cast<void>(labelShadows(visibility, known, smallestShadow({}, known)));
-  return visibility;
-}
-
 ShadowHistogram histogramOf(const cv::Mat& level, const cv::Mat& known, float lit) {
   ShadowHistogram histogram;
   constexpr float kRange = ShadowHistogram::kHighestStops - ShadowHistogram::kLowestStops;
@@ -62,39 +54,31 @@ ShadowHistogram histogramOf(const cv::Mat& level, const cv::Mat& known, float li
 
 }  // namespace
 
-struct ShadowPreview::Found {
-  SetEvidence evidence;
-  std::vector<cv::Mat> visibilities;
-};
-
 ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress) {
   const auto pixels = static_cast<double>(set.contributions.front().pixelCount());
   const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kPixels))));
   const Progress gathering = progress.part(.1f, 1);
-  auto found = std::make_shared<Found>();
-  found->evidence = factor > 1 ? gatherShadowEvidence(shrunk(set, factor, progress), gathering)
-                               : gatherShadowEvidence(set, gathering);
-  const cv::Mat& known = found->evidence.known;
-  m_scale = static_cast<float>(set.width()) / static_cast<float>(known.cols);
-  for (ShadowEvidence& light : found->evidence.lights) {
-    const float lit = litLevel(light, known);
-    const float threshold = std::exp(shadowThreshold(light, known) - lit);
-    m_lights.push_back({histogramOf(light.level, known, lit), lit, threshold});
+  auto evidence = std::make_shared<SetEvidence>(
+      factor > 1 ? gatherShadowEvidence(shrunk(set, factor, progress), gathering)
+                 : gatherShadowEvidence(set, gathering));
+  m_scale = static_cast<float>(set.width()) / static_cast<float>(evidence->known.cols);
+  evidence->contributions.clear();
+  for (ShadowEvidence& light : evidence->lights) {
+    const float lit = litLevel(light, evidence->known);
+    const float threshold = std::exp(shadowThreshold(light, evidence->known) - lit);
+    m_lights.push_back({histogramOf(light.level, evidence->known, lit), lit, threshold});
     for (cv::Mat* used : {&light.slope, &light.edge, &light.ratio}) used->release();
-    found->visibilities.push_back(divided(light, known, lit + std::log(threshold)));
   }
-  m_found = std::move(found);
+  m_evidence = std::move(evidence);
 }
 
 PreviewedShadows ShadowPreview::shadows(size_t light, const std::optional<float>& threshold) const {
-  const SetEvidence& evidence = m_found->evidence;
-  std::vector<cv::Mat> visibilities = m_found->visibilities;
-  if (threshold)
-    visibilities[light] = divided(evidence.lights[light], evidence.known,
-                                  m_lights[light].lit + std::log(std::max(*threshold, 1e-6f)));
-  cv::Mat refined = refineVisibility(evidence, visibilities, light).visibility;
-  return {labelShadows(refined, evidence.known, smallestShadow({}, evidence.known)), evidence.known.cols,
-          m_scale};
+  const float given = std::max(threshold.value_or(m_lights[light].threshold), 1e-6f);
+  const cv::Mat& known = m_evidence->known;
+  const int smallest = smallestShadow({}, known);
+  const float level = m_lights[light].lit + std::log(given);
+  cv::Mat visibility = visibilityOf(m_evidence->lights[light], known, level, smallest);
+  return {labelShadows(visibility, known, smallest), known.cols, m_scale};
 }
 
 float stopsFromThreshold(float threshold) {

@@ -12,6 +12,8 @@
 
 namespace swaplight {
 
+struct SetEvidence;
+
 /// How bright a light shows, pixel by pixel, reflectance mostly taken out: the shares of the pixels in even
 /// steps from kLowestStops to kHighestStops over well-lit pixels. The ends hold what lies beyond.
 struct ShadowHistogram {
@@ -29,7 +31,8 @@ struct PreviewedShadows {
 };
 
 /// Finds shadows on a picture that is small enough (about a megapixel) to follow a hand on the threshold:
-/// like detectShadows(), but for what the filled shadows add to it. For looking, not for edits.
+/// like detectShadows(), but for penumbras made exact and what the filled shadows add, which take half a
+/// second. For looking, not for edits.
 class ShadowPreview {
  public:
   explicit ShadowPreview(const SolvedSet& set, const Progress& progress = {});
@@ -47,8 +50,7 @@ class ShadowPreview {
     float lit = 0;  // log level of well-lit pixels
     float threshold = 0;
   };
-  struct Found;  // evidence, and visibilities by the lights' own thresholds
-  std::shared_ptr<const Found> m_found;
+  std::shared_ptr<const SetEvidence> m_evidence;
   std::vector<PreviewedLight> m_lights;
   float m_scale = 1;
 };

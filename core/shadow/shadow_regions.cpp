@@ -39,6 +39,18 @@ void removeSmallParts(cv::Mat& mask, int smallest) {
     }
 }
 
+// Small shadows are noise, and so are small holes in large ones.
+void removeSmall(cv::Mat& visibility, int smallest) {
+  cv::Mat shadow = visibility < kLit;
+  cv::Mat large = shadow.clone();
+  removeSmallParts(large, smallest);
+  visibility.setTo(1, shadow & ~large);
+  cv::Mat gaps = ~(visibility < kUmbra);
+  cv::Mat largeGaps = gaps.clone();
+  removeSmallParts(largeGaps, smallest);
+  visibility.setTo(0, gaps & ~largeGaps);
+}
+
 }  // namespace
 
 int smallestShadow(const ShadowOptions& options, const cv::Mat& known) {
@@ -46,7 +58,7 @@ int smallestShadow(const ShadowOptions& options, const cv::Mat& known) {
   return std::max(4, static_cast<int>(std::lround(share)));
 }
 
-cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& known, float threshold) {
+cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& known, float threshold, int smallest) {
   // Divide.
   cv::Mat markers(light.level.size(), CV_32S, cv::Scalar(0));
   markers.setTo(kShadowMarker, light.level < threshold - kShadowMargin);
@@ -66,20 +78,12 @@ cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& known, float th
   cv::ximgproc::guidedFilter(light.level * kGuideScale, lit, visibility, radius, kGuideEpsilon);
   cv::min(visibility, 1, visibility);
   cv::max(visibility, 0, visibility);
+  removeSmall(visibility, smallest);
   return visibility;
 }
 
 std::vector<ShadowLabel> labelShadows(cv::Mat& visibility, const cv::Mat& known, int smallest) {
-  // Small shadows are noise, and so are small holes in large ones.
-  cv::Mat shadow = visibility < kLit;
-  cv::Mat large = shadow.clone();
-  removeSmallParts(large, smallest);
-  visibility.setTo(1, shadow & ~large);
-  cv::Mat gaps = ~(visibility < kUmbra);
-  cv::Mat largeGaps = gaps.clone();
-  removeSmallParts(largeGaps, smallest);
-  visibility.setTo(0, gaps & ~largeGaps);
-
+  removeSmall(visibility, smallest);
   std::vector<ShadowLabel> labels;
   labels.reserve(visibility.total());
   for (int y = 0; y < visibility.rows; ++y)

@@ -6,10 +6,12 @@
 
 namespace swaplight {
 
-/// How much of the light each pixel sees, 0..1 (32-bit float): pixels well below and above the threshold are
-/// markers, a watershed (Meyer's, as in OpenCV) on the shading divides the rest along its edges, and a guided
-/// filter (He, Sun and Tang 2013) on the level makes the border as soft as the penumbra is.
-[[nodiscard]] cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& known, float threshold);
+/// Shadow divided from light: how much of the light each pixel sees, 0..1 (32-bit float). Pixels well below
+/// and above the threshold are markers, a watershed (Meyer's, as in OpenCV) on the shading divides the rest
+/// along its edges, and a guided filter (He, Sun and Tang 2013) on the level makes the border as soft as the
+/// penumbra is. Shadows of fewer than `smallest` pixels become lit, holes of fewer become shadow.
+[[nodiscard]] cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& known, float threshold,
+                                   int smallest);
 
 /// Shadows of fewer pixels are noise in a picture of the size of `known`.
 [[nodiscard]] int smallestShadow(const ShadowOptions& options, const cv::Mat& known);

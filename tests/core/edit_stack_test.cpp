@@ -216,15 +216,22 @@ TEST(EditStack, SaysWhichLightIsUnknown) {
   EXPECT_THAT(test::inputError([&] { (void)applyEdits(set, stack); }), HasSubstr("light2"));
 }
 
+/// The set takes the stack, and then is what applyEdits makes of it.
+void followsTheReference(EditedSet& edited, const SolvedSet& set, const EditStack& stack, const char* what) {
+  edited.setStack(stack);
+  edited.update();
+  const SolvedSet reference = applyEdits(set, stack);
+  ASSERT_EQ(edited.result().lightCount(), reference.lightCount()) << what;
+  ASSERT_EQ(edited.result().beta.spec(), reference.beta.spec()) << what;
+  ASSERT_EQ(edited.result().capture.lights.size(), reference.capture.lights.size()) << what;
+  ASSERT_LT(largestDifference(edited.result(), reference), 2e-6f) << what;
+}
+
 TEST(EditedSet, EqualsTheReferenceAfterEveryChange) {
   const auto set = std::make_shared<const SolvedSet>(smallSet(3, kWidth, kHeight));
   EditedSet edited(set);
   EditStack stack;
-  const auto check = [&](const char* what) {
-    edited.setStack(stack);
-    edited.update();
-    ASSERT_LT(largestDifference(edited.result(), applyEdits(*set, stack)), 2e-6f) << what;
-  };
+  const auto check = [&](const char* what) { followsTheReference(edited, *set, stack, what); };
   int k = 0;
   for (const Operation& operation : operations()) {
     stack.append(makeEdit("light" + std::to_string(k % 3 + 1), operation,
@@ -250,15 +257,7 @@ TEST(EditedSet, EqualsTheReferenceWhileLightsComeAndGo) {
   const auto set = std::make_shared<const SolvedSet>(smallSet(3, kWidth, kHeight));
   EditedSet edited(set);
   EditStack stack;
-  const auto check = [&](const char* what) {
-    edited.setStack(stack);
-    edited.update();
-    const SolvedSet reference = applyEdits(*set, stack);
-    ASSERT_EQ(edited.result().lightCount(), reference.lightCount()) << what;
-    ASSERT_EQ(edited.result().beta.spec(), reference.beta.spec()) << what;
-    ASSERT_EQ(edited.result().capture.lights.size(), reference.capture.lights.size()) << what;
-    ASSERT_LT(largestDifference(edited.result(), reference), 2e-6f) << what;
-  };
+  const auto check = [&](const char* what) { followsTheReference(edited, *set, stack, what); };
   stack.append(makeEdit("", GainOperation{.5f, .1f}, Meaning::Add, painted(60, 240)));
   stack.append(makeEdit("light2", FillOperation{0}, Meaning::Share, softEllipse()));
   check("without");
