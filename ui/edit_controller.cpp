@@ -43,6 +43,8 @@ void EditController::show(StudioContext& studio, const PixelRect& visible) {
     m_found = std::make_shared<Found>();
     m_making.cancel();
     m_finding.cancel();
+    m_files.forget();
+    m_filesStale = false;
     m_drawingStale = true;
     m_drawn.clear();
     m_followed = false;
@@ -57,6 +59,7 @@ void EditController::show(StudioContext& studio, const PixelRect& visible) {
 }
 
 void EditController::takeJobs(StudioContext& studio) {
+  m_files.update(studio.messages);
   try {
     if (auto room = m_making.take())
       if (&room->edited->original() == m_set.get()) adopt(studio, std::move(*room));
@@ -126,13 +129,34 @@ void EditController::follow(StudioContext& studio) {
   if (!m_room.edited && !(wanted.edits.empty() && wanted.newLights.empty())) return prepare(studio);
   if (m_room.edited) {
     const EditStack stack = usable(wanted);
-    for (const auto& edit : stack.edits)
-      for (const MaskShape& shape : edit->mask)
-        if (!isDrawn(shape)) return;  // the picture follows when it is
+    if (!isReady(stack)) return;  // the picture follows when it is
     setStack(studio, stack);
+    m_files.release();
+    m_filesStale = false;
   }
   m_wanted = wanted;
   m_followed = true;
+}
+
+bool EditController::isReady(const EditStack& stack) {
+  for (const auto& edit : stack.edits)
+    for (const MaskShape& shape : edit->mask)
+      if (!isDrawn(shape)) return false;
+  try {
+    const EditedLights lights = editedLights(*m_set, stack);
+    for (const auto& edit : stack.edits)
+      if (const auto request = betaRequest(*edit, lights))
+        if (!m_files.isRead(*request, m_room.edited->files())) return false;
+  } catch (const InputError&) {  // setStack says so
+  }
+  return true;
+}
+
+void EditController::readFilesAgain() {
+  if (!m_room.edited) return;
+  m_room.edited->files().forget();
+  m_filesStale = true;
+  m_followed = false;
 }
 
 void EditController::prepare(StudioContext& studio) {
@@ -164,6 +188,9 @@ void EditController::adopt(StudioContext& studio, Room room) {
 EditStack EditController::usable(const EditStack& wanted) {
   EditStack stack = fitEdits(wanted, m_set->width(), m_set->height());
   stack.shadowThresholds = m_foundFor;
+  for (auto& edit : stack.edits)  // an edit that is another object is prepared anew
+    if (m_filesStale && std::holds_alternative<PictureOperation>(edit->operation))
+      edit = std::make_shared<const Edit>(*edit);
   const auto needs = [](const auto& edit) { return usesShadows(*edit); };
   if (std::any_of(stack.edits.begin(), stack.edits.end(), needs)) m_needsShadows = true;
   if (!m_found->empty()) return stack;
@@ -206,6 +233,7 @@ void EditController::applyStack(StudioContext& studio, const EditStack& stack) {
       good.edits.pop_back();
     }
   }
+  m_room.edited->setStack(good);
 }
 
 void EditController::update(StudioContext& studio, const PixelRect& visible) {

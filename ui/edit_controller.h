@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/edit/edited_set.h"
+#include "ui/beta_reader.h"
 #include "ui/job.h"
 #include "ui/view_pictures.h"
 
@@ -21,7 +22,7 @@ struct StudioContext;
 /// that the rig has, or have one more.
 class EditController {
  public:
-  explicit EditController(std::function<void()> wake) : m_wake(std::move(wake)) {}
+  explicit EditController(std::function<void()> wake) : m_wake(std::move(wake)), m_files(m_wake) {}
 
   /// To be called in each frame before the picture is drawn. `visible`: the part of it that is seen.
   void show(StudioContext& studio, const PixelRect& visible);
@@ -42,8 +43,15 @@ class EditController {
   void stopFindingShadows();
   [[nodiscard]] bool stoppedFindingShadows() const { return m_stopped && !m_finding.running(); }
   void findShadowsAgain() { m_stopped = false; }
+  /// The beta maps that edits take from files.
+  [[nodiscard]] BetaReader& files() { return m_files; }
+  [[nodiscard]] const BetaReader& files() const { return m_files; }
+  /// Reads the files of the document's edits again: somebody has changed them.
+  void readFilesAgain();
   /// Something goes on after which the picture changes.
-  [[nodiscard]] bool busy() const { return m_making.running() || m_finding.running() || m_drawing.running(); }
+  [[nodiscard]] bool busy() const {
+    return m_making.running() || m_finding.running() || m_drawing.running() || m_files.reading();
+  }
   /// Counts up whenever pixels have changed.
   [[nodiscard]] uint64_t revision() const { return m_revision; }
 
@@ -72,6 +80,8 @@ class EditController {
   [[nodiscard]] EditStack usable(const EditStack& wanted);
   /// Whether the shape is drawn, or is drawn at once where it is asked for; else begins to draw it.
   bool isDrawn(const MaskShape& shape);
+  /// Whether all that the stack needs is drawn and read; else begins to.
+  bool isReady(const EditStack& stack);
   void setStack(StudioContext& studio, const EditStack& stack);
   /// As much of the stack as can be applied.
   void applyStack(StudioContext& studio, const EditStack& stack);
@@ -94,6 +104,7 @@ class EditController {
   Thresholds m_findingFor;      ///< thresholds of what is looked for
   bool m_needsShadows = false;  ///< somebody has asked for them
   bool m_stopped = false;       ///< the person has stopped the search
+  bool m_filesStale = false;    ///< files of edits have to be read again
   std::string m_complaint;      ///< about the edits, said already
   uint64_t m_revision = 0;
   int m_part = 0;             ///< of the picture that is computed next
@@ -103,6 +114,7 @@ class EditController {
   Job<std::shared_ptr<const MaskRaster>> m_drawing;
   Job<Room> m_making;
   Job<FoundOf> m_finding;
+  BetaReader m_files;
 };
 
 }  // namespace swaplight

@@ -6,6 +6,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "ui/edit_parameters.h"
 #include "ui/enum_names.h"
@@ -26,6 +27,8 @@ std::string operationWords(const Edit& edit) {
   if (gain && gain->gain == 1) return fmt::format("{:+.0f} %", 100 * gain->offset);
   if (const auto* fill = std::get_if<FillOperation>(&edit.operation))
     return fill->value == 0 ? "none" : fmt::format("to {:.0f} %", 100 * fill->value);
+  if (const auto* picture = std::get_if<PictureOperation>(&edit.operation))
+    return std::filesystem::path(picture->file).filename().string();
   if (const auto* shadow = std::get_if<ShadowOperation>(&edit.operation)) {
     const std::string how = shadow->kind == ShadowOperation::Kind::Soften
                                 ? fmt::format("{} px", shadow->radius)

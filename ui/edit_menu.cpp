@@ -41,7 +41,9 @@ const std::array<Choice, 6>& choices() {
   return all;
 }
 
-void append(StudioContext& studio, const std::string& what, const Operation& operation, Meaning meaning) {
+/// An edit of the chosen light, within the selection.
+Edit newEdit(const StudioContext& studio, const std::string& what, const Operation& operation,
+             Meaning meaning) {
   const LightSetting& light = studio.document().rig.lights[shownLight(studio)];
   Edit edit;
   edit.name = what + ", " + light.title();
@@ -52,6 +54,10 @@ void append(StudioContext& studio, const std::string& what, const Operation& ope
   // Two lights change places; a third has to be told which.
   if (std::holds_alternative<InvertOperation>(operation) && studio.document().rig.lights.size() == 2)
     edit.lights.clear();
+  return edit;
+}
+
+void append(StudioContext& studio, const std::string& what, Edit edit) {
   EditStack edits = studio.document().edits;
   edits.append(std::move(edit));
   studio.editing.chosen = static_cast<int>(edits.edits.size()) - 1;
@@ -59,22 +65,38 @@ void append(StudioContext& studio, const std::string& what, const Operation& ope
   editEdits(studio, "Add: " + what, std::move(edits));
 }
 
+EditedLights lightsOf(const StudioContext& studio) {
+  return editedLights(*studio.set()->original, studio.document().edits);
+}
+
+/// A file is being read: a way to stop it.
+void reading(StudioContext& studio, float width) {
+  if (ImGui::Button("Stop", ImVec2(width, 0))) studio.edits.files().stop();
+  markItem("edits.stop");
+  tooltip("A beta map is being read from a file.");
+}
+
 }  // namespace
 
 void drawAddEdit(StudioContext& studio, float width) {
+  if (studio.edits.files().choosing()) return reading(studio, width);
   if (ImGui::Button("Add \u2026", ImVec2(width, 0))) ImGui::OpenPopup("##add edit");
   markItem("edits.add");
   tooltip("A new edit of the chosen light.");
   if (!ImGui::BeginPopup("##add edit")) return;
   for (const Choice& choice : choices()) {
-    if (ImGui::MenuItem(choice.words)) append(studio, choice.words, choice.operation, choice.meaning);
+    if (ImGui::MenuItem(choice.words))
+      append(studio, choice.words, newEdit(studio, choice.words, choice.operation, choice.meaning));
     markItem(choice.mark);
     tooltip(choice.tip);
   }
   ImGui::Separator();
   if (ImGui::MenuItem("From a file \u2026")) studio.actions.run("edits.add_picture");
   markItem("add.picture");
-  tooltip("A beta map that was edited elsewhere (`swaplight beta` writes them).");
+  tooltip("The light's beta map, edited elsewhere: an EXR or PNG of the picture's size.");
+  if (ImGui::MenuItem("To a file \u2026")) studio.actions.run("file.export_beta");
+  markItem("add.export");
+  tooltip("Write the lights' beta maps as they are now, for an image editor.");
   if (ImGui::MenuItem("Shadows \u2026") && !studio.layout.shadows) studio.actions.run("view.shadows");
   markItem("add.shadows");
   tooltip("Find the light's shadows and change them.");
@@ -82,14 +104,23 @@ void drawAddEdit(StudioContext& studio, float width) {
 }
 
 void addPictureEdit(StudioContext& studio, const std::string& file) {
-  append(studio, "From a file", PictureOperation{file, ""}, Meaning::Share);
+  const Edit edit = newEdit(studio, "From a file", PictureOperation{file, ""}, Meaning::Share);
+  studio.edits.files().choose(edit, lightsOf(studio),
+                              [&studio, edit] { append(studio, "From a file", edit); });
 }
 
 void setPictureOfEdit(StudioContext& studio, size_t index, const std::string& file) {
   if (index >= studio.document().edits.edits.size()) return;
-  Edit edit = *studio.document().edits.edits[index];
-  edit.operation = PictureOperation{file, ""};
-  editEdit(studio, index, "Another beta map", std::move(edit));
+  const std::shared_ptr<const Edit> before = studio.document().edits.edits[index];
+  Edit edit = *before;
+  auto& picture = std::get<PictureOperation>(edit.operation);
+  if (picture.file != file) picture = {file, ""};
+  studio.edits.files().choose(edit, lightsOf(studio), [&studio, before, index, edit] {
+    const auto& edits = studio.document().edits.edits;
+    if (index >= edits.size() || edits[index] != before) return;
+    if (edit == *before) return studio.edits.readFilesAgain();
+    editEdit(studio, index, "Another beta map", edit);
+  });
 }
 
 }  // namespace swaplight

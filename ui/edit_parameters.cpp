@@ -13,8 +13,10 @@
 #include "core/edit/beta_histogram.h"
 #include "ui/curve_widget.h"
 #include "ui/edit_list.h"
+#include "ui/edit_menu.h"
 #include "ui/edit_place.h"
 #include "ui/enum_names.h"
+#include "ui/icons.h"
 #include "ui/layout_probe.h"
 #include "ui/light_edit.h"
 #include "ui/paint_controls.h"
@@ -174,10 +176,16 @@ void fields(const Parameters& of, SharpenOperation sharpen) {
 void fields(const Parameters& of, const PictureOperation& picture) {
   label("File");
   const std::string name = std::filesystem::path(picture.file).filename().string();
-  if (ImGui::Button((name + "##file").c_str(), ImVec2(ImGui::GetContentRegionAvail().x - px(6), 0)))
+  const float again = px(28);
+  const float width = ImGui::GetContentRegionAvail().x - px(6) - again - px(4);
+  if (ImGui::Button((name + "##file").c_str(), ImVec2(width, 0)))
     of.studio.actions.run("edits.choose_picture");
   markItem("parameters.file");
   tooltip((picture.file + "\nClick to choose another.").c_str());
+  ImGui::SameLine(0, px(4));
+  if (toggleButton(kIconReset, false, kAccent, again, "Read the file again: it was changed elsewhere."))
+    setPictureOfEdit(of.studio, of.index, picture.file);
+  markItem("parameters.read_again");
 }
 
 void fields(const Parameters& of, ShadowOperation shadow) {

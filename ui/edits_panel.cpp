@@ -52,6 +52,10 @@ void drawEditsPanel(StudioContext& studio) {
   ImGui::TextUnformatted("Edits");
   ImGui::PopFont();
   tooltip("What is done to the lights before they are mixed, from the bottom up.");
+  if (studio.edits.files().reading()) {
+    ImGui::SameLine();
+    hint(fmt::format("reading {:.0f} %", 100 * studio.edits.files().fraction()));
+  }
   const float add = px(72);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - add);
   drawAddEdit(studio, add);

@@ -86,10 +86,11 @@ void check(const char* words, const char* mark, bool* value, const char* tip) {
 ExportDialog::ExportDialog(fs::path memory)
     : m_memory(std::move(memory)), m_choices(readExportChoices(m_memory)) {}
 
-void ExportDialog::open(const std::string& name, const fs::path& folder) {
+void ExportDialog::open(const std::string& name, const fs::path& folder, std::optional<ExportKind> kind) {
   m_open = true;
   m_focus = true;
   m_name = name;
+  if (kind) m_choices.kind = *kind;
   std::error_code error;
   if (m_choices.folder.empty() || !fs::is_directory(m_choices.folder, error)) m_choices.folder = folder;
   suggest();

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/session/document.h"
@@ -14,8 +15,9 @@ class ExportDialog {
  public:
   explicit ExportDialog(std::filesystem::path memory);
 
-  /// Opens it for a session. `name` stands for it in files' names, `folder` is where they go first.
-  void open(const std::string& name, const std::filesystem::path& folder);
+  /// Opens it for a session. `name` stands for it in files' names, `folder` is where they go first. Without a
+  /// kind it is that of the last time.
+  void open(const std::string& name, const std::filesystem::path& folder, std::optional<ExportKind> kind);
   [[nodiscard]] bool isOpen() const { return m_open; }
   /// Somebody else has asked for the file's name.
   void setFile(const std::filesystem::path& file);

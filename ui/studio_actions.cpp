@@ -36,6 +36,9 @@ void StudioWindow::addFileActions() {
   m_actions.add({"file.export", "Export …", "Ctrl+E",
                  "Write the relit picture, the lights as layers, beta maps, a look or a report.",
                  [this] { askForExport(); }, canExport});
+  m_actions.add({"file.export_beta", "Export \u03b2 maps \u2026", "",
+                 "Write each light's share of every pixel, to be edited in an image editor.",
+                 [this] { askForExport(ExportKind::Beta); }, canExport});
   m_actions.add({"file.close", "Close", "Ctrl+W", "Close the session.",
                  [this] { whenSaved([this] { m_session.close(); }); }, hasDocument});
   m_actions.add({"file.quit", "Quit", "Ctrl+Q", "Leave Swaplight.", [this] { askToQuit(); }});

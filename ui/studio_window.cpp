@@ -164,11 +164,11 @@ void StudioWindow::useColorConfig(const fs::path& file) {
   m_editor.edit("Colour configuration", std::move(next));
 }
 
-void StudioWindow::askForExport() {
+void StudioWindow::askForExport(std::optional<ExportKind> kind) {
   const fs::path& source = m_editor.document().source;
   const fs::path& named = m_session.file().empty() ? source : m_session.file();
   m_export.open((named.filename() == "capture.json" ? named.parent_path().filename() : named.stem()).string(),
-                named.parent_path());
+                named.parent_path(), kind);
 }
 
 void StudioWindow::askForExportName() {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "ui/capture_wizard.h"
 #include "ui/command_palette.h"
@@ -77,7 +78,7 @@ class StudioWindow {
   void askForFile();
   void askForPhotographs();
   void askForSaveName(const std::function<void()>& then);
-  void askForExport();
+  void askForExport(std::optional<ExportKind> kind = {});
   void askForExportName();
   void drawDialogs();
   void askForGels();

@@ -23,7 +23,7 @@ std::optional<std::vector<PixelRect>> paintedDifference(const PreparedEdit& a, c
   const Mask& maskB = b.edit->mask;
   if (maskA.size() != maskB.size() || a.edit->opacity != b.edit->opacity ||
       a.edit->lights != b.edit->lights || a.edit->meaning != b.edit->meaning ||
-      !(a.edit->operation == b.edit->operation))
+      !(a.edit->operation == b.edit->operation) || a.beta != b.beta)
     return std::nullopt;
   std::vector<PixelRect> areas;
   for (size_t i = 0; i < maskA.size(); ++i) {

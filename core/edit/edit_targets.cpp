@@ -30,7 +30,7 @@ void targetRow(const PreparedEdit& edit, size_t chosen, int y, int x, const floa
   } else if (const auto* sharpen = std::get_if<SharpenOperation>(&operation)) {
     for (int i = 0; i < count; ++i) target[i] = beta[i] + sharpen->amount * (beta[i] - blurred[i]);
   } else if (std::holds_alternative<PictureOperation>(operation)) {
-    std::copy_n(edit.pictures[chosen]->view().row(0, y) + x, count, target);
+    std::copy_n(edit.beta->maps[chosen].view().row(0, y) + x, count, target);
   }
   for (int i = 0; i < count; ++i) target[i] = std::max(target[i], 0.f);
 }

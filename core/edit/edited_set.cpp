@@ -10,18 +10,6 @@
 namespace swaplight {
 namespace {
 
-EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
-  EditedLights lights{{}, set.width(), set.height()};
-  for (const Light& light : set.capture.lights) lights.names.push_back(light.name);
-  for (const std::string& name : stack.newLights) {
-    if (std::count(lights.names.begin(), lights.names.end(), name))
-      throw InputError("the edits add a light \"{}\", but the set has one of that name: give it another.",
-                       name);
-    lights.names.push_back(name);
-  }
-  return lights;
-}
-
 ImageSpec betaSpec(const EditedLights& lights) {
   ImageSpec spec{lights.width, lights.height, {}, "data"};
   for (const std::string& name : lights.names) spec.channels.push_back("beta." + name);
@@ -100,12 +88,25 @@ void writeBack(const EditTile& tile, const PixelRect& part, SolvedSet& result) {
 
 }  // namespace
 
+EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
+  EditedLights lights{{}, set.width(), set.height()};
+  for (const Light& light : set.capture.lights) lights.names.push_back(light.name);
+  for (const std::string& name : stack.newLights) {
+    if (std::count(lights.names.begin(), lights.names.end(), name))
+      throw InputError("the edits add a light \"{}\", but the set has one of that name: give it another.",
+                       name);
+    lights.names.push_back(name);
+  }
+  return lights;
+}
+
 SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowSource& shadows) {
   const EditedLights lights = editedLights(set, stack);
   const PixelRect all{0, 0, set.width(), set.height()};
   MaskGround ground(set, shadows);
+  BetaFiles files;
   EditTile picture(set, static_cast<int>(lights.names.size()), all);
-  for (const auto& edit : stack.edits) picture.apply(prepareEdit(edit, lights, ground), all);
+  for (const auto& edit : stack.edits) picture.apply(prepareEdit(edit, lights, ground, files), all);
   SolvedSet result = emptyResult(set, lights);
   writeBack(picture, all, result);
   return result;
@@ -143,7 +144,8 @@ void EditedSet::setStack(const EditStack& stack) {
             : m_prepared.begin() + static_cast<ptrdiff_t>(std::min(prepared.size(), m_prepared.size()));
     const PreparedEdit* earlier =
         place != m_prepared.end() && stays(*(*place)->edit) ? place->get() : nullptr;
-    prepared.push_back(std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_ground, earlier)));
+    prepared.push_back(
+        std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_ground, m_files, earlier)));
   }
   const bool otherShadows = !sameShadows && std::any_of(stack.edits.begin(), stack.edits.end(),
                                                         [](const auto& edit) { return usesShadows(*edit); });

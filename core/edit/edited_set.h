@@ -11,6 +11,9 @@
 
 namespace swaplight {
 
+/// The set's lights and those that the edits add. Throws InputError where a new one has the name of another.
+[[nodiscard]] EditedLights editedLights(const SolvedSet& set, const EditStack& stack);
+
 /// The truth that EditedSet is compared with: the whole picture, one edit after the other, without tiles or
 /// caches. New lights follow the set's own; beta is of the result; quality is not filled in. Throws
 /// InputError.
@@ -43,6 +46,8 @@ class EditedSet {
   [[nodiscard]] const SolvedSet& original() const { return *m_set; }
   /// What the masks of its edits are drawn on.
   [[nodiscard]] MaskGround& ground() { return m_ground; }
+  /// The beta maps that its edits take from files.
+  [[nodiscard]] BetaFiles& files() { return m_files; }
 
  private:
   using Prepared = std::shared_ptr<const PreparedEdit>;
@@ -54,6 +59,7 @@ class EditedSet {
 
   std::shared_ptr<const SolvedSet> m_set;
   MaskGround m_ground;
+  BetaFiles m_files;
   EditStack m_stack;
   std::vector<Prepared> m_prepared;
   SolvedSet m_result;

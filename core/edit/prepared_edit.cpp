@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/edit/beta_file.h"
 #include "core/edit/curve.h"
 #include "core/error.h"
 
@@ -42,8 +41,23 @@ int PreparedEdit::reach() const {
   return 0;
 }
 
+std::optional<BetaRequest> betaRequest(const Edit& edit, const EditedLights& lights) {
+  const auto* picture = std::get_if<PictureOperation>(&edit.operation);
+  if (!picture) return std::nullopt;
+  BetaRequest request{*picture, {}, lights.width, lights.height};
+  for (const int i : chosenLights(edit, lights))
+    request.lights.push_back(lights.names[static_cast<size_t>(i)]);
+  return request;
+}
+
+void checkBeta(const Edit& edit, const EditedLights& lights, const BetaMaps& beta) {
+  const auto& picture = std::get<PictureOperation>(edit.operation);
+  if (edit.meaning == Meaning::Share)
+    checkProportions(beta, beta.maps.size() == lights.names.size(), picture.file);
+}
+
 PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights, MaskGround& ground,
-                         const PreparedEdit* earlier) {
+                         BetaFiles& files, const PreparedEdit* earlier) {
   const ShadowSource& shadows = ground.shadows();
   PreparedEdit prepared;
   prepared.lights = chosenLights(*edit, lights);
@@ -54,15 +68,9 @@ PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& l
     prepared.mask = std::make_shared<PreparedMask>(edit->mask, ground, zone);
   if (const auto* curve = std::get_if<CurveOperation>(&edit->operation)) {
     prepared.curve = curveTable(curve->points, kCurveSteps);
-  } else if (const auto* picture = std::get_if<PictureOperation>(&edit->operation)) {
-    const auto* before = earlier ? std::get_if<PictureOperation>(&earlier->edit->operation) : nullptr;
-    if (before && earlier->lights == prepared.lights && *before == *picture)
-      prepared.pictures = earlier->pictures;
-    else
-      for (const int i : prepared.lights)
-        prepared.pictures.push_back(std::make_shared<Image>(readBetaMap(picture->file, picture->channel,
-                                                                        lights.names[static_cast<size_t>(i)],
-                                                                        lights.width, lights.height)));
+  } else if (const auto request = betaRequest(*edit, lights)) {
+    prepared.beta = files.maps(*request);
+    checkBeta(*edit, lights, *prepared.beta);
   } else if (const auto* shadow = std::get_if<ShadowOperation>(&edit->operation)) {
     if (!shadows) throw InputError("the edit \"{}\" uses shadows, which are not at hand here.", edit->name);
     const auto* before = earlier ? std::get_if<ShadowOperation>(&earlier->edit->operation) : nullptr;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/edit/beta_files.h"
 #include "core/edit/edit.h"
 #include "core/edit/prepared_mask.h"
 #include "core/edit/shadow_change.h"
@@ -22,9 +24,9 @@ struct PreparedEdit {
   std::shared_ptr<const Edit> edit;
   std::vector<int> lights;  ///< those chosen, ascending
   std::shared_ptr<const PreparedMask> mask;
-  std::vector<float> curve;                            ///< beta 0..1 in even steps, for CurveOperation
-  std::vector<std::shared_ptr<const Image>> pictures;  ///< one a chosen light, for PictureOperation
-  std::vector<ShadowChange> shadows;                   ///< one a chosen light, for ShadowOperation
+  std::vector<float> curve;              ///< beta 0..1 in even steps, for CurveOperation
+  std::shared_ptr<const BetaMaps> beta;  ///< of the chosen lights, for PictureOperation
+  std::vector<ShadowChange> shadows;     ///< one a chosen light, for ShadowOperation
 
   /// Does it do anything?
   [[nodiscard]] bool isActive() const { return edit->on && edit->opacity > 0; }
@@ -32,9 +34,15 @@ struct PreparedEdit {
   [[nodiscard]] int reach() const;
 };
 
+/// Which maps an edit takes from a file; nothing where it takes none. Throws InputError for an unknown light.
+[[nodiscard]] std::optional<BetaRequest> betaRequest(const Edit& edit, const EditedLights& lights);
+/// Whether such maps suit the edit. Throws InputError as checkProportions does.
+void checkBeta(const Edit& edit, const EditedLights& lights, const BetaMaps& beta);
+
 /// `earlier`, if there is one, is what the edit was before: what has not changed is taken from it. Throws
 /// InputError: an unknown light (the known ones listed), a picture that does not fit, a curve that is none.
 [[nodiscard]] PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights,
-                                       MaskGround& ground, const PreparedEdit* earlier = nullptr);
+                                       MaskGround& ground, BetaFiles& files,
+                                       const PreparedEdit* earlier = nullptr);
 
 }  // namespace swaplight
