@@ -42,7 +42,7 @@ std::string operationWords(const Edit& edit) {
 std::string detailWords(const Edit& edit) {
   std::string words = edit.lights.empty() ? "all lights" : fmt::format("{}", fmt::join(edit.lights, ", "));
   words += "  ·  " + operationWords(edit);
-  if (edit.meaning == Meaning::Share) words += "  ·  others give way";
+  if (edit.meaning == Meaning::Share) words += "  ·  shared";
   if (edit.opacity < 1) words += fmt::format("  ·  {:.0f} %", 100 * edit.opacity);
   return words;
 }
@@ -146,10 +146,18 @@ void choose(EditsState& state, int index) {
   if (index >= 0) {
     state.closing = state.open && state.chosen != index ? state.chosen : -1;
     state.open = true;
+    state.settling = true;
     state.closesAt = ImGui::GetTime() + 1.2 * ImGui::GetIO().MouseDoubleClickTime;
   }
   state.chosen = index;
   state.focused = true;
+}
+
+/// Scrolls to a row and what it shows, or as much of it as there is room for.
+void reveal(float top, float bottom) {
+  const float height = ImGui::GetWindowHeight();
+  if (bottom - ImGui::GetScrollY() > height || top < ImGui::GetScrollY())
+    ImGui::SetScrollY(std::min(top, std::max(bottom - height, 0.F)));
 }
 
 /// False where the list has changed, and the rows after it are not those that they were.
@@ -209,6 +217,10 @@ bool drawRow(StudioContext& studio, size_t index) {
     drawEditParameters(studio, index, state.open || closing);
     ImGui::Dummy(ImVec2(0, px(4)));
   }
+  if (chosen && state.settling && ImGui::GetTime() >= state.closesAt) {
+    state.settling = false;
+    reveal(start.y, ImGui::GetCursorPosY());
+  }
   return true;
 }
 
@@ -246,6 +258,7 @@ void drawEditList(StudioContext& studio) {
     studio.editing.focused = false;
   const size_t count = studio.document().edits.edits.size();
   if (studio.editing.chosen >= static_cast<int>(count)) studio.editing.chosen = -1;
+  if (studio.editing.chosen < 0) studio.editing.settling = false;
   if (count == 0) {
     hint("None yet: paint, change shadows,\nor add one.");
     return;

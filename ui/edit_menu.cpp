@@ -62,6 +62,8 @@ void append(StudioContext& studio, const std::string& what, Edit edit) {
   edits.append(std::move(edit));
   studio.editing.chosen = static_cast<int>(edits.edits.size()) - 1;
   studio.editing.open = true;
+  studio.editing.settling = true;
+  studio.editing.closesAt = 0;
   editEdits(studio, "Add: " + what, std::move(edits));
 }
 

@@ -20,12 +20,13 @@ struct EditsState {
   HandleState handle;
   SelectionState selection;
   ShadowState shadow;
-  int chosen = -1;       ///< edit of the list; -1: none
-  bool open = false;     ///< the chosen one shows all that can be changed, not only its opacity
-  int closing = -1;      ///< an edit that was chosen: stays open while a double-click may follow
-  double closesAt = 0;   ///< Dear ImGui's time
-  bool focused = false;  ///< the list was clicked last: keys are for its chosen edit
-  int renaming = -1;     ///< the edit whose name is being typed
+  int chosen = -1;        ///< edit of the list; -1: none
+  bool open = false;      ///< the chosen one shows all that can be changed, not only its opacity
+  int closing = -1;       ///< an edit that was chosen: stays open while a double-click may follow
+  double closesAt = 0;    ///< Dear ImGui's time
+  bool settling = false;  ///< at that time the list scrolls to what the chosen edit shows
+  bool focused = false;   ///< the list was clicked last: keys are for its chosen edit
+  int renaming = -1;      ///< the edit whose name is being typed
   bool nameFocused = false;
   std::string name;  ///< what has been typed
   CurveGrab curve;

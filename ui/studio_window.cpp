@@ -199,6 +199,7 @@ void StudioWindow::update() {
   if (m_messages.expire()) m_screen.requestFrames();
   const bool marches = m_editing.selection.marching;
   if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_screen.requestFrames(1);
+  if (m_editing.settling && m_layout.edits && !m_layout.hidden) m_screen.requestFrames(1);
   for (const fs::path& dropped : m_screen.takeDropped()) whenSaved([this, dropped] { open(dropped); });
   if (m_screen.closeAsked()) askToQuit();
   const std::string title = m_session.title();

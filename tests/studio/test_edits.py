@@ -42,6 +42,21 @@ class Edits(StudioTest):
         subprocess.run([PROGRAM, 'relight', '--session', session, '-o', line, '-q'], check=True)
         np.testing.assert_array_equal(read_float(frame)[0], read_float(line)[0])
 
+    def saved(self, path):
+        """The edits as they are now, by saving over the session."""
+        before = os.stat(path).st_mtime_ns
+        self.studio.key('ctrl+s')
+        self.studio.wait(lambda layout: os.stat(path).st_mtime_ns != before, 'it is saved')
+        with open(path) as file:
+            return json.load(file)['edits']['edits']
+
+    def choose_from_menu(self, row, what):
+        self.studio.click(row, x=0.8, button=3)
+        self.studio.item(what)
+        self.studio.settle()
+        self.studio.click(what)
+        self.studio.settle()
+
     def curve_at(self, x, y):
         """Where a point of the curve lies on the screen; y up."""
         x0, y0, x1, y1 = self.studio.item('curve')
@@ -202,6 +217,49 @@ class Edits(StudioTest):
         studio.key('Delete')
         _, edits = self.save('deleted')
         self.assertEqual([edit['operation'] for edit in edits], ['fill', 'invert'])
+
+    def test_each_change_of_the_list_is_one_step_that_undo_takes_back(self):
+        studio = self.open_list()
+        self.add('fill')
+        self.add('gain')
+        studio.click('edits.1', x=0.6, y=0.5)  # closes it: rows alone
+        studio.settle()
+        path, base = self.save('steps')
+
+        def rename():
+            self.choose_from_menu('edits.0', 'edits.rename')
+            studio.item('edits.name_field')
+            studio.key('ctrl+a')
+            studio.type('Half a key')
+            studio.key('Return')
+
+        def dim():
+            studio.click('edits.1', x=0.6, y=0.5)
+            studio.settle()
+            self.drag_slider('edits.opacity', 0.98, 0.4)
+
+        names = lambda edits: [edit['name'] for edit in edits]
+        fill, gain = names(base)
+        steps = [
+            ('eye', lambda: studio.click('edits.1.on'), lambda edits: self.assertEqual([e['on'] for e in edits], [True, False])),
+            ('rename', rename, lambda edits: self.assertEqual(names(edits), ['Half a key', gain])),
+            ('duplicate', lambda: self.choose_from_menu('edits.0', 'edits.duplicate'),
+             lambda edits: self.assertEqual(names(edits), [fill, fill + ' copy', gain])),
+            ('up', lambda: self.choose_from_menu('edits.0', 'edits.up'), lambda edits: self.assertEqual(names(edits), [gain, fill])),
+            ('down', lambda: self.choose_from_menu('edits.1', 'edits.down'), lambda edits: self.assertEqual(names(edits), [gain, fill])),
+            ('delete', lambda: self.choose_from_menu('edits.1', 'edits.delete'), lambda edits: self.assertEqual(names(edits), [fill])),
+            ('opacity', dim, lambda edits: self.assertAlmostEqual(edits[1]['opacity'], 0.4, delta=0.05)),
+            ('meaning', lambda: studio.click('parameters.add'),
+             lambda edits: self.assertEqual([e['meaning'] for e in edits], ['share', 'add'])),
+        ]
+        for name, act, check in steps:
+            with self.subTest(name):
+                act()
+                studio.settle()
+                studio.screenshot('steps_' + name)
+                check(self.saved(path))
+                studio.key('ctrl+z')
+                self.assertEqual(self.saved(path), base)
 
 
 if __name__ == '__main__':

@@ -122,7 +122,18 @@ class Shadows(StudioTest):
         x0, y0, x1, y1 = studio.item('shadows.threshold')
         h0, _, h1, _ = studio.item('shadows.histogram')
         middle, height = (x0 + x1) // 2, (y0 + y1) // 2
-        studio.drag((middle, height), (round(middle + 0.12 * (h1 - h0)), height))
+        def outlines():
+            left, top, right, bottom = map(int, studio.item('viewer.picture'))
+            return np.abs(studio.screenshot('shadows_threshold_held')[top:bottom, left:right] - UMBRA).max(2) < 40
+
+        before = outlines()
+        studio.move(middle, height)
+        studio.xdotool('mousedown', 1)
+        studio.move(round(middle + 0.06 * (h1 - h0)), height)
+        studio.move(round(middle + 0.12 * (h1 - h0)), height)
+        studio.settle()
+        self.assertGreater((outlines() != before).sum(), 100, 'outlines follow the hand')
+        studio.xdotool('mouseup', 1)
         self.found()
         studio.screenshot('shadows_threshold')
         _, session = self.save_as('threshold')
@@ -177,7 +188,12 @@ class Shadows(StudioTest):
         def drag(item, start, end):
             studio.drag(studio.point(item, start), studio.point(item, end))
 
-        drag('shadows.lighten', 0.5, 0.75)
+        studio.move(*studio.point('shadows.lighten', 0.5))
+        studio.xdotool('mousedown', 1)
+        for x in (0.6, 0.7, 0.75):
+            studio.move(*studio.point('shadows.lighten', x))
+        self.assertGreater(self.around(studio.picture('shadows_held')), self.around(before) + 3, 'while it is held')
+        studio.xdotool('mouseup', 1)
         lightened = studio.picture('shadows_lightened')
         self.assertGreater(self.around(lightened), self.around(before) + 3)
         drag('shadows.lighten', 0.75, 0.1)
@@ -191,12 +207,59 @@ class Shadows(StudioTest):
         edits = session['edits']['edits']
         self.assertEqual([edit['kind'] for edit in edits], ['deepen', 'soften', 'sharpen', 'recolor'])
         self.assertGreater(edits[1]['radius'], 20)
-        for _ in range(4):
+        # Another colour, and another kind, are a step each.
+        studio.click('shadows.colour')
+        studio.settle()
+        studio.screenshot('shadows_picker')
+        x, y = studio.point('shadows.colour', 0.5, 1)
+        studio.click_at(x + 22, y + 23)  # the wheel, at the left
+        studio.key('Escape')
+        studio.settle()
+        _, session = self.save_as('colour')
+        self.assertGreater(np.abs(np.subtract(session['edits']['edits'][3]['color'], edits[3]['color'])).max(), 0.05)
+        studio.click('edits.2', x=0.6)
+        studio.item('parameters.kind')  # the list scrolls to it
+        studio.settle()
+        studio.click('parameters.kind')
+        studio.item('parameters.kind.deepen')
+        studio.settle()
+        studio.screenshot('shadows_kinds')
+        studio.click('parameters.kind.deepen')
+        _, session = self.save_as('kind')
+        self.assertEqual([edit['kind'] for edit in session['edits']['edits']], ['deepen', 'soften', 'deepen', 'recolor'])
+        for _ in range(6):
             studio.key('ctrl+z')
         self.assertLess(abs(self.around(studio.picture('shadows_one_step_left')) - self.around(lightened)), 1)
         studio.key('ctrl+z')
         self.assertLess(abs(self.around(studio.picture('shadows_all_undone')) - self.around(before)), 1)
         self.assertFalse(studio.has('edits.0'))
+
+    def test_a_light_is_chosen_on_the_page_and_a_place_without_shadow_is_said(self):
+        studio = self.open_page()
+        key = studio.screenshot('shadows_of_key')
+        studio.click('shadows.light')
+        studio.item('shadows.light.back')
+        studio.settle()
+        studio.click('shadows.light.back')
+        self.found()
+        x0, y0, x1, y1 = map(int, studio.item('viewer.picture'))
+        back = studio.screenshot('shadows_of_back')
+        lines = [np.abs(shot[y0:y1, x0:x1] - UMBRA).max(2) < 40 for shot in (key, back)]
+        self.assertGreater((lines[0] != lines[1]).sum(), 200, 'another light, other outlines')
+        studio.click('mixer.key.chip')
+        self.found()
+        x, y, _ = deepest(self.labels == 3)
+        self.click_pixel(x, y)
+        studio.item('message.0')
+        studio.screenshot('shadows_none_here')
+        self.assertFalse(studio.has('shadows.choose_all'))
+        studio.click('shadows.remove')
+        studio.item('edits.0')
+        studio.settle()
+        studio.click('shadows.remove')  # brings them back
+        studio.wait(lambda layout: 'edits.0' not in layout['items'], 'nothing is changed any more')
+        studio.key('ctrl+z')
+        studio.item('edits.0')
 
     def test_the_views_show_beta_light_and_reach(self):
         studio = self.open_page()
