@@ -11,6 +11,9 @@
 namespace swaplight {
 namespace {
 
+/// Pixels that the camera has moved, worth a word: lights that change sides move the lit edges of a surface's
+/// relief, real gels on sets that stood still by up to 0.33.
+constexpr float kMovedPixels = 0.35F;
 constexpr double kClippedArea = 0.002;  ///< of a shot, that is worth a word
 
 /// The part of a shot's pixels that are saturated in some channel.
@@ -49,7 +52,7 @@ std::vector<std::string> pictureWarnings(const CaptureDraft& draft, const Captur
   }
   const std::vector<ShotShift> shifts = measureShifts(pixels);
   for (size_t k = 0; k < shifts.size(); ++k)
-    if (worthMoving(shifts[k]))
+    if (worthMoving(shifts[k]) && std::hypot(shifts[k].x, shifts[k].y) > kMovedPixels)
       warnings.push_back(fmt::format(
           "{}: the camera moved by {:.1f}, {:.1f} pixels against {}: align the shots when they are solved",
           shots[k].file, shifts[k].x, shifts[k].y, shots[0].file));

@@ -16,6 +16,11 @@ namespace {
 constexpr int kSmallest = 48;            // pixels: the coarsest level's shorter side is no less
 constexpr double kLeastAgreement = 0.3;  // correlation of the edges; unrelated pictures reach 0.1
 constexpr float kWorthPixels = 0.1F;     // what registering lights of different colours is good to, at worst
+constexpr int kParts = 4;                // across and down, that are registered by themselves
+constexpr int kSmallestPart = 24;        // pixels of its sides
+constexpr int kLargestPart = 256;
+constexpr size_t kFewestParts = 4;  // that tell anything
+constexpr float kBeyond = 2;        // spreads: of a camera that stands still up to 1.6 have been seen
 constexpr int kTaps = 6;
 
 /// Mean of the channels; broken values are black, light ends at the clip level.
@@ -55,6 +60,43 @@ std::vector<cv::Mat> edgePyramid(const Image& shot, float clip) {
   return levels;
 }
 
+/// Improves a translation; returns how well the edges agree then. Throws cv::Exception where they do not.
+double improve(const cv::Mat& first, const cv::Mat& shot, cv::Mat& warp) {
+  return cv::findTransformECC(first, shot, warp, cv::MOTION_TRANSLATION,
+                              {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 60, 1e-5}, cv::noArray(), 5);
+}
+
+float spreadAround(float middle, std::vector<float> values) {
+  for (float& value : values) value = std::abs(value - middle);
+  const auto half = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), half, values.end());
+  return 1.4826F * *half;
+}
+
+/// Registers parts of the picture by themselves, beginning with what the whole has found.
+void measureSpread(const cv::Mat& first, const cv::Mat& shot, ShotShift& shift) {
+  const cv::Size part(std::min(first.cols / kParts, kLargestPart),
+                      std::min(first.rows / kParts, kLargestPart));
+  if (std::min(part.width, part.height) < kSmallestPart) return;
+  std::vector<float> x, y;
+  for (int i = 0; i < kParts * kParts; ++i) {
+    const cv::Point middle((2 * (i % kParts) + 1) * first.cols / (2 * kParts),
+                           (2 * (i / kParts) + 1) * first.rows / (2 * kParts));
+    const cv::Rect area(middle - cv::Point(part.width / 2, part.height / 2), part);
+    cv::Mat warp = (cv::Mat_<float>(2, 3) << 1, 0, shift.x, 0, 1, shift.y);
+    try {
+      if (!(improve(first(area), shot(area), warp) > kLeastAgreement)) continue;
+    } catch (const cv::Exception&) {
+      continue;  // nothing to see there
+    }
+    x.push_back(warp.at<float>(0, 2));
+    y.push_back(warp.at<float>(1, 2));
+  }
+  if (x.size() < kFewestParts) return;
+  shift.spreadX = spreadAround(shift.x, std::move(x));
+  shift.spreadY = spreadAround(shift.y, std::move(y));
+}
+
 ShotShift registered(const std::vector<cv::Mat>& first, const std::vector<cv::Mat>& shot) {
   const ShotShift none{0, 0, false};
   cv::Mat warp = cv::Mat::eye(2, 3, CV_32F);
@@ -64,9 +106,7 @@ ShotShift registered(const std::vector<cv::Mat>& first, const std::vector<cv::Ma
   for (size_t level = first.size(); level-- > 0;) {
     x *= 2, y *= 2;
     try {
-      agreement =
-          cv::findTransformECC(first[level], shot[level], warp, cv::MOTION_TRANSLATION,
-                               {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 60, 1e-5}, cv::noArray(), 5);
+      agreement = improve(first[level], shot[level], warp);
     } catch (const cv::Exception&) {
       if (level == 0) return none;  // a coarse level may fail where a finer one does not
       x = y = 0;
@@ -74,7 +114,9 @@ ShotShift registered(const std::vector<cv::Mat>& first, const std::vector<cv::Ma
   }
   const float farthest = float(std::min(first[0].cols, first[0].rows)) / 12;
   if (!(agreement > kLeastAgreement) || !(std::hypot(x, y) < farthest)) return none;
-  return {x, y, true};
+  ShotShift shift{x, y, true};
+  measureSpread(first[0], shot[0], shift);
+  return shift;
 }
 
 /// Lanczos weights (three lobes) of the pixels -2 .. 3 around a position 0 <= fraction < 1.
@@ -140,7 +182,9 @@ std::vector<ShotShift> measureShifts(const CapturePixels& pixels) {
 }
 
 bool worthMoving(const ShotShift& shift) {
-  return shift.found && std::hypot(shift.x, shift.y) > kWorthPixels;
+  const bool agreed =
+      std::abs(shift.x) > kBeyond * shift.spreadX || std::abs(shift.y) > kBeyond * shift.spreadY;
+  return shift.found && agreed && std::hypot(shift.x, shift.y) > kWorthPixels;
 }
 
 CapturePixels movedShots(const CapturePixels& pixels, const std::vector<ShotShift>& shifts) {

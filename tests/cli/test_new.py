@@ -7,6 +7,7 @@ import unittest
 import numpy as np
 import swaplight_cli as cli
 
+SAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../samples/film_set')
 RING = '0.9/0.2/0.15,0.15/0.8/0.25,0.2/0.25/0.9'
 
 
@@ -120,6 +121,27 @@ class New(cli.CliTest):
         self.assertIn('-1.00 stops against IMG_9.exr', warnings)
         self.assertIn('of the picture is clipped', warnings)
         self.assertEqual(self.manifest()['shots'][1]['exposure_stops'], -1)
+
+    def test_a_camera_that_moved_by_half_a_pixel_is_said_and_one_that_stood_still_is_not(self):
+        lights = ('key', 'fill', 'back', 'practical')
+        os.makedirs(self.path('one'))
+        os.makedirs(self.path('all'))
+        for k, light in enumerate(lights):
+            shutil.copy(os.path.join(SAMPLE, f'truth/T_{light}.exr'), self.path('one', f'IMG_{k}.exr'))
+            shot = cli.read_rgb(os.path.join(SAMPLE, f'shot_0{k + 1}.exr'))
+            if k == 2:  # half a pixel to the right and down, by the phases of its waves
+                around = np.pad(shot, ((8, 8), (8, 8), (0, 0)), 'edge')
+                fy, fx = np.fft.fftfreq(around.shape[0])[:, None], np.fft.fftfreq(around.shape[1])[None]
+                turned = np.fft.fft2(around, axes=(0, 1)) * np.exp(-2j * np.pi * 0.36 * (fx + fy))[..., None]
+                shot = np.fft.ifft2(turned, axes=(0, 1)).real[8:-8, 8:-8].astype(np.float32)
+            cli.write_image(self.path('all', f'IMG_{k}.exr'), shot)
+
+        def moved(*arguments):
+            warnings = self.succeed_json('new', *arguments, '--lights', ','.join(lights))['warnings']
+            return [w.split(':')[0] for w in warnings if 'camera moved' in w]
+
+        self.assertEqual(moved(self.path('one'), '--one-at-a-time'), [])
+        self.assertEqual(moved(self.path('all'), '--colors', RING + ',0.85/0.75/0.1', '--rotation', 'back'), ['IMG_2.exr'])
 
     def test_what_is_missing_is_asked_for_in_one_line(self):
         folder = self.photographs(('key', 'fill'))

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
 
+#include "core/capture/capture.h"
+#include "core/image/image_io.h"
 #include "core/solve/solve.h"
 #include "synthetic_capture.h"
 
@@ -29,7 +32,7 @@ class MovableSet {
     float albedo = 0.1F;
     for (const auto& b : m_blobs) {
       const float d = ((x - b[0]) * (x - b[0]) + (y - b[1]) * (y - b[1])) / (2 * b[2] * b[2]);
-      if (d < 9) albedo += b[size_t(3 + channel)] * std::exp(-d);
+      if (d < 9) albedo += b[3 + size_t(channel)] * std::exp(-d);
     }
     const float slope = 0.5F + 0.4F * std::sin(0.02F * x + 0.015F * y);
     return albedo * 0.5F * (i == 0 ? slope : 1 - slope);
@@ -91,6 +94,41 @@ TEST(AlignShots, AShiftIsMeasuredToAFewHundredthsOfAPixelThoughTheLightsChange) 
     EXPECT_NEAR(found[1].x, shift.x, 0.08);
     EXPECT_NEAR(found[1].y, shift.y, 0.08);
     printf("shift %.2f %.2f measured %.3f %.3f\n", shift.x, shift.y, found[1].x, found[1].y);
+  }
+}
+
+TEST(AlignShots, LightsFromOtherSidesAreNotTakenForAMovedCameraButHalfAPixelIs) {
+  const std::filesystem::path samples = SWAPLIGHT_SAMPLES;
+  for (const char* name : {"three_point", "film_set", "two_swapped"}) {
+    std::vector<std::filesystem::path> files;  // one light each, of a set that stands still
+    for (const auto& entry : std::filesystem::directory_iterator(samples / name / "truth"))
+      files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    float farthest = 0;
+    for (size_t first = 0; first < files.size(); ++first) {
+      std::rotate(files.begin(), files.begin() + 1, files.end());
+      CapturePixels pixels;
+      for (const auto& file : files) {
+        pixels.shots.push_back(readImage(file).image);
+        pixels.clipLevel.push_back(INFINITY);
+        pixels.quantum.push_back(0);
+      }
+      for (const ShotShift& shift : measureShifts(pixels)) {
+        farthest = std::max(farthest, std::hypot(shift.x, shift.y));
+        EXPECT_FALSE(worthMoving(shift)) << name << " " << shift.x << " " << shift.y;
+      }
+    }
+    EXPECT_GT(farthest, 0.15F) << "the whole pictures alone would have it move";
+  }
+  for (const char* name : {"three_point", "film_set", "two_swapped"}) {
+    const CapturePixels still = loadCapturePixels(readCapture(samples / name / "capture.json"));
+    for (const ShotShift half : {ShotShift{0.5F, 0}, ShotShift{0, -0.5F}, ShotShift{-0.35F, 0.35F}}) {
+      std::vector<ShotShift> shifts(still.shots.size());
+      shifts[1] = half;
+      const std::vector<ShotShift> found = measureShifts(movedShots(still, shifts));
+      for (size_t k = 0; k < found.size(); ++k)
+        EXPECT_EQ(worthMoving(found[k]), k == 1) << name << " " << found[k].x << " " << found[k].y;
+    }
   }
 }
 
