@@ -22,6 +22,24 @@ constexpr int kThumbnailWidth = 480, kThumbnailHeight = 270;  // in pixels, for 
 constexpr size_t kMostLights = 8;
 constexpr const char* kUsualNames[kMostLights] = {"key",    "fill",   "back",   "practical",
                                                   "kicker", "light6", "light7", "light8"};
+constexpr float kFooterButton = 110, kFooterGap = 10;
+constexpr const char* kFooterWords =
+    "Writes capture.json beside the photographs, then tells the lights apart.";
+
+/// From the window's edge to the buttons below.
+float footerWidth() {
+  return ImGui::GetContentRegionMax().x - 2 * px(kFooterButton) - ImGui::GetStyle().ItemSpacing.x;
+}
+
+/// Of the last line, which takes as many as its words need.
+float footerHeight(const std::string& words) {
+  ImGui::PushFont(fonts().small);
+  const float width = footerWidth() - px(kFooterGap) - ImGui::GetCursorStartPos().x;
+  const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y;
+  ImGui::PopFont();
+  return std::max(height + ImGui::GetStyle().FramePadding.y, ImGui::GetFrameHeight()) +
+         ImGui::GetStyle().ItemSpacing.y;
+}
 
 }  // namespace
 
@@ -211,22 +229,19 @@ void CaptureWizard::drawWarnings(const std::vector<std::string>& warnings, float
   markState("wizard.warnings", fmt::format("{}", warnings.size()));
 }
 
-void CaptureWizard::drawFooter(Messages& messages, const Solve& solve) {
-  const std::string wrong = mistake();
+void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, const Solve& solve) {
   const bool exists = fs::exists(m_found->folder.folder / "capture.json");
-  const float button = px(110);
-  const float buttons = ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x;
+  const float button = px(kFooterButton);
+  const float buttons = footerWidth();
   if (exists && wrong.empty()) {
     ImGui::Checkbox("Replace the capture.json that is there", &m_replace);
     markItem("wizard.replace");
   } else {
     ImGui::AlignTextToFramePadding();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float right = ImGui::GetWindowPos().x + buttons - px(10);
-    ImGui::PushClipRect(at, ImVec2(right, at.y + ImGui::GetFrameHeight()), true);
-    hint(wrong.empty() ? "Writes capture.json beside the photographs, then tells the lights apart." : wrong);
-    ImGui::PopClipRect();
-    if (!wrong.empty()) tooltip(wrong.c_str());
+    ImGui::PushTextWrapPos(buttons - px(kFooterGap));
+    hint(wrong.empty() ? kFooterWords : wrong);
+    ImGui::PopTextWrapPos();
+    markItem("wizard.footer");
   }
   ImGui::SameLine(buttons);
   ImGui::BeginDisabled(!wrong.empty() || busy() || (exists && !m_replace));
@@ -269,13 +284,14 @@ void CaptureWizard::draw(Messages& messages, const Solve& solve) {
     const float lines =
         std::max(1.F, static_cast<float>(warned.size())) * ImGui::GetTextLineHeightWithSpacing();
     const float room = std::min({px(96), 0.18F * ImGui::GetWindowHeight(), lines + px(6)});
-    drawTable(ImGui::GetContentRegionAvail().y - 3 * line - room - px(24));
+    const std::string wrong = mistake();
+    drawTable(ImGui::GetContentRegionAvail().y - 2 * line - footerHeight(wrong) - room - px(24));
     drawGuess();
     drawFrame();
     ImGui::Separator();
     drawWarnings(warned, room);
     ImGui::Separator();
-    drawFooter(messages, solve);
+    drawFooter(wrong, messages, solve);
   }
   if (!m_folder) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

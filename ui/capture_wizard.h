@@ -68,7 +68,7 @@ class CaptureWizard {
   /// What is to be said about the pictures and the colours.
   [[nodiscard]] std::vector<std::string> warnings() const;
   void drawWarnings(const std::vector<std::string>& warnings, float height);
-  void drawFooter(Messages& messages, const Solve& solve);
+  void drawFooter(const std::string& wrong, Messages& messages, const Solve& solve);
 
   std::function<void()> m_wake;
   std::optional<std::filesystem::path> m_folder;
