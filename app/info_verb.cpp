@@ -72,9 +72,13 @@ Description describeCapture(const fs::path& file) {
   return d;
 }
 
-/// The range of each light, from the pixels.
-void describeRange(const fs::path& file, Description& d) {
-  const std::vector<LightRange> ranges = dynamicRange(readSolvedSet(file));
+/// The range of each light, from the header, or from the pixels of an older file.
+void describeRange(const fs::path& file, const ImageFileInfo& info, Description& d) {
+  const auto said = info.text.find(kSolvedRanges);
+  const std::string where = file.string() + ": " + kSolvedRanges;
+  const std::vector<LightRange> ranges = said != info.text.end()
+                                             ? rangesFromJson(parseJson(said->second, where), where)
+                                             : dynamicRange(readSolvedSet(file));
   d.json["dynamic_range"] = jsonFromRanges(ranges);
   for (const LightRange& range : ranges) d.line("range", range.light + ": " + rangeWords(range));
 }
@@ -96,7 +100,7 @@ Description describeSolvedSet(const fs::path& file) {
   if (report.contains("message")) d.line("solved", report["message"].get<std::string>());
   d.json = {{"kind", "solved"}, {"file", file.string()}};
   d.json.update(pictureJson(spec, info));
-  describeRange(file, d);
+  describeRange(file, info, d);
   d.text += "\n" + shotsText(capture);
   d.json["capture"] = jsonFromCapture(capture);
   d.json["report"] = report;

@@ -17,11 +17,13 @@ struct LightRange {
   double stops = 0;  ///< log2(peak / floor); 0 where the light gives nothing
 };
 
-/// For each light of a solved set; empty where the set has no quality. Throws InputError on an unknown colour
-/// space.
+/// For each light of a solved set, by at most 2^18 of its pixels, evenly over the picture; empty where the
+/// set has no quality. Throws InputError on an unknown colour space.
 [[nodiscard]] std::vector<LightRange> dynamicRange(const SolvedSet& set);
 
 [[nodiscard]] Json jsonFromRanges(const std::vector<LightRange>& ranges);
+/// Throws InputError that begins with `where`.
+[[nodiscard]] std::vector<LightRange> rangesFromJson(const Json& json, const std::string& where);
 /// For people: "8.2 stops between the noise and its brightest parts".
 [[nodiscard]] std::string rangeWords(const LightRange& range);
 

@@ -9,6 +9,7 @@
 #include "core/image/half.h"
 #include "core/image/image_io.h"
 #include "core/image/image_write.h"
+#include "core/measure/dynamic_range.h"
 #include "core/parallel.h"
 
 namespace swaplight {
@@ -109,12 +110,23 @@ PartToWrite merged(const std::vector<PartToWrite>& parts) {
   return all;
 }
 
+/// Empty where the set has none, or its primaries are not known here.
+std::string rangesText(const SolvedSet& set) {
+  try {
+    const std::vector<LightRange> ranges = dynamicRange(set);
+    return ranges.empty() ? "" : jsonFromRanges(ranges).dump();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 std::map<std::string, std::string> headerOf(const SolvedSet& set, const fs::path& file) {
   std::map<std::string, std::string> text = {{kCapture, jsonFromCapture(set.capture).dump()},
                                              {kReport, set.report.dump()}};
   if (!set.capture.file.empty())
     text[kCaptureFile] =
         fs::proximate(set.capture.file, file.has_parent_path() ? file.parent_path() : ".").string();
+  if (const std::string ranges = rangesText(set); !ranges.empty()) text[kSolvedRanges] = ranges;
   return text;
 }
 

@@ -22,6 +22,9 @@ void writeSolvedSet(const SolvedSet& set, const std::filesystem::path& file,
 /// missing.
 [[nodiscard]] SolvedSet readSolvedSet(const std::filesystem::path& file, const Progress& progress = {});
 
+/// The header's text with what dynamicRange says of the set as JSON: for those who only look at the header.
+inline constexpr const char* kSolvedRanges = "swaplight/dynamicRange";
+
 /// True for an EXR that holds a solved set. Looks at the header only.
 [[nodiscard]] bool isSolvedSet(const std::filesystem::path& file);
 

@@ -1,6 +1,8 @@
 """swaplight info"""
 import json
 
+import OpenImageIO as oiio
+
 import swaplight_cli as cli
 
 
@@ -30,6 +32,23 @@ class InfoTest(cli.CliTest):
         self.assertEqual(result['kind'], 'solved')
         self.assertEqual([light['name'] for light in result['capture']['lights']], ['key', 'fill'])
         self.assertIn('message', result['report'])
+
+    def test_the_range_of_each_light_is_that_of_the_pixels(self):
+        capture = cli.Capture(self.path('set'))
+        solved, bare = self.path('solved.exr'), self.path('bare.exr')
+        self.succeed('solve', capture.path, '-o', solved, '-q', '--float')
+        said = self.succeed_json('info', solved)['dynamic_range']
+        self.assertEqual([light['light'] for light in said], ['key', 'fill'])
+        source = oiio.ImageBuf(solved)  # as a solved set without it in the header
+        source.specmod().erase_attribute('swaplight/dynamicRange')
+        self.assertTrue(source.write(bare))
+        for a, b in zip(said, self.succeed_json('info', bare)['dynamic_range']):
+            self.assertAlmostEqual(a['stops'], b['stops'], places=3)
+        # The header is enough: most of the pixels may be missing.
+        with open(solved, 'rb') as file, open(self.path('head.exr'), 'wb') as head:
+            data = file.read()
+            head.write(data[:int(len(data) * .7)])
+        self.assertEqual(self.succeed_json('info', self.path('head.exr'))['dynamic_range'], said)
 
     def test_of_a_session_and_a_rig_lists_the_settings(self):
         session, rig = self.path('a.swaplight'), self.path('rig.json')
