@@ -31,7 +31,7 @@ bool isSlow(const MaskShape& shape) {
 
 }  // namespace
 
-void EditController::show(StudioContext& studio, const PixelRect& visible) {
+void EditController::beginFrame(StudioContext& studio) {
   const OpenSet* set = studio.set();
   if (!set) {
     m_set.reset();
@@ -53,6 +53,10 @@ void EditController::show(StudioContext& studio, const PixelRect& visible) {
     m_needsShadows = m_stopped = false;
   }
   takeJobs(studio);
+}
+
+void EditController::show(StudioContext& studio, const PixelRect& visible) {
+  if (!m_set) return;
   follow(studio);
   seekShadows(studio);
   if (m_room.edited) update(studio, visible);

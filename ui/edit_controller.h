@@ -24,7 +24,11 @@ class EditController {
  public:
   explicit EditController(std::function<void()> wake) : m_wake(std::move(wake)), m_files(m_wake) {}
 
-  /// To be called in each frame before the picture is drawn. `visible`: the part of it that is seen.
+  /// To be called at the beginning of each frame: turns to the set that is open, takes what threads have
+  /// made.
+  void beginFrame(StudioContext& studio);
+  /// To be called in each frame when nothing more is edited in it, before the picture is drawn. `visible`:
+  /// the part of it that is seen.
   void show(StudioContext& studio, const PixelRect& visible);
   /// Makes room for edits before the first one is there, so that a stroke need not wait.
   void prepare(StudioContext& studio);

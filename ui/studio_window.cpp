@@ -256,7 +256,7 @@ void StudioWindow::frame() {
   ImGui::Begin("##studio", nullptr, flags);
   ImGui::PopStyleVar(3);
   if (!m_layout.hidden) drawMenuBar(m_context);
-  m_edits.show(m_context, visiblePart(m_shown.window));
+  m_edits.beginFrame(m_context);
   drawPanels();
   ImGui::End();
 
