@@ -34,7 +34,11 @@ class BetaReader {
   /// A person waits for it, and can stop it.
   [[nodiscard]] bool choosing() const { return m_chosen.has_value(); }
   [[nodiscard]] float fraction() const { return m_job.fraction(); }
-  void stop() { m_job.cancel(); }
+  /// The one that was chosen does not become an edit, even where it has been read by now.
+  void stop() {
+    m_job.cancel();
+    m_chosen.reset();
+  }
 
  private:
   using Maps = std::shared_ptr<const BetaMaps>;
