@@ -78,16 +78,16 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
     all[i].threshold = std::exp(threshold - lit);
   }
   std::vector<cv::Mat> visibilities;
-  std::vector<cv::Mat> told;
+  std::vector<RefinedVisibility> refined;
   for (size_t i = 0; i < all.size(); ++i) {
     progress.update(.5f + .2f * share(i), "finding shadows");
-    RefinedVisibility refined = refineVisibility(evidence, divided, i);
-    visibilities.push_back(std::move(refined.visibility));
-    told.push_back(std::move(refined.told));
+    refined.push_back(refineVisibility(evidence, divided, i));
+    visibilities.push_back(refined.back().visibility);
   }
   for (size_t i = 0; i < all.size(); ++i) {
     progress.update(.7f + .3f * share(i), "filling shadows");
-    FilledShadow filled = fillShadow(evidence, visibilities, told[i], i);
+    FilledShadow filled = fillShadow(evidence, visibilities, refined[i].told, i);
+    cv::max(filled.visibility, refined[i].reached, filled.visibility);
     all[i].labels = labelShadows(filled.visibility, evidence.known, smallest);
     all[i].visibility = imageOf(filled.visibility, {"Y"}, 1);
     all[i].direct = imageOf(filled.direct, {"R", "G", "B"}, evidence.white);

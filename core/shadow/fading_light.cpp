@@ -10,8 +10,6 @@
 namespace swaplight {
 namespace {
 
-constexpr double kGuideReach = 3 * kRatioEdge;
-
 cv::Mat localMean(const cv::Mat& x, const cv::Mat& where, const cv::Mat& guide, double radius) {
   cv::Mat sum, weight;
   cv::ximgproc::dtFilter(guide, x.mul(where), sum, radius, kGuideReach);

@@ -6,13 +6,13 @@
 #include "core/shadow/fading_light.h"
 #include "core/shadow/other_lights.h"
 #include "core/shadow/poisson.h"
+#include "core/shadow/shadow_floor.h"
 #include "core/shadow/shadow_pictures.h"
 
 namespace swaplight {
 namespace {
 
-// Lengths are for a picture 480 pixels across.
-constexpr float kReferenceWidth = 480;
+// Lengths are in reference units (see referenceUnit).
 constexpr float kCalm = .015f;      // log of the ratio, a pixel: less is no edge of a shadow
 constexpr float kSmoothing = 1.2f;  // pixels: of the ratio, before its slope is taken
 constexpr float kRim = 2;           // pixels beside a shadow that are not taken for fully lit
@@ -32,24 +32,8 @@ constexpr float kLeastCast = .1f, kLeastTurning = .3f, kLeastRamp = .2f;  // sha
 constexpr float kEnds = .05f, kEndsRamp = .35f;
 constexpr int kOthersRim = 2;          // pixels beside the other lights' own shadows that tell nothing
 constexpr float kFadeDoubt = .3f;      // how much less a surface turns away where the light does not fade
+constexpr float kMostBounced = .3f;    // of what would arrive without the shadow
 constexpr float kFullyDivided = .95f;  // visibility (of the division) of pixels surely lit
-
-struct Slopes {
-  cv::Mat x, y;
-};
-
-Slopes slopesOf(const cv::Mat& picture) {
-  Slopes slopes;
-  cv::Sobel(picture, slopes.x, CV_32F, 1, 0, 1, .5, 0, cv::BORDER_REPLICATE);
-  cv::Sobel(picture, slopes.y, CV_32F, 0, 1, 1, .5, 0, cv::BORDER_REPLICATE);
-  return slopes;
-}
-
-cv::Mat sizeOf(const Slopes& slopes) {
-  cv::Mat size;
-  cv::magnitude(slopes.x, slopes.y, size);
-  return size;
-}
 
 cv::Mat mean(const cv::Mat& x, int radius) {
   cv::Mat out;
@@ -109,7 +93,6 @@ RefinedVisibility refineVisibility(const SetEvidence& set, const std::vector<cv:
   const cv::Mat& visibility = visibilities[light];
   const cv::Size full = visibility.size();
   const cv::Size size = workingSize(full);
-  const float unit = static_cast<float>(size.width) / kReferenceWidth;
   const OtherLights others = otherLights(set, visibilities, light, 1);
   const cv::Mat own = greyOf(set.contributions[light]);
 
@@ -119,6 +102,7 @@ RefinedVisibility refineVisibility(const SetEvidence& set, const std::vector<cv:
   const cv::Mat ratio = others.ratioOf(own, weight, size);
   const cv::Mat guide = guideOf(meanOver(others.rgb, weight, size));
   const cv::Mat divided = shrunk(visibility, size);
+  const float unit = referenceUnit(divided);
   cv::Mat distance;  // from the shadow
   cv::distanceTransform(divided > .5, distance, cv::DIST_L2, cv::DIST_MASK_5);
   const cv::Mat fixed = fullyLit(ratio, distance, known, unit);
@@ -127,9 +111,16 @@ RefinedVisibility refineVisibility(const SetEvidence& set, const std::vector<cv:
   EdgeKinds kinds = edgeKinds(ratio / unshadowed, greyOf(guide), known, unit);
   const cv::Mat lit = known & (divided > kFullyDivided);
   kinds.turning = kinds.turning.mul(1 - kFadeDoubt * castBeyond(fadingLight(ratio, lit, guide), lit, guide));
+
+  // What the shadow leaves of the light is no part of what passes it.
+  const cv::Mat calm = mean(ratio, 1);
+  const std::optional<ShadowFloor> floor = shadowFloor(calm, divided, known, guide);
+  cv::Mat bounced(size, CV_32F, cv::Scalar(0));
+  if (floor) cv::min(floor->ratio, cv::Mat(kMostBounced * unshadowed), bounced);
+  const cv::Mat passing = own - grown(bounced, full).mul(others.grey);
   cv::Mat exact;
-  cv::divide(own, grown(unshadowed, full).mul(others.grey) + 1e-6f, exact);
-  cv::min(exact, 1, exact);
+  cv::divide(passing, grown(unshadowed - bounced, full).mul(others.grey) + 1e-6f, exact);
+  exact = clampedToOne(exact);
 
   cv::Mat open = cv::min(1.5f * grown(asFloat(~fixed & (distance < kReach * unit)), full), 1);
   open.setTo(0, ~others.known);
@@ -138,7 +129,13 @@ RefinedVisibility refineVisibility(const SetEvidence& set, const std::vector<cv:
   turning.setTo(0, ~others.known);
   cv::Mat refined = visibility + turning.mul(clampedToOne((visibility - kEnds) / kEndsRamp) - visibility);
   refined += cast.mul(exact - refined);
-  return {refined, cv::max(cast, turning)};
+  cv::Mat reached(full, CV_32F, cv::Scalar(0));
+  if (floor) {
+    const cv::Mat turns = clampedToOne((kinds.turning - kLeastTurning) / kLeastRamp);
+    reached = grown(turns.mul(reachedAbove(*floor, calm, unshadowed, known)), full);
+    reached.setTo(0, ~others.known);
+  }
+  return {refined, cv::max(cast, turning), reached};
 }
 
 }  // namespace swaplight

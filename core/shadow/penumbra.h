@@ -9,6 +9,7 @@ namespace swaplight {
 struct RefinedVisibility {
   cv::Mat visibility;  ///< 0..1
   cv::Mat told;        ///< 0..1: how much of it rests on what the other lights show
+  cv::Mat reached;     ///< 0..1: a surface that turns away, but sees the light here
 };
 
 /// How much of one light each pixel sees (32-bit float, 0..1), made exact where the shadow's edge lies on a

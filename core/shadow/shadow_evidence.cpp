@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/shadow/poisson.h"
+#include "core/shadow/shadow_pictures.h"
 
 namespace swaplight {
 namespace {
@@ -15,13 +16,6 @@ constexpr int kKnownWindow = 7;       // pixels
 
 cv::Mat planeOf(const Image& image, int channel) {
   return {image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(channel))};
-}
-
-float percentile(const cv::Mat& picture, double share) {
-  std::vector<float> values(picture.begin<float>(), picture.end<float>());
-  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 // Each pixel goes towards its neighbourhood's mean by how much of the variance there is noise.
@@ -116,11 +110,13 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress)
   const size_t count = set.contributions.size();
   const cv::Size size(set.width(), set.height());
 
+  const cv::Mat everywhere(size, CV_8U, cv::Scalar(255));
+
   // Scale and noise.
   cv::Mat total(size, CV_32F, cv::Scalar(0));
   for (const Image& t : set.contributions)
     for (int c = 0; c < 3; ++c) total += planeOf(t, c) / 3;
-  all.white = std::max(percentile(total, .99), 1e-12f);
+  all.white = std::max(percentile(total, .99, everywhere), 1e-12f);
   total /= all.white;
   cv::Mat sigma(size, CV_32F, cv::Scalar(0));
   if (!set.quality.empty()) sigma = planeOf(set.quality, kSigma).mul(total);
@@ -143,7 +139,7 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress)
   // More than a pixel's standard error: of which the filter leaves about a sixth.
   all.known = (sum > kLeastLight) & (sum > sigma);
   cv::medianBlur(all.known, all.known, kKnownWindow);  // noise does not decide pixel by pixel
-  const float floor = kLeastLight + .5f * percentile(sigma, .5);
+  const float floor = kLeastLight + .5f * percentile(sigma, .5, everywhere);
   std::vector<cv::Mat> logs;
   logs.reserve(greys.size());
   for (const cv::Mat& grey : greys) logs.push_back(logarithm(grey, floor));

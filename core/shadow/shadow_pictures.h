@@ -62,6 +62,40 @@ inline cv::Size workingSize(cv::Size full) {
   return {(full.width + shrink - 1) / shrink, (full.height + shrink - 1) / shrink};
 }
 
+/// One pixel of a picture 480 pixels across: lengths in such pixels fit all sizes.
+inline float referenceUnit(const cv::Mat& picture) {
+  return static_cast<float>(picture.cols) / 480;
+}
+
+struct Slopes {
+  cv::Mat x, y;
+};
+
+inline Slopes slopesOf(const cv::Mat& picture) {
+  Slopes slopes;
+  cv::Sobel(picture, slopes.x, CV_32F, 1, 0, 1, .5, 0, cv::BORDER_REPLICATE);
+  cv::Sobel(picture, slopes.y, CV_32F, 0, 1, 1, .5, 0, cv::BORDER_REPLICATE);
+  return slopes;
+}
+
+inline cv::Mat sizeOf(const Slopes& slopes) {
+  cv::Mat size;
+  cv::magnitude(slopes.x, slopes.y, size);
+  return size;
+}
+
+/// What `share` (0..1) of the pixels that `mask` (8-bit) chooses do not exceed; 0 where it chooses none.
+inline float percentile(const cv::Mat& picture, double share, const cv::Mat& mask) {
+  std::vector<float> values;
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x)
+      if (mask.at<uchar>(y, x)) values.push_back(picture.at<float>(y, x));
+  if (values.empty()) return 0;
+  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 /// The logarithm of a picture (R G B), for edges that nothing is continued over; what is dark is all alike.
 inline cv::Mat guideOf(const cv::Mat& rgb) {
   cv::Mat guide = rgb + cv::Scalar::all(.01);

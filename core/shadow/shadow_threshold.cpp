@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/shadow/shadow_pictures.h"
+
 namespace swaplight {
 namespace {
 
@@ -37,27 +39,16 @@ struct Contours {
   }
 };
 
-float levelPercentile(const cv::Mat& level, const cv::Mat& known, double share) {
-  std::vector<float> values;
-  for (int y = 0; y < level.rows; ++y)
-    for (int x = 0; x < level.cols; ++x)
-      if (known.at<uchar>(y, x)) values.push_back(level.at<float>(y, x));
-  if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 }  // namespace
 
 float litLevel(const ShadowEvidence& light, const cv::Mat& known) {
-  return levelPercentile(light.level, known, .95);
+  return percentile(light.level, .95, known);
 }
 
 float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
-  const float low = levelPercentile(light.level, known, .005);
-  const float high = levelPercentile(light.level, known, .995);
-  const float lit = levelPercentile(light.level, known, .99);
+  const float low = percentile(light.level, .005, known);
+  const float high = percentile(light.level, .995, known);
+  const float lit = percentile(light.level, .99, known);
   if (!(high > low)) return low;
   const float scale = kLevels / (high - low);
   const auto binAt = [&](int y, int x) {

@@ -55,6 +55,20 @@ TEST(Penumbra, WhereASurfaceTurnsAwayAllOfTheLightArrivesToTheEnd) {
   for (int x = 130; x < 240; ++x) EXPECT_LT(found.at<float>(80, x), .1F) << x;
 }
 
+TEST(Penumbra, WhereASurfaceTurnsAwayTheLightIsFollowedToItsEnd) {
+  // As above, in noise; the division lost the light too early.
+  const auto angle = [](int x) { return static_cast<float>(x - 240) / 160; };
+  cv::RNG random(1);
+  const SetEvidence set = surface(
+      [&](int x) {
+        return std::max(0.F, std::max(0.F, std::sin(angle(x))) + static_cast<float>(random.gaussian(.001)));
+      },
+      [&](int x) { return std::max(.05F, std::cos(angle(x) - 1.05F)); });
+  const cv::Mat reached = refineVisibility(set, dividedAt(252), 0).reached;
+  for (int x = 244; x < 280; ++x) EXPECT_GT(reached.at<float>(80, x), .9F) << x;
+  for (int x = 130; x < 238; ++x) EXPECT_LT(reached.at<float>(80, x), .1F) << x;
+}
+
 TEST(Penumbra, WithoutAShadowEverythingIsLit) {
   const SetEvidence set = surface([](int x) { return x < 240 ? .2F : .8F; }, [](int) { return .6F; });
   const cv::Mat found = refineVisibility(set, dividedAt(0), 0).visibility;

@@ -1,0 +1,61 @@
+#include "core/shadow/shadow_floor.h"
+
+#include <cmath>
+#include <opencv2/ximgproc/edge_filter.hpp>
+
+#include "core/shadow/other_lights.h"
+#include "core/shadow/shadow_pictures.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kInside = .02f;          // visibility (as divided) below which a pixel lies inside a shadow
+constexpr float kDepth = 8;              // pixels from there to the shadow's edge
+constexpr int kFewest = 100;             // pixels inside, to say anything
+constexpr float kReach = 20;             // pixels over which the floor is the mean of what is around
+constexpr float kOverall = .02f;         // weight of the whole picture's floor
+constexpr float kSpreadOfMiddle = 1.5f;  // standard deviation over the median of absolute deviations
+constexpr double kHigh = .9;             // share of the pixels inside that are below `high`
+// How far above the floor a light reaches a surface: in floors, standard deviations, and shares of what
+// would arrive without a shadow; and `high` must be passed by this factor.
+constexpr float kFloors = 2.5f, kSpreads = 2.5f, kShare = .004f, kAboveHigh = 1.2f;
+constexpr float kRamp = .5f;       // over how much more of that it becomes certain
+constexpr float kStep = .12f;      // of the unshadowed ratio, a pixel: the outline of a thing
+constexpr float kStepWidth = 3.5;  // pixels around one that it tells nothing about
+
+}  // namespace
+
+std::optional<ShadowFloor> shadowFloor(const cv::Mat& ratio, const cv::Mat& divided, const cv::Mat& known,
+                                       const cv::Mat& guide) {
+  const float unit = referenceUnit(ratio);
+  cv::Mat depth;
+  cv::distanceTransform((divided < kInside) | ~known, depth, cv::DIST_L2, cv::DIST_MASK_5);
+  const cv::Mat inside = known & (divided < kInside) & (depth > kDepth * unit);
+  if (cv::countNonZero(inside) < kFewest) return std::nullopt;
+
+  const cv::Mat where = asFloat(inside);
+  cv::Mat sum, weight;
+  cv::ximgproc::dtFilter(guide, ratio.mul(where), sum, kReach * unit, kGuideReach);
+  cv::ximgproc::dtFilter(guide, where, weight, kReach * unit, kGuideReach);
+  ShadowFloor floor;
+  floor.ratio = (sum + kOverall * percentile(ratio, .5, inside)) / (weight + kOverall);
+  floor.high = percentile(ratio, kHigh, inside);
+  floor.spread = kSpreadOfMiddle * percentile(cv::abs(ratio - floor.ratio), .5, inside);
+  return floor;
+}
+
+cv::Mat reachedAbove(const ShadowFloor& floor, const cv::Mat& ratio, const cv::Mat& unshadowed,
+                     const cv::Mat& known) {
+  const float unit = referenceUnit(ratio);
+  cv::Mat least = cv::max(kShare * unshadowed, kSpreads * floor.spread) + kFloors * floor.ratio;
+  cv::max(least, cv::Mat(kAboveHigh * floor.high - floor.ratio), least);
+  cv::Mat reached = clampedToOne((ratio - floor.ratio - least) / (kRamp * least));
+
+  const int width = 2 * static_cast<int>(std::lround(kStepWidth * unit)) + 1;
+  cv::Mat steps = sizeOf(slopesOf(ratio)) > kStep / unit * unshadowed;
+  cv::dilate(steps, steps, cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width}));
+  reached.setTo(0, ~known | steps);
+  return reached;
+}
+
+}  // namespace swaplight
