@@ -132,7 +132,7 @@ RefinedVisibility refineVisibility(const SetEvidence& set, const std::vector<cv:
   cv::Mat reached(full, CV_32F, cv::Scalar(0));
   if (floor) {
     const cv::Mat turns = clampedToOne((kinds.turning - kLeastTurning) / kLeastRamp);
-    reached = grown(turns.mul(reachedAbove(*floor, calm, unshadowed, known)), full);
+    reached = grown(turns.mul(reachedAbove(*floor, calm, unshadowed, divided, known)), full);
     reached.setTo(0, ~others.known);
   }
   return {refined, cv::max(cast, turning), reached};

@@ -1,5 +1,6 @@
 #include "core/shadow/shadow_floor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/ximgproc/edge_filter.hpp>
 
@@ -19,7 +20,11 @@ constexpr double kHigh = .9;             // share of the pixels inside that are 
 // How far above the floor a light reaches a surface: in floors, standard deviations, and shares of what
 // would arrive without a shadow; and `high` must be passed by this factor.
 constexpr float kFloors = 2.5f, kSpreads = 2.5f, kShare = .004f, kAboveHigh = 1.2f;
-constexpr float kRamp = .5f;       // over how much more of that it becomes certain
+// Shadows this dark (of what would arrive without them) are black but for noise, and how much less so they
+// may be.
+constexpr float kBlack = .006f, kBlackRamp = .006f;
+constexpr float kRamp = .5f;  // over how much more of that it becomes certain
+constexpr float kLeastRatio = 1e-6f;
 constexpr float kStep = .12f;      // of the unshadowed ratio, a pixel: the outline of a thing
 constexpr float kStepWidth = 3.5;  // pixels around one that it tells nothing about
 
@@ -45,8 +50,11 @@ std::optional<ShadowFloor> shadowFloor(const cv::Mat& ratio, const cv::Mat& divi
 }
 
 cv::Mat reachedAbove(const ShadowFloor& floor, const cv::Mat& ratio, const cv::Mat& unshadowed,
-                     const cv::Mat& known) {
+                     const cv::Mat& divided, const cv::Mat& known) {
   const float unit = referenceUnit(ratio);
+  const cv::Mat shadow = known & (divided < .5);
+  const float darkness = percentile(floor.ratio / cv::max(unshadowed, kLeastRatio), .5, shadow);
+  const float black = std::clamp((kBlack + kBlackRamp - darkness) / kBlackRamp, 0.f, 1.f);
   cv::Mat least = cv::max(kShare * unshadowed, kSpreads * floor.spread) + kFloors * floor.ratio;
   cv::max(least, cv::Mat(kAboveHigh * floor.high - floor.ratio), least);
   cv::Mat reached = clampedToOne((ratio - floor.ratio - least) / (kRamp * least));
@@ -55,7 +63,7 @@ cv::Mat reachedAbove(const ShadowFloor& floor, const cv::Mat& ratio, const cv::M
   cv::Mat steps = sizeOf(slopesOf(ratio)) > kStep / unit * unshadowed;
   cv::dilate(steps, steps, cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width}));
   reached.setTo(0, ~known | steps);
-  return reached;
+  return reached * black;
 }
 
 }  // namespace swaplight

@@ -20,8 +20,9 @@ struct ShadowFloor {
 
 /// 1 where more of the light arrives than its shadows' floor explains, 0 where it does not: to where a
 /// surface that turns away sees the last of a light. Not beside steps of the ratio (outlines of things),
-/// which the removal of noise has smeared. `unshadowed`: the ratio without the shadow.
+/// which the removal of noise has smeared. Where shadows are not black, bounced light cannot be told from the
+/// last of a light: 0 everywhere. `unshadowed`: the ratio without the shadow.
 [[nodiscard]] cv::Mat reachedAbove(const ShadowFloor& floor, const cv::Mat& ratio, const cv::Mat& unshadowed,
-                                   const cv::Mat& known);
+                                   const cv::Mat& divided, const cv::Mat& known);
 
 }  // namespace swaplight

@@ -10,7 +10,9 @@ namespace swaplight {
 namespace {
 
 constexpr int kLevels = 128;
+constexpr size_t kPeakReach = 4;     // levels
 constexpr double kLengthBonus = .3;  // exponent of the contour's length
+constexpr double kAreaBonus = .15;   // exponent of the lit share: a light is there to light something
 constexpr double kFullRatio =
     1.5;  // log ratio to the other lights by which a shadow surely falls behind lit pixels
 constexpr double kLeastTrust = .05;  // in levels that divide at the same ratio
@@ -73,7 +75,7 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
     }
   contours.accumulate();
 
-  // The best level, smoothed over its neighbours.
+  // The best of the levels that divide better than their neighbours.
   std::array<double, kLevels> score{};
   for (size_t i = 0; i < kLevels; ++i) {
     const double above = 1 - contours.pixels[i] / contours.pixels[kLevels];
@@ -92,10 +94,20 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
     score[i] = mean * unshared * trust * std::exp(-unusual * unusual / 2) *
                std::pow(contours.length[i], kLengthBonus);
   }
-  size_t best = 1;
   const auto smoothed = [&](size_t i) { return score[i - 1] + 2 * score[i] + score[i + 1]; };
-  for (size_t i = 1; i + 1 < kLevels; ++i)
-    if (smoothed(i) > smoothed(best)) best = i;
+  const auto isPeak = [&](size_t i) {
+    const size_t end = std::min<size_t>(i + kPeakReach, kLevels - 2);
+    for (size_t j = std::max<size_t>(i, kPeakReach + 1) - kPeakReach; j <= end; ++j)
+      if (smoothed(j) > smoothed(i)) return false;
+    return true;
+  };
+  size_t best = 1;
+  double bestValue = 0;
+  for (size_t i = 1; i + 1 < kLevels; ++i) {
+    const double value =
+        smoothed(i) * std::pow(1 - contours.pixels[i] / contours.pixels[kLevels], kAreaBonus);
+    if (value > bestValue && isPeak(i)) best = i, bestValue = value;
+  }
   return low + (static_cast<float>(best) + 1) / scale;
 }
 

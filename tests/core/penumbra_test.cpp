@@ -63,7 +63,7 @@ TEST(Penumbra, WhereASurfaceTurnsAwayTheLightIsFollowedToItsEnd) {
       [&](int x) {
         return std::max(0.F, std::max(0.F, std::sin(angle(x))) + static_cast<float>(random.gaussian(.001)));
       },
-      [&](int x) { return std::max(.05F, std::cos(angle(x) - 1.05F)); });
+      [&](int x) { return std::max(.3F, std::cos(angle(x) - 1.05F)); });
   const cv::Mat reached = refineVisibility(set, dividedAt(252), 0).reached;
   for (int x = 244; x < 280; ++x) EXPECT_GT(reached.at<float>(80, x), .9F) << x;
   for (int x = 130; x < 238; ++x) EXPECT_LT(reached.at<float>(80, x), .1F) << x;
