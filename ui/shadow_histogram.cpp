@@ -29,8 +29,8 @@ struct Plot {
 
 /// What is surely in shadow, surely lit, and what the edges decide.
 ImU32 inkAt(float stops, float threshold) {
-  if (stops < threshold - shadowMarginStops()) return kUmbraInk;
-  return stops < threshold + shadowMarginStops() ? kPenumbraInk : IM_COL32(190, 190, 190, 255);
+  if (stops < threshold - surelyShadowStops()) return kUmbraInk;
+  return stops < threshold + surelyLitStops() ? kPenumbraInk : IM_COL32(190, 190, 190, 255);
 }
 
 void drawBars(const ShadowHistogram& histogram, float threshold, const Plot& plot) {

@@ -8,6 +8,7 @@
 #include "core/shadow/shadow_evidence.h"
 #include "core/shadow/shadow_fill.h"
 #include "core/shadow/shadow_regions.h"
+#include "core/shadow/shadow_sides.h"
 #include "core/shadow/shadow_threshold.h"
 
 namespace swaplight {
@@ -66,16 +67,21 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
 
   std::vector<LightShadows> all(evidence.lights.size());
   const auto share = [&](size_t i) { return static_cast<float>(i) / static_cast<float>(all.size()); };
-  std::vector<cv::Mat> divided;
+  std::vector<float> thresholds;
   for (size_t i = 0; i < all.size(); ++i) {
-    progress.update(.3f + .2f * share(i), "finding shadows");
+    progress.update(.3f + .1f * share(i), "finding shadows");
     const ShadowEvidence& light = evidence.lights[i];
     const float lit = litLevel(light, evidence.known);
     const std::optional<float> given = options.thresholdOf(set.capture.lights[i].name);
-    const float threshold =
-        given ? lit + std::log(std::max(*given, 1e-6f)) : shadowThreshold(light, evidence.known);
-    divided.push_back(visibilityOf(light, evidence.known, threshold, smallest));
-    all[i].threshold = std::exp(threshold - lit);
+    thresholds.push_back(given ? lit + std::log(std::max(*given, 1e-6f))
+                               : shadowThreshold(light, evidence.known));
+    all[i].threshold = std::exp(thresholds[i] - lit);
+  }
+  std::vector<cv::Mat> divided;
+  for (size_t i = 0; i < all.size(); ++i) {
+    progress.update(.4f + .1f * share(i), "finding shadows");
+    const ShadowSides sides = shadowSides(evidence, thresholds, i);
+    divided.push_back(visibilityOf(evidence.lights[i], sides, evidence.known, thresholds[i], smallest));
   }
   std::vector<cv::Mat> visibilities;
   std::vector<RefinedVisibility> refined;

@@ -11,11 +11,12 @@
 namespace swaplight {
 namespace {
 
-constexpr float kSure = .8f;          // visibility from which on pixels count as fully lit
+constexpr float kSure = .7f;          // visibility from which on pixels count as fully lit
+constexpr float kAllSeen = .9f;       // visibility from which on such pixels see all of the light
 constexpr float kLeastOfMean = .93f;  // of the ratio around it: less is not fully lit
 constexpr float kPictureEdge =
     .5f;                            // log step of the whole picture that a contribution is not continued over
-constexpr float kMostlySeen = .2f;  // visibility from which on bounced light counts as direct more and more
+constexpr float kMostlySeen = .1f;  // visibility from which on bounced light counts as direct more and more
 constexpr float kReached = .05f;    // visibility beyond the end of shading that falls off
 constexpr float kLeastGrey = 1e-4f;  // of white
 constexpr float kFullySeen = .7f;    // visibility from which on the whole contribution counts as direct
@@ -43,7 +44,7 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   const cv::Mat& visibility = visibilities[light];
   const cv::Size full = own.size();
   const cv::Size size = workingSize(full);
-  const int rim = std::max(2, full.width / 320);  // the faint end of penumbras
+  const int rim = std::max(2, full.width / 240);  // the faint end of penumbras
   const OtherLights others = otherLights(set, visibilities, light, rim);
   const cv::Mat known = asFloat(others.known);
   cv::Mat sure = visibility > kSure;
@@ -97,7 +98,7 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   cv::Mat ending = reached + grown(cast, full).mul(filled.visibility - reached);
   ending += told.mul(filled.visibility - ending);
   ending.copyTo(filled.visibility, others.known);
-  filled.visibility.setTo(1, sure);
+  filled.visibility.setTo(1, sure & (visibility > kAllSeen));
 
   // Bounced light is no part of it where it can be told apart: in the umbra.
   cv::divide(missing, spread(cv::max(1 - filled.visibility, 1 - kFullySeen)), filled.direct);

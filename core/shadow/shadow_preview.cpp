@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/image/shrunk_image.h"
+#include "core/shadow/shadow_cut.h"
 #include "core/shadow/shadow_evidence.h"
 #include "core/shadow/shadow_regions.h"
 #include "core/shadow/shadow_threshold.h"
@@ -62,13 +63,20 @@ ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress) {
       factor > 1 ? gatherShadowEvidence(shrunk(set, factor, progress), gathering)
                  : gatherShadowEvidence(set, gathering));
   m_scale = static_cast<float>(set.width()) / static_cast<float>(evidence->known.cols);
-  evidence->contributions.clear();
-  for (ShadowEvidence& light : evidence->lights) {
+  std::vector<float> thresholds;
+  for (const ShadowEvidence& light : evidence->lights) {
     const float lit = litLevel(light, evidence->known);
-    const float threshold = std::exp(shadowThreshold(light, evidence->known) - lit);
-    m_lights.push_back({histogramOf(light.level, evidence->known, lit), lit, threshold});
-    for (cv::Mat* used : {&light.slope, &light.edge, &light.ratio}) used->release();
+    thresholds.push_back(shadowThreshold(light, evidence->known));
+    PreviewedLight& previewed = m_lights.emplace_back();
+    previewed.histogram = histogramOf(light.level, evidence->known, lit);
+    previewed.lit = lit;
+    previewed.threshold = std::exp(thresholds.back() - lit);
   }
+  for (size_t i = 0; i < m_lights.size(); ++i)
+    m_lights[i].sides = std::make_shared<const ShadowSides>(shadowSides(*evidence, thresholds, i));
+  evidence->contributions.clear();
+  for (ShadowEvidence& light : evidence->lights)
+    for (cv::Mat* used : {&light.slope, &light.edge, &light.ratio}) used->release();
   m_evidence = std::move(evidence);
 }
 
@@ -77,7 +85,8 @@ PreviewedShadows ShadowPreview::shadows(size_t light, const std::optional<float>
   const cv::Mat& known = m_evidence->known;
   const int smallest = smallestShadow({}, known);
   const float level = m_lights[light].lit + std::log(given);
-  cv::Mat visibility = visibilityOf(m_evidence->lights[light], known, level, smallest);
+  cv::Mat visibility =
+      visibilityOf(m_evidence->lights[light], *m_lights[light].sides, known, level, smallest);
   return {labelShadows(visibility, known, smallest), known.cols, m_scale};
 }
 
@@ -89,8 +98,12 @@ float thresholdFromStops(float stops) {
   return std::exp2(stops);
 }
 
-float shadowMarginStops() {
-  return kShadowMargin / std::numbers::ln2_v<float>;
+float surelyShadowStops() {
+  return kSurelyShadow / std::numbers::ln2_v<float>;
+}
+
+float surelyLitStops() {
+  return kSurelyLit / std::numbers::ln2_v<float>;
 }
 
 }  // namespace swaplight

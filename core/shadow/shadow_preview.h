@@ -13,6 +13,7 @@
 namespace swaplight {
 
 struct SetEvidence;
+struct ShadowSides;
 
 /// How bright a light shows, pixel by pixel, reflectance mostly taken out: the shares of the pixels in even
 /// steps from kLowestStops to kHighestStops over well-lit pixels. The ends hold what lies beyond.
@@ -49,6 +50,7 @@ class ShadowPreview {
     ShadowHistogram histogram;
     float lit = 0;  // log level of well-lit pixels
     float threshold = 0;
+    std::shared_ptr<const ShadowSides> sides;
   };
   std::shared_ptr<const SetEvidence> m_evidence;
   std::vector<PreviewedLight> m_lights;
@@ -58,7 +60,8 @@ class ShadowPreview {
 /// A threshold (ShadowOptions) as stops over well-lit pixels, and back.
 [[nodiscard]] float stopsFromThreshold(float threshold);
 [[nodiscard]] float thresholdFromStops(float stops);
-/// How far from the threshold, in stops, a pixel is surely in shadow (below) or lit (above).
-[[nodiscard]] float shadowMarginStops();
+/// How far below the threshold, in stops, a pixel is surely in shadow, and how far above it surely lit.
+[[nodiscard]] float surelyShadowStops();
+[[nodiscard]] float surelyLitStops();
 
 }  // namespace swaplight

@@ -5,6 +5,9 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/ximgproc/edge_filter.hpp>
 
+#include "core/shadow/shadow_cut.h"
+#include "core/shadow/shadow_pictures.h"
+
 namespace swaplight {
 namespace {
 
@@ -25,6 +28,14 @@ cv::Mat eightBits(const cv::Mat& shading, const cv::Mat& known) {
   cv::Mat color;
   cv::merge(std::vector<cv::Mat>(3, grey), color);
   return color;
+}
+
+// A mask, larger, but for what is beside its border.
+cv::Mat insideOf(const cv::Mat& mask, cv::Size full) {
+  cv::Mat inside;
+  cv::erode(mask, inside, {}, {-1, -1}, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
+  cv::resize(inside, inside, full, 0, 0, cv::INTER_NEAREST);
+  return inside;
 }
 
 // Sets the pixels of small connected parts of `mask` (8-bit) to 0.
@@ -58,11 +69,14 @@ int smallestShadow(const ShadowOptions& options, const cv::Mat& known) {
   return std::max(4, static_cast<int>(std::lround(share)));
 }
 
-cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& known, float threshold, int smallest) {
+cv::Mat visibilityOf(const ShadowEvidence& light, const ShadowSides& sides, const cv::Mat& known,
+                     float threshold, int smallest) {
   // Divide.
-  cv::Mat markers(light.level.size(), CV_32S, cv::Scalar(0));
-  markers.setTo(kShadowMarker, light.level < threshold - kShadowMargin);
-  markers.setTo(kLitMarker, light.level > threshold + kShadowMargin);
+  const cv::Size full = light.level.size();
+  const cv::Mat shadow = cutShadow(shrunk(light.level, sides.apart.size()), threshold, sides);
+  cv::Mat markers(full, CV_32S, cv::Scalar(0));
+  markers.setTo(kShadowMarker, insideOf(shadow, full));
+  markers.setTo(kLitMarker, insideOf(~shadow, full));
   cv::watershed(eightBits(light.shading, known), markers);
   cv::Mat lit(light.level.size(), CV_32F);
   for (int y = 0; y < lit.rows; ++y)

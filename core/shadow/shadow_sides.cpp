@@ -1,0 +1,132 @@
+#include "core/shadow/shadow_sides.h"
+
+#include <cmath>
+
+#include "core/shadow/shadow_pictures.h"
+
+namespace swaplight {
+namespace {
+
+// Lengths are in reference units (see referenceUnit).
+constexpr int kLongest = 480;
+constexpr float kDark = .004f;      // of white: where the other lights say nothing of the surface
+constexpr float kSmoothing = 1.5f;  // of the ratio, before it is looked at for bends
+constexpr float kSlopeReach = 3;    // around a bend: over which the steepest slope is what the light falls by
+constexpr float kFlat = .1f;        // of the ratio itself: slopes that count as none
+constexpr float kStepReach = 5;     // a step bends one way and, so near, the other way
+constexpr float kStepShare = .4f;   // how much of a bend it takes back
+constexpr float kRim = 2;           // beside where the other lights tell nothing
+constexpr float kLeastBend = .45f;  // of 1, for an edge with a dark side
+constexpr float kLeastStep = .4f;   // log, a unit: the same for cast edges
+constexpr float kStepStrength = .3f;
+constexpr float kNear = 2, kFar = 4;  // the distance at which sides are told
+// What makes neighbours e times less of one kind.
+constexpr float kMostApart = .9f;  // log, a pixel: a penumbra's dark end is no better border than its middle
+constexpr float kBendApart = .2f, kStepApart = .3f, kOutlineApart = .4f;
+
+cv::Mat disk(float radius) {
+  const int width = 2 * static_cast<int>(std::lround(radius)) + 1;
+  return cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width});
+}
+
+// Adds the strength of edges to the pixels on their dark side (down the slope), and takes it from the others.
+void addSides(const cv::Mat& strength, const Slopes& slopes, float unit, cv::Mat& sides) {
+  for (int y = 0; y < strength.rows; ++y)
+    for (int x = 0; x < strength.cols; ++x) {
+      const float here = strength.at<float>(y, x);
+      const float sx = slopes.x.at<float>(y, x);
+      const float sy = slopes.y.at<float>(y, x);
+      const float size = std::hypot(sx, sy);
+      if (here <= 0 || size <= 0) continue;
+      const auto add = [&](float distance, float amount) {
+        const int column = x + static_cast<int>(std::lround(sx / size * distance * unit));
+        const int row = y + static_cast<int>(std::lround(sy / size * distance * unit));
+        if (column >= 0 && row >= 0 && column < sides.cols && row < sides.rows)
+          sides.at<float>(row, column) += amount;
+      };
+      for (float distance = kNear; distance <= kFar; ++distance) {
+        add(-distance, here);
+        add(distance, -here);
+      }
+    }
+}
+
+// 0..1: where the ratio stops falling, and is not a step.
+cv::Mat bendsOf(const cv::Mat& ratio, const Slopes& slopes, const cv::Mat& known, float unit) {
+  const Slopes alongX = slopesOf(slopes.x);
+  const Slopes alongY = slopesOf(slopes.y);
+  cv::Mat spread;
+  cv::magnitude(alongX.x - alongY.y, 2 * alongX.y, spread);
+  const cv::Mat middle = alongX.x + alongY.y;
+  const cv::Mat most = .5 * (middle + spread);  // eigenvalues of the Hessian
+  cv::Mat least = cv::max(.5 * (spread - middle), 0);
+  cv::dilate(least, least, disk(kStepReach * unit));
+  cv::Mat steepest;
+  cv::dilate(sizeOf(slopes), steepest, disk(kSlopeReach * unit));
+  cv::Mat bends;
+  cv::divide(cv::max(most - kStepShare * least, 0) * (4 * unit * unit),
+             steepest * unit + kFlat * ratio + 1e-5f, bends);
+  cv::Mat inside;
+  cv::erode(known, inside, disk(kRim * unit));
+  bends.setTo(0, ~inside);
+  return cv::min(bends, 1);
+}
+
+}  // namespace
+
+cv::Size cutSize(cv::Size full) {
+  const int shrink = (std::max(full.width, full.height) + kLongest - 1) / kLongest;
+  return {(full.width + shrink - 1) / shrink, (full.height + shrink - 1) / shrink};
+}
+
+ShadowSides shadowSides(const SetEvidence& set, const std::vector<float>& thresholds, size_t light) {
+  const cv::Size full = set.known.size();
+  const cv::Size size = cutSize(full);
+
+  // The other lights, where they tell something.
+  cv::Mat others(full, CV_32F, cv::Scalar(0));
+  cv::Mat reached(full, CV_8U, cv::Scalar(0));
+  for (size_t i = 0; i < set.lights.size(); ++i) {
+    if (i == light) continue;
+    others += greyOf(set.contributions[i]);
+    reached |= set.lights[i].level > thresholds[i];
+  }
+  cv::erode(reached, reached, {}, {-1, -1}, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
+  const cv::Mat telling = asFloat((others > kDark) & reached);
+  const cv::Mat weight = shrunk(telling, size);
+  const cv::Mat known = weight > .49;
+  const cv::Mat otherMean = meanOver(others, telling, size);
+
+  // The ratio to them, and where it bends.
+  const float unit = referenceUnit(weight);
+  cv::Mat ratio = meanOver(greyOf(set.contributions[light]), telling, size) / cv::max(otherMean, 1e-6f);
+  const cv::Mat knownWeight = asFloat(known);
+  const auto smooth = [&](const cv::Mat& x) {
+    cv::Mat out;
+    cv::GaussianBlur(x, out, {}, kSmoothing * unit);
+    return out;
+  };
+  ratio = smooth(ratio.mul(knownWeight)) / cv::max(smooth(knownWeight), 1e-3f);
+  const Slopes slopes = slopesOf(ratio);
+  const cv::Mat bends = bendsOf(ratio, slopes, known, unit);
+
+  // Steps, and outlines of things.
+  const ShadowEvidence& evidence = set.lights[light];
+  const float pixels = static_cast<float>(full.width) / static_cast<float>(size.width);
+  const cv::Mat steps = shrunk(evidence.edge, size) * pixels;
+  cv::Mat outline = otherMean + .01f;
+  cv::log(outline, outline);
+  outline = sizeOf(slopesOf(outline));
+
+  ShadowSides sides;
+  sides.toShadow = cv::Mat(size, CV_32F, cv::Scalar(0));
+  cv::Mat clear = bends.clone();
+  clear.setTo(0, bends < kLeastBend);
+  addSides(clear, slopes, unit, sides.toShadow);
+  const cv::Mat clearSteps = asFloat(steps * unit >= kLeastStep) * kStepStrength;
+  addSides(clearSteps, slopesOf(smooth(shrunk(evidence.level, size))), unit, sides.toShadow);
+  sides.apart = bends / kBendApart + cv::min(steps, kMostApart) / kStepApart + outline / kOutlineApart;
+  return sides;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,88 @@
+#include "core/shadow/shadow_cut.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/shadow/shadow_evidence.h"
+#include "core/shadow/shadow_threshold.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kWidth = 480, kHeight = 120;
+constexpr int kEnd = 30;  // the column where the first light stops reaching the surface
+
+/// A surface that turns away from a light towards the left, lit by a second one everywhere; beyond the end
+/// there is as much bounced light as given.
+SetEvidence turningSurface(float bounced) {
+  SolvedSet set;
+  set.capture.lights = {{"key", Role::Key, Json::object()}, {"fill", Role::Fill, Json::object()}};
+  for (int i = 0; i < 2; ++i) set.contributions.emplace_back(ImageSpec::rgb(kWidth, kHeight));
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const float angle = static_cast<float>(x - kEnd) / 120;
+      const float fill = .5F * std::max(.3F, std::cos(angle - 1.F));
+      for (int c = 0; c < 3; ++c) {
+        set.contributions[0].span().at(c, x, y) = std::max(0.F, std::sin(angle)) + bounced;
+        set.contributions[1].span().at(c, x, y) = fill;
+      }
+    }
+  updateBeta(set);
+  return gatherShadowEvidence(set);
+}
+
+ShadowSides sidesOf(const SetEvidence& evidence) {
+  std::vector<float> thresholds;
+  for (const ShadowEvidence& light : evidence.lights)
+    thresholds.push_back(shadowThreshold(light, evidence.known));
+  return shadowSides(evidence, thresholds, 0);
+}
+
+TEST(ShadowSides, ASurfaceStopsSeeingALightWhereTheLightStopsFalling) {
+  const ShadowSides sides = sidesOf(turningSurface(.05F));
+  ASSERT_EQ(sides.toShadow.cols, kWidth);
+  float beyond = 0;
+  float before = 0;
+  for (int x = kEnd - 8; x < kEnd; ++x) beyond += sides.toShadow.at<float>(60, x);
+  for (int x = kEnd; x < kEnd + 8; ++x) before += sides.toShadow.at<float>(60, x);
+  EXPECT_GT(beyond, 1);
+  EXPECT_LT(before, -1);
+  for (int x = kEnd + 30; x < kEnd + 150; ++x) EXPECT_EQ(sides.toShadow.at<float>(60, x), 0) << x;
+}
+
+TEST(ShadowCut, BouncedLightAboveTheThresholdIsShadowBeyondSuchABend) {
+  const SetEvidence evidence = turningSurface(.05F);
+  const ShadowSides sides = sidesOf(evidence);
+  // Two thirds of the bounced light: the level alone says lit everywhere.
+  const float threshold = evidence.lights[0].level.at<float>(60, 10) - .4F;
+  const cv::Mat shadow = cutShadow(evidence.lights[0].level, threshold, sides);
+  EXPECT_GT(cv::countNonZero(shadow.colRange(0, kEnd - 4)), .95 * kHeight * (kEnd - 4));
+  EXPECT_EQ(cv::countNonZero(shadow.colRange(kEnd + 12, kWidth)), 0);
+}
+
+TEST(ShadowCut, WithoutEdgesTheLevelDecides) {
+  cv::Mat level(40, 60, CV_32F, cv::Scalar(2));
+  level.colRange(0, 30).setTo(-2);
+  const cv::Mat nothing(level.size(), CV_32F, cv::Scalar(0));
+  const cv::Mat shadow = cutShadow(level, 0, {nothing, nothing});
+  EXPECT_EQ(cv::countNonZero(shadow.colRange(0, 30)), 40 * 30);
+  EXPECT_EQ(cv::countNonZero(shadow.colRange(30, 60)), 0);
+}
+
+TEST(ShadowCut, ADimPartThatNoEdgeDividesGoesWithTheRest) {
+  cv::Mat level(40, 60, CV_32F, cv::Scalar(2));
+  level(cv::Rect(20, 10, 12, 12)).setTo(-.2);
+  cv::Mat apart(level.size(), CV_32F, cv::Scalar(0));
+  const cv::Mat none = apart.clone();
+  EXPECT_EQ(cv::countNonZero(cutShadow(level, 0, {none, apart})), 0);
+  // With an edge around it, it is a shadow.
+  cv::rectangle(apart, cv::Rect(19, 9, 14, 14), cv::Scalar(20), 2);
+  EXPECT_GT(cv::countNonZero(cutShadow(level, 0, {none, apart})), 60);
+}
+
+}  // namespace
+}  // namespace swaplight
