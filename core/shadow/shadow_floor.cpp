@@ -1,7 +1,6 @@
 #include "core/shadow/shadow_floor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/ximgproc/edge_filter.hpp>
 
 #include "core/shadow/other_lights.h"
@@ -59,9 +58,8 @@ cv::Mat reachedAbove(const ShadowFloor& floor, const cv::Mat& ratio, const cv::M
   cv::max(least, cv::Mat(kAboveHigh * floor.high - floor.ratio), least);
   cv::Mat reached = clampedToOne((ratio - floor.ratio - least) / (kRamp * least));
 
-  const int width = 2 * static_cast<int>(std::lround(kStepWidth * unit)) + 1;
   cv::Mat steps = sizeOf(slopesOf(ratio)) > kStep / unit * unshadowed;
-  cv::dilate(steps, steps, cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width}));
+  cv::dilate(steps, steps, disk(kStepWidth * unit));
   reached.setTo(0, ~known | steps);
   return reached * black;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -56,10 +57,21 @@ inline cv::Mat meanOver(const cv::Mat& x, const cv::Mat& mask, cv::Size size) {
   return mean;
 }
 
-/// A size at which what is smooth is solved: no side longer than 640 pixels.
-inline cv::Size workingSize(cv::Size full) {
-  const int shrink = (std::max(full.width, full.height) + 639) / 640;
+/// A picture's size divided by a whole number so that no side is longer than `longest` pixels.
+inline cv::Size sizeWithin(cv::Size full, int longest) {
+  const int shrink = (std::max(full.width, full.height) + longest - 1) / longest;
   return {(full.width + shrink - 1) / shrink, (full.height + shrink - 1) / shrink};
+}
+
+/// A size at which what is smooth is solved.
+inline cv::Size workingSize(cv::Size full) {
+  return sizeWithin(full, 640);
+}
+
+/// The pixels not further than `radius` from one, for erosion and dilation.
+inline cv::Mat disk(float radius) {
+  const int width = 2 * static_cast<int>(std::lround(radius)) + 1;
+  return cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width});
 }
 
 /// One pixel of a picture 480 pixels across: lengths in such pixels fit all sizes.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/shadow/other_lights.h"
 #include "core/shadow/shadow_pictures.h"
 
 namespace swaplight {
@@ -9,7 +10,6 @@ namespace {
 
 // Lengths are in reference units (see referenceUnit).
 constexpr int kLongest = 480;
-constexpr float kDark = .004f;      // of white: where the other lights say nothing of the surface
 constexpr float kSmoothing = 1.5f;  // of the ratio, before it is looked at for bends
 constexpr float kSlopeReach = 3;    // around a bend: over which the steepest slope is what the light falls by
 constexpr float kFlat = .1f;        // of the ratio itself: slopes that count as none
@@ -23,11 +23,6 @@ constexpr float kNear = 2, kFar = 4;  // the distance at which sides are told
 // What makes neighbours e times less of one kind.
 constexpr float kMostApart = .9f;  // log, a pixel: a penumbra's dark end is no better border than its middle
 constexpr float kBendApart = .2f, kStepApart = .3f, kOutlineApart = .4f;
-
-cv::Mat disk(float radius) {
-  const int width = 2 * static_cast<int>(std::lround(radius)) + 1;
-  return cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width});
-}
 
 // Adds the strength of edges to the pixels on their dark side (down the slope), and takes it from the others.
 void addSides(const cv::Mat& strength, const Slopes& slopes, float unit, cv::Mat& sides) {
@@ -74,39 +69,26 @@ cv::Mat bendsOf(const cv::Mat& ratio, const Slopes& slopes, const cv::Mat& known
 
 }  // namespace
 
-cv::Size cutSize(cv::Size full) {
-  const int shrink = (std::max(full.width, full.height) + kLongest - 1) / kLongest;
-  return {(full.width + shrink - 1) / shrink, (full.height + shrink - 1) / shrink};
-}
-
 ShadowSides shadowSides(const SetEvidence& set, const std::vector<float>& thresholds, size_t light) {
   const cv::Size full = set.known.size();
-  const cv::Size size = cutSize(full);
+  const cv::Size size = sizeWithin(full, kLongest);
 
-  // The other lights, where they tell something.
-  cv::Mat others(full, CV_32F, cv::Scalar(0));
-  cv::Mat reached(full, CV_8U, cv::Scalar(0));
-  for (size_t i = 0; i < set.lights.size(); ++i) {
-    if (i == light) continue;
-    others += greyOf(set.contributions[i]);
-    reached |= set.lights[i].level > thresholds[i];
-  }
-  cv::erode(reached, reached, {}, {-1, -1}, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
-  const cv::Mat telling = asFloat((others > kDark) & reached);
-  const cv::Mat weight = shrunk(telling, size);
-  const cv::Mat known = weight > .49;
-  const cv::Mat otherMean = meanOver(others, telling, size);
-
-  // The ratio to them, and where it bends.
+  // The light's ratio to the others, where they tell something.
+  std::vector<cv::Mat> bright;
+  for (size_t i = 0; i < set.lights.size(); ++i)
+    bright.push_back(asFloat(set.lights[i].level > thresholds[i]));
+  const OtherLights others = otherLights(set, bright, light, 1);
+  const cv::Mat telling = asFloat(others.known);
+  const cv::Mat known = shrunk(telling, size) > .49;
+  const cv::Mat weight = asFloat(known);
   const float unit = referenceUnit(weight);
-  cv::Mat ratio = meanOver(greyOf(set.contributions[light]), telling, size) / cv::max(otherMean, 1e-6f);
-  const cv::Mat knownWeight = asFloat(known);
   const auto smooth = [&](const cv::Mat& x) {
     cv::Mat out;
     cv::GaussianBlur(x, out, {}, kSmoothing * unit);
     return out;
   };
-  ratio = smooth(ratio.mul(knownWeight)) / cv::max(smooth(knownWeight), 1e-3f);
+  cv::Mat ratio = others.ratioOf(greyOf(set.contributions[light]), telling, size);
+  ratio = smooth(ratio.mul(weight)) / cv::max(smooth(weight), 1e-3f);
   const Slopes slopes = slopesOf(ratio);
   const cv::Mat bends = bendsOf(ratio, slopes, known, unit);
 
@@ -114,7 +96,7 @@ ShadowSides shadowSides(const SetEvidence& set, const std::vector<float>& thresh
   const ShadowEvidence& evidence = set.lights[light];
   const float pixels = static_cast<float>(full.width) / static_cast<float>(size.width);
   const cv::Mat steps = shrunk(evidence.edge, size) * pixels;
-  cv::Mat outline = otherMean + .01f;
+  cv::Mat outline = meanOver(others.grey, telling, size) + .01f;
   cv::log(outline, outline);
   outline = sizeOf(slopesOf(outline));
 

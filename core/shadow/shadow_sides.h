@@ -7,14 +7,12 @@
 
 namespace swaplight {
 
-/// What edges say about which side of a shadow's border a pixel is on: float pictures, see cutSize().
+/// What edges say about which side of a shadow's border a pixel is on: float pictures, no side longer than
+/// 480 pixels.
 struct ShadowSides {
   cv::Mat toShadow;  ///< above 0: just beyond an edge, on its dark side; below 0: just before one
   cv::Mat apart;     ///< 0 or more: how much here looks like a border, to neighbours of one kind or another
 };
-
-/// The size at which borders are looked for: no side longer than 480 pixels.
-[[nodiscard]] cv::Size cutSize(cv::Size full);
 
 /// A border of a light's shadow is one of three things. A cast one is a step of the light that the other
 /// lights do not have. Where a surface turns away there is none, but the light stops falling: beyond this
