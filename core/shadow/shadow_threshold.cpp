@@ -21,7 +21,9 @@ constexpr double kLeastTrust = .05;  // in levels that divide at the same ratio
 constexpr double kUsualLevel = .06;
 constexpr double kSpreadBelow = 2.2;
 constexpr double kSpreadAbove = 1;
-constexpr double kLeastLit = .03;  // share of the pixels above the threshold, against contours of highlights
+constexpr double kLeastEdge = .02;  // log step a pixel (of 480) along a contour: less is shading, no shadow
+constexpr float kNoShadow = 3;      // below the darkest pixel: how far a threshold is then
+constexpr double kLeastLit = .03;   // share of the pixels above the threshold, against contours of highlights
 
 // What is summed along the contour of each level.
 struct Contours {
@@ -76,6 +78,7 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
   contours.accumulate();
 
   // The best of the levels that divide better than their neighbours.
+  const double leastEdge = kLeastEdge / referenceUnit(known);
   std::array<double, kLevels> score{};
   for (size_t i = 0; i < kLevels; ++i) {
     const double above = 1 - contours.pixels[i] / contours.pixels[kLevels];
@@ -91,6 +94,7 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
     const double level = low + (static_cast<double>(i) + 1) / scale - lit;
     const double apart = level - std::log(kUsualLevel);
     const double unusual = apart / (apart < 0 ? kSpreadBelow : kSpreadAbove);
+    if (mean * unshared < leastEdge) continue;
     score[i] = mean * unshared * trust * std::exp(-unusual * unusual / 2) *
                std::pow(contours.length[i], kLengthBonus);
   }
@@ -101,14 +105,14 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
       if (smoothed(j) > smoothed(i)) return false;
     return true;
   };
-  size_t best = 1;
+  size_t best = 0;
   double bestValue = 0;
   for (size_t i = 1; i + 1 < kLevels; ++i) {
     const double value =
         smoothed(i) * std::pow(1 - contours.pixels[i] / contours.pixels[kLevels], kAreaBonus);
     if (value > bestValue && isPeak(i)) best = i, bestValue = value;
   }
-  return low + (static_cast<float>(best) + 1) / scale;
+  return bestValue > 0 ? low + (static_cast<float>(best) + 1) / scale : low - kNoShadow;
 }
 
 }  // namespace swaplight

@@ -65,6 +65,11 @@ TEST(Shadows, ADiscsShadowIsFoundAndPrintedChecksAreNone) {
   EXPECT_EQ(found[0].labels[pixelAt(30, 10)], ShadowLabel::Lit);
 }
 
+TEST(Shadows, ALightThatCastsNoneHasNone) {
+  const std::vector<LightShadows> found = detectShadows(shadowedFloor().set);
+  for (const ShadowLabel label : found[1].labels) ASSERT_EQ(label, ShadowLabel::Lit);
+}
+
 TEST(Shadows, BlackPixelsAreUnknown) {
   Floor floor = shadowedFloor();
   for (Image& t : floor.set.contributions)
