@@ -1,5 +1,6 @@
 #include "core/shadow/shadow_sides.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/shadow/other_lights.h"
@@ -19,7 +20,7 @@ constexpr float kRim = 2;           // beside where the other lights tell nothin
 constexpr float kLeastBend = .45f;  // of 1, for an edge with a dark side
 constexpr float kLeastStep = .4f;   // log, a unit: the same for cast edges
 constexpr float kStepStrength = .3f;
-constexpr float kNear = 2, kFar = 4;  // the distance at which sides are told
+constexpr std::array kSideDistances = {2.f, 3.f, 4.f};  // from an edge, at which its sides are told
 // What makes neighbours e times less of one kind.
 constexpr float kMostApart = .9f;  // log, a pixel: a penumbra's dark end is no better border than its middle
 constexpr float kBendApart = .2f, kStepApart = .3f, kOutlineApart = .4f;
@@ -39,7 +40,7 @@ void addSides(const cv::Mat& strength, const Slopes& slopes, float unit, cv::Mat
         if (column >= 0 && row >= 0 && column < sides.cols && row < sides.rows)
           sides.at<float>(row, column) += amount;
       };
-      for (float distance = kNear; distance <= kFar; ++distance) {
+      for (const float distance : kSideDistances) {
         add(-distance, here);
         add(distance, -here);
       }

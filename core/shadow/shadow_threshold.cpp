@@ -23,6 +23,7 @@ constexpr double kSpreadBelow = 2.2;
 constexpr double kSpreadAbove = 1;
 constexpr double kLeastEdge = .02;  // log step a pixel (of 480) along a contour: less is shading, no shadow
 constexpr float kNoShadow = 3;      // below the darkest pixel: how far a threshold is then
+constexpr double kAlike = .93;      // of the best level's value
 constexpr double kLeastLit = .03;   // share of the pixels above the threshold, against contours of highlights
 
 // What is summed along the contour of each level.
@@ -105,14 +106,14 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
       if (smoothed(j) > smoothed(i)) return false;
     return true;
   };
-  size_t best = 0;
-  double bestValue = 0;
-  for (size_t i = 1; i + 1 < kLevels; ++i) {
-    const double value =
-        smoothed(i) * std::pow(1 - contours.pixels[i] / contours.pixels[kLevels], kAreaBonus);
-    if (value > bestValue && isPeak(i)) best = i, bestValue = value;
-  }
-  return bestValue > 0 ? low + (static_cast<float>(best) + 1) / scale : low - kNoShadow;
+  std::array<double, kLevels> value{};
+  for (size_t i = 1; i + 1 < kLevels; ++i)
+    if (isPeak(i))
+      value[i] = smoothed(i) * std::pow(1 - contours.pixels[i] / contours.pixels[kLevels], kAreaBonus);
+  // Of levels that divide alike the darkest: the lighter ones run through what is lit.
+  const double enough = kAlike * *std::max_element(value.begin(), value.end());
+  const auto best = std::find_if(value.begin(), value.end(), [&](double v) { return v >= enough; });
+  return enough > 0 ? low + (static_cast<float>(best - value.begin()) + 1) / scale : low - kNoShadow;
 }
 
 }  // namespace swaplight
