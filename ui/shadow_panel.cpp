@@ -110,7 +110,8 @@ void threshold(StudioContext& studio, const std::string& light, int index) {
     previewShadowThreshold(studio, light, *moved);
   const float button = px(64);
   ImGui::AlignTextToFramePadding();
-  hint(fmt::format("shadow below {:+.1f}", stopsFromThreshold(now)));
+  const float stops = stopsFromThreshold(now);
+  hint(stops < ShadowHistogram::kLowestStops ? "no shadow" : fmt::format("shadow below {:+.1f}", stops));
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
   if (!given) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
   const bool reset = ImGui::Button("Auto", ImVec2(button, 0));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/shadow/each_light.h"
 #include "core/shadow/penumbra.h"
 #include "core/shadow/shadow_evidence.h"
 #include "core/shadow/shadow_fill.h"
@@ -59,46 +60,41 @@ void checkNames(const ShadowOptions& options, const Capture& capture) {
 
 std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOptions& options,
                                         const Progress& progress) {
-  progress.update(0, "telling surfaces from shadows");
   checkNames(options, set.capture);
-  const Progress gathering = progress.part(0, .3f);
-  const SetEvidence evidence = gatherShadowEvidence(set, gathering);
+  const SetEvidence evidence = gatherShadowEvidence(set, progress.part(0, .3f));
   const int smallest = smallestShadow(options, evidence.known);
+  const size_t count = evidence.lights.size();
+  constexpr const char* kFinding = "finding shadows";
 
-  std::vector<LightShadows> all(evidence.lights.size());
-  const auto share = [&](size_t i) { return static_cast<float>(i) / static_cast<float>(all.size()); };
-  std::vector<float> thresholds;
-  for (size_t i = 0; i < all.size(); ++i) {
-    progress.update(.3f + .1f * share(i), "finding shadows");
+  std::vector<LightShadows> all(count);
+  std::vector<float> thresholds(count);
+  forEachLight(count, progress.part(.3f, .4f), kFinding, [&](size_t i) {
     const ShadowEvidence& light = evidence.lights[i];
     const float lit = litLevel(light, evidence.known);
     const std::optional<float> given = options.thresholdOf(set.capture.lights[i].name);
-    thresholds.push_back(given ? lit + std::log(std::max(*given, 1e-6f))
-                               : shadowThreshold(light, evidence.known));
+    thresholds[i] = given ? lit + std::log(std::max(*given, 1e-6f)) : shadowThreshold(light, evidence.known);
     all[i].threshold = std::exp(thresholds[i] - lit);
-  }
-  std::vector<cv::Mat> divided;
-  for (size_t i = 0; i < all.size(); ++i) {
-    progress.update(.4f + .1f * share(i), "finding shadows");
-    const ShadowSides sides = shadowSides(evidence, thresholds, i);
-    divided.push_back(visibilityOf(evidence.lights[i], sides, evidence.known, thresholds[i], smallest));
-  }
-  std::vector<cv::Mat> visibilities;
-  std::vector<RefinedVisibility> refined;
-  for (size_t i = 0; i < all.size(); ++i) {
-    progress.update(.5f + .2f * share(i), "finding shadows");
-    refined.push_back(refineVisibility(evidence, divided, i));
-    visibilities.push_back(refined.back().visibility);
-  }
-  for (size_t i = 0; i < all.size(); ++i) {
-    progress.update(.7f + .3f * share(i), "filling shadows");
+  });
+  const std::vector<cv::Mat> bright = brightParts(evidence, thresholds);
+  std::vector<cv::Mat> divided(count);
+  forEachLight(count, progress.part(.4f, .5f), kFinding, [&](size_t i) {
+    const ShadowSides sides = shadowSides(evidence, bright, i);
+    divided[i] = visibilityOf(evidence.lights[i], sides, evidence.known, thresholds[i], smallest);
+  });
+  std::vector<RefinedVisibility> refined(count);
+  std::vector<cv::Mat> visibilities(count);
+  forEachLight(count, progress.part(.5f, .7f), kFinding, [&](size_t i) {
+    refined[i] = refineVisibility(evidence, divided, i);
+    visibilities[i] = refined[i].visibility;
+  });
+  forEachLight(count, progress.part(.7f, 1), "filling shadows", [&](size_t i) {
     FilledShadow filled = fillShadow(evidence, visibilities, refined[i].told, i);
     cv::max(filled.visibility, refined[i].reached, filled.visibility);
     all[i].labels = labelShadows(filled.visibility, evidence.known, smallest);
     all[i].visibility = imageOf(filled.visibility, {"Y"}, 1);
     all[i].direct = imageOf(filled.direct, {"R", "G", "B"}, evidence.white);
     all[i].direct.setColorSpace(set.colorSpace());
-  }
+  });
   return all;
 }
 

@@ -21,7 +21,7 @@ cv::Mat localMean(const cv::Mat& x, const cv::Mat& where, const cv::Mat& guide, 
 
 FadingLight fadingLight(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& guide) {
   const cv::Mat where = asFloat(fixed);
-  const double near = std::max(2., ratio.cols / 160.);
+  const double near = std::max(2., 3. * referenceUnit(ratio));
   FadingLight light;
   light.around = cv::max(localMean(ratio, where, guide, 5 * near), 1e-6);
   light.cast = clampedToOne((localMean(ratio, where, guide, near) / light.around - .65) / .2);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/shadow/each_light.h"
 #include "core/shadow/poisson.h"
 #include "core/shadow/shadow_pictures.h"
 
@@ -50,8 +51,8 @@ cv::Mat logarithm(const cv::Mat& x, float floor) {
 void gradients(const cv::Mat& x, cv::Mat& gx, cv::Mat& gy) {
   gx = cv::Mat::zeros(x.size(), CV_32F);
   gy = cv::Mat::zeros(x.size(), CV_32F);
-  gx.colRange(0, x.cols - 1) = x.colRange(1, x.cols) - x.colRange(0, x.cols - 1);
-  gy.rowRange(0, x.rows - 1) = x.rowRange(1, x.rows) - x.rowRange(0, x.rows - 1);
+  if (x.cols > 1) gx.colRange(0, x.cols - 1) = x.colRange(1, x.cols) - x.colRange(0, x.cols - 1);
+  if (x.rows > 1) gy.rowRange(0, x.rows - 1) = x.rowRange(1, x.rows) - x.rowRange(0, x.rows - 1);
 }
 
 // What several gradients have in common at each pixel.
@@ -123,19 +124,18 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress)
   cv::patchNaNs(sigma, 0);
 
   // Contributions without noise, their greys, and the logarithms of those.
-  std::vector<cv::Mat> greys;
-  cv::Mat sum(size, CV_32F, cv::Scalar(0));
-  for (const Image& t : set.contributions) {
-    progress.update(.5f * static_cast<float>(greys.size()) / static_cast<float>(count), kWhat);
+  std::vector<cv::Mat> greys(count);
+  all.contributions.resize(count);
+  forEachLight(count, progress.part(0, .5f), kWhat, [&](size_t i) {
+    const Image& t = set.contributions[i];
     cv::Mat channels[3];
     for (int c = 0; c < 3; ++c) channels[c] = denoised(planeOf(t, c) / all.white, sigma.mul(sigma) * 3);
-    cv::Mat rgb;
-    cv::merge(channels, 3, rgb);
-    all.contributions.push_back(rgb);
-    cv::Mat grey = (planeOf(t, 0) + planeOf(t, 1) + planeOf(t, 2)) / (3 * all.white);
-    greys.push_back(denoised(grey, sigma.mul(sigma)));
-    sum += greys.back();
-  }
+    cv::merge(channels, 3, all.contributions[i]);
+    const cv::Mat grey = (planeOf(t, 0) + planeOf(t, 1) + planeOf(t, 2)) / (3 * all.white);
+    greys[i] = denoised(grey, sigma.mul(sigma));
+  });
+  cv::Mat sum(size, CV_32F, cv::Scalar(0));
+  for (const cv::Mat& grey : greys) sum += grey;
   // More than a pixel's standard error: of which the filter leaves about a sixth.
   all.known = (sum > kLeastLight) & (sum > sigma);
   cv::medianBlur(all.known, all.known, kKnownWindow);  // noise does not decide pixel by pixel
@@ -151,15 +151,16 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress)
   progress.update(.5f, kWhat);
   const cv::Mat reflectance = integrateGradients(sharedGradient(across), sharedGradient(down));
 
-  for (size_t i = 0; i < count; ++i) {
-    progress.update(.7f + .3f * static_cast<float>(i) / static_cast<float>(count), kWhat);
-    ShadowEvidence& light = all.lights.emplace_back();
+  all.lights.resize(count);
+  forEachLight(count, progress.part(.7f, 1), kWhat, [&](size_t i) {
+    ShadowEvidence& light = all.lights[i];
     light.level = logs[i] - .5 * reflectance;
     light.shading = logs[i] - reflectance;
     const cv::Mat others = logarithm(sum - greys[i], floor);
     light.ratio = logs[i] - others;
+    light.shines = percentile(greys[i], .995, everywhere) > kLeastLight;
     findEdges(logs[i], others, light);
-  }
+  });
   return all;
 }
 

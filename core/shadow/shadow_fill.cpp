@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "core/parallel.h"
 #include "core/shadow/fading_light.h"
 #include "core/shadow/other_lights.h"
 #include "core/shadow/poisson.h"
@@ -11,12 +12,12 @@
 namespace swaplight {
 namespace {
 
-constexpr float kSure = .7f;          // visibility from which on pixels count as fully lit
+constexpr float kSure = .7f;          // visibility from which on pixels are continued, not filled
 constexpr float kAllSeen = .9f;       // visibility from which on such pixels see all of the light
 constexpr float kLeastOfMean = .93f;  // of the ratio around it: less is not fully lit
 constexpr float kPictureEdge =
     .5f;                            // log step of the whole picture that a contribution is not continued over
-constexpr float kMostlySeen = .1f;  // visibility from which on bounced light counts as direct more and more
+constexpr float kBarelySeen = .1f;  // visibility from which on bounced light counts as direct more and more
 constexpr float kReached = .05f;    // visibility beyond the end of shading that falls off
 constexpr float kLeastGrey = 1e-4f;  // of white
 constexpr float kFullySeen = .7f;    // visibility from which on the whole contribution counts as direct
@@ -44,7 +45,7 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   const cv::Mat& visibility = visibilities[light];
   const cv::Size full = own.size();
   const cv::Size size = workingSize(full);
-  const int rim = std::max(2, full.width / 240);  // the faint end of penumbras
+  const int rim = std::max(2, static_cast<int>(2 * referenceUnit(own)));  // the faint end of penumbras
   const OtherLights others = otherLights(set, visibilities, light, rim);
   const cv::Mat known = asFloat(others.known);
   cv::Mat sure = visibility > kSure;
@@ -68,10 +69,10 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   const cv::Mat picture = guideOf(shrunk(own + others.rgb, size));
   cv::Mat channels[3];
   cv::split(coarse, channels);
-  for (cv::Mat& channel : channels) {
-    channel = fillSmoothly(channel, shown, picture, kPictureEdge);
-    cv::max(channel, 0, channel);
-  }
+  parallelRows(3, 1, [&](int begin, int end) {
+    for (int c = begin; c < end; ++c)
+      channels[c] = cv::max(fillSmoothly(channels[c], shown, picture, kPictureEdge), 0);
+  });
   cv::merge(channels, 3, coarse);
 
   // In full detail where the other lights have it.
@@ -82,7 +83,9 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
 
   cv::Mat missing = unshadowed - own;
   cv::max(missing, 0, missing);
-  missing.setTo(cv::Scalar::all(0), sure);
+  // What is seen nearly in whole needs no continuation.
+  const cv::Mat share = 1 / cv::max(visibility, kSure) - 1;
+  cv::Mat(own.mul(spread(share))).copyTo(missing, sure);
 
   // Where most of the light arrives, what is missing says how much of it exactly: bounced light counts
   // little.
@@ -90,9 +93,9 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   const cv::Mat present = ownGrey + kLeastGrey;
   cv::Mat seenShare;
   cv::divide(present, present + greyOf(missing), seenShare);
-  seenShare = cv::min(cv::max(seenShare, kMostlySeen), visibility);
+  seenShare = cv::min(cv::max(seenShare, kBarelySeen), visibility);
   seenShare += told.mul(visibility - seenShare);
-  seenShare.copyTo(filled.visibility, visibility > kMostlySeen);
+  seenShare.copyTo(filled.visibility, visibility > kBarelySeen);
   // Shading that falls off by itself is dim, but sees all of the light up to its end.
   const cv::Mat reached = asFloat(visibility > kReached);
   cv::Mat ending = reached + grown(cast, full).mul(filled.visibility - reached);
@@ -102,7 +105,7 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
 
   // Bounced light is no part of it where it can be told apart: in the umbra.
   cv::divide(missing, spread(cv::max(1 - filled.visibility, 1 - kFullySeen)), filled.direct);
-  const cv::Mat lit = clampedToOne((filled.visibility - kMostlySeen) / (kFullySeen - kMostlySeen));
+  const cv::Mat lit = clampedToOne((filled.visibility - kBarelySeen) / (kFullySeen - kBarelySeen));
   filled.direct += spread(lit).mul(own + missing - filled.direct);
   return filled;
 }

@@ -9,6 +9,7 @@
 namespace swaplight {
 namespace {
 
+// Lengths are in reference units (see referenceUnit).
 constexpr float kInside = .02f;          // visibility (as divided) below which a pixel lies inside a shadow
 constexpr float kDepth = 8;              // pixels from there to the shadow's edge
 constexpr int kFewest = 100;             // pixels inside, to say anything

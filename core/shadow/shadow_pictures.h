@@ -74,9 +74,9 @@ inline cv::Mat disk(float radius) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width});
 }
 
-/// One pixel of a picture 480 pixels across: lengths in such pixels fit all sizes.
+/// One pixel of a picture whose longer side has 480: lengths in such pixels fit all sizes.
 inline float referenceUnit(const cv::Mat& picture) {
-  return static_cast<float>(picture.cols) / 480;
+  return static_cast<float>(std::max(picture.cols, picture.rows)) / 480;
 }
 
 struct Slopes {

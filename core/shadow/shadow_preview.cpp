@@ -72,8 +72,9 @@ ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress) {
     previewed.lit = lit;
     previewed.threshold = std::exp(thresholds.back() - lit);
   }
+  const std::vector<cv::Mat> bright = brightParts(*evidence, thresholds);
   for (size_t i = 0; i < m_lights.size(); ++i)
-    m_lights[i].sides = std::make_shared<const ShadowSides>(shadowSides(*evidence, thresholds, i));
+    m_lights[i].sides = std::make_shared<const ShadowSides>(shadowSides(*evidence, bright, i));
   evidence->contributions.clear();
   for (ShadowEvidence& light : evidence->lights)
     for (cv::Mat* used : {&light.slope, &light.edge, &light.ratio}) used->release();

@@ -33,7 +33,8 @@ struct PreviewedShadows {
 
 /// Finds shadows on a picture that is small enough (about a megapixel) to follow a hand on the threshold:
 /// like detectShadows(), but for penumbras made exact and what the filled shadows add, which take half a
-/// second. For looking, not for edits.
+/// second; of the other lights it uses their own thresholds, also where others are given. For looking, not
+/// for edits.
 class ShadowPreview {
  public:
   explicit ShadowPreview(const SolvedSet& set, const Progress& progress = {});

@@ -13,8 +13,9 @@ namespace {
 
 constexpr float kGuideScale = .2f;  // brings the level's steps to the filter's scale
 constexpr double kGuideEpsilon = 1e-4;
-constexpr float kUmbra = .1f;  // below: umbra
-constexpr float kLit = .9f;    // above: lit
+constexpr float kSoftening = 5;  // reference units: how far a border is made soft
+constexpr float kUmbra = .1f;    // below: umbra
+constexpr float kLit = .9f;      // above: lit
 
 enum Marker { kShadowMarker = 1, kLitMarker = 2 };
 
@@ -57,6 +58,7 @@ void removeSmall(cv::Mat& visibility, int smallest) {
   removeSmallParts(large, smallest);
   visibility.setTo(1, shadow & ~large);
   cv::Mat gaps = ~(visibility < kUmbra);
+  if (cv::countNonZero(gaps) == static_cast<int>(gaps.total())) return;  // in no umbra
   cv::Mat largeGaps = gaps.clone();
   removeSmallParts(largeGaps, smallest);
   visibility.setTo(0, gaps & ~largeGaps);
@@ -74,6 +76,8 @@ cv::Mat visibilityOf(const ShadowEvidence& light, const ShadowSides& sides, cons
   // Divide.
   const cv::Size full = light.level.size();
   const cv::Mat shadow = cutShadow(shrunk(light.level, sides.apart.size()), threshold, sides);
+  cv::Mat cut;
+  cv::resize(shadow, cut, full, 0, 0, cv::INTER_NEAREST);
   cv::Mat markers(full, CV_32S, cv::Scalar(0));
   markers.setTo(kShadowMarker, insideOf(shadow, full));
   markers.setTo(kLitMarker, insideOf(~shadow, full));
@@ -82,13 +86,13 @@ cv::Mat visibilityOf(const ShadowEvidence& light, const ShadowSides& sides, cons
   for (int y = 0; y < lit.rows; ++y)
     for (int x = 0; x < lit.cols; ++x) {
       const int marker = markers.at<int>(y, x);  // -1 on the watershed and on the picture's rim
-      const bool above = light.level.at<float>(y, x) > threshold;
-      lit.at<float>(y, x) = marker == kLitMarker || (marker != kShadowMarker && above) ? 1.f : 0.f;
+      const bool inShadow = marker == -1 ? cut.at<uchar>(y, x) != 0 : marker == kShadowMarker;
+      lit.at<float>(y, x) = inShadow ? 0.f : 1.f;
     }
 
   // Soften.
   cv::Mat visibility;
-  const int radius = std::max(4, lit.cols / 96);
+  const int radius = std::max(4, static_cast<int>(kSoftening * referenceUnit(lit)));
   cv::ximgproc::guidedFilter(light.level * kGuideScale, lit, visibility, radius, kGuideEpsilon);
   cv::min(visibility, 1, visibility);
   cv::max(visibility, 0, visibility);

@@ -18,7 +18,7 @@ constexpr float kStepReach = 5;     // a step bends one way and, so near, the ot
 constexpr float kStepShare = .4f;   // how much of a bend it takes back
 constexpr float kRim = 2;           // beside where the other lights tell nothing
 constexpr float kLeastBend = .45f;  // of 1, for an edge with a dark side
-constexpr float kLeastStep = .4f;   // log, a unit: the same for cast edges
+constexpr float kLeastStep = .4f;   // log, a pixel: the same for cast edges
 constexpr float kStepStrength = .3f;
 constexpr std::array kSideDistances = {2.f, 3.f, 4.f};  // from an edge, at which its sides are told
 // What makes neighbours e times less of one kind.
@@ -70,14 +70,18 @@ cv::Mat bendsOf(const cv::Mat& ratio, const Slopes& slopes, const cv::Mat& known
 
 }  // namespace
 
-ShadowSides shadowSides(const SetEvidence& set, const std::vector<float>& thresholds, size_t light) {
+std::vector<cv::Mat> brightParts(const SetEvidence& set, const std::vector<float>& thresholds) {
+  std::vector<cv::Mat> bright;
+  for (size_t i = 0; i < set.lights.size(); ++i)
+    bright.push_back(asFloat(set.lights[i].level > thresholds[i]));
+  return bright;
+}
+
+ShadowSides shadowSides(const SetEvidence& set, const std::vector<cv::Mat>& bright, size_t light) {
   const cv::Size full = set.known.size();
   const cv::Size size = sizeWithin(full, kLongest);
 
   // The light's ratio to the others, where they tell something.
-  std::vector<cv::Mat> bright;
-  for (size_t i = 0; i < set.lights.size(); ++i)
-    bright.push_back(asFloat(set.lights[i].level > thresholds[i]));
   const OtherLights others = otherLights(set, bright, light, 1);
   const cv::Mat telling = asFloat(others.known);
   const cv::Mat known = shrunk(telling, size) > .49;
@@ -106,7 +110,7 @@ ShadowSides shadowSides(const SetEvidence& set, const std::vector<float>& thresh
   cv::Mat clear = bends.clone();
   clear.setTo(0, bends < kLeastBend);
   addSides(clear, slopes, unit, sides.toShadow);
-  const cv::Mat clearSteps = asFloat(steps * unit >= kLeastStep) * kStepStrength;
+  const cv::Mat clearSteps = asFloat(steps >= kLeastStep) * kStepStrength;
   addSides(clearSteps, slopesOf(smooth(shrunk(evidence.level, size))), unit, sides.toShadow);
   sides.apart = bends / kBendApart + cv::min(steps, kMostApart) / kStepApart + outline / kOutlineApart;
   return sides;

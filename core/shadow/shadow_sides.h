@@ -17,8 +17,11 @@ struct ShadowSides {
 /// A border of a light's shadow is one of three things. A cast one is a step of the light that the other
 /// lights do not have. Where a surface turns away there is none, but the light stops falling: beyond this
 /// bend there is bounced light only, however bright. And at the outline of a thing anything may begin.
-/// `thresholds`: of all lights' levels (ShadowEvidence::level); what is darker tells nothing of the surface.
-[[nodiscard]] ShadowSides shadowSides(const SetEvidence& set, const std::vector<float>& thresholds,
+/// `bright`: of all lights, 1 where a light is bright enough to tell something of the surface.
+[[nodiscard]] ShadowSides shadowSides(const SetEvidence& set, const std::vector<cv::Mat>& bright,
                                       size_t light);
+
+/// 1 where a light's level is above its threshold, else 0, for all lights.
+[[nodiscard]] std::vector<cv::Mat> brightParts(const SetEvidence& set, const std::vector<float>& thresholds);
 
 }  // namespace swaplight

@@ -21,10 +21,13 @@ constexpr double kLeastTrust = .05;  // in levels that divide at the same ratio
 constexpr double kUsualLevel = .06;
 constexpr double kSpreadBelow = 2.2;
 constexpr double kSpreadAbove = 1;
-constexpr double kLeastEdge = .02;  // log step a pixel (of 480) along a contour: less is shading, no shadow
-constexpr float kNoShadow = 3;      // below the darkest pixel: how far a threshold is then
-constexpr double kAlike = .93;      // of the best level's value
-constexpr double kLeastLit = .03;   // share of the pixels above the threshold, against contours of highlights
+// Unshared log step a pixel (of 480) along a contour: less is shading, no shadow. Pictures smaller than half
+// of that blur their edges.
+constexpr double kLeastEdge = .02;
+constexpr float kSmallest = .5f;
+constexpr float kOutside = 3;      // log, beyond nearly all pixels' levels: surely lit, or surely shadow
+constexpr double kAlike = .93;     // of the best level's value
+constexpr double kLeastLit = .03;  // share of the pixels above the threshold, against contours of highlights
 
 // What is summed along the contour of each level.
 struct Contours {
@@ -54,7 +57,8 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
   const float low = percentile(light.level, .005, known);
   const float high = percentile(light.level, .995, known);
   const float lit = percentile(light.level, .99, known);
-  if (!(high > low)) return low;
+  if (!light.shines) return high + kOutside;
+  if (!(high > low)) return low - kOutside;
   const float scale = kLevels / (high - low);
   const auto binAt = [&](int y, int x) {
     return std::clamp(static_cast<int>((light.level.at<float>(y, x) - low) * scale), 0, kLevels - 1);
@@ -79,13 +83,14 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
   contours.accumulate();
 
   // The best of the levels that divide better than their neighbours.
-  const double leastEdge = kLeastEdge / referenceUnit(known);
+  const double leastEdge = kLeastEdge / std::max(referenceUnit(known), kSmallest);
   std::array<double, kLevels> score{};
   for (size_t i = 0; i < kLevels; ++i) {
     const double above = 1 - contours.pixels[i] / contours.pixels[kLevels];
     if (contours.length[i] < 1 || above < kLeastLit || above > 1 - .005) continue;
     const double mean = contours.edge[i] / contours.length[i];
     const double unshared = contours.edge[i] / std::max(contours.slope[i], 1e-9);
+    if (mean * unshared < leastEdge) continue;
     // What is dark under every light alike is a dark surface, not this light's shadow.
     const double below = contours.pixels[i];
     const double all = contours.pixels[kLevels];
@@ -95,7 +100,6 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
     const double level = low + (static_cast<double>(i) + 1) / scale - lit;
     const double apart = level - std::log(kUsualLevel);
     const double unusual = apart / (apart < 0 ? kSpreadBelow : kSpreadAbove);
-    if (mean * unshared < leastEdge) continue;
     score[i] = mean * unshared * trust * std::exp(-unusual * unusual / 2) *
                std::pow(contours.length[i], kLengthBonus);
   }
@@ -113,7 +117,7 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
   // Of levels that divide alike the darkest: the lighter ones run through what is lit.
   const double enough = kAlike * *std::max_element(value.begin(), value.end());
   const auto best = std::find_if(value.begin(), value.end(), [&](double v) { return v >= enough; });
-  return enough > 0 ? low + (static_cast<float>(best - value.begin()) + 1) / scale : low - kNoShadow;
+  return enough > 0 ? low + (static_cast<float>(best - value.begin()) + 1) / scale : low - kOutside;
 }
 
 }  // namespace swaplight

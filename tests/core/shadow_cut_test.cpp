@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/shadow/shadow_evidence.h"
+#include "core/shadow/shadow_regions.h"
 #include "core/shadow/shadow_threshold.h"
 
 namespace swaplight {
@@ -39,7 +40,7 @@ ShadowSides sidesOf(const SetEvidence& evidence) {
   std::vector<float> thresholds;
   for (const ShadowEvidence& light : evidence.lights)
     thresholds.push_back(shadowThreshold(light, evidence.known));
-  return shadowSides(evidence, thresholds, 0);
+  return shadowSides(evidence, brightParts(evidence, thresholds), 0);
 }
 
 TEST(ShadowSides, ASurfaceStopsSeeingALightWhereTheLightStopsFalling) {
@@ -62,6 +63,17 @@ TEST(ShadowCut, BouncedLightAboveTheThresholdIsShadowBeyondSuchABend) {
   const cv::Mat shadow = cutShadow(evidence.lights[0].level, threshold, sides);
   EXPECT_GT(cv::countNonZero(shadow.colRange(0, kEnd - 4)), .95 * kHeight * (kEnd - 4));
   EXPECT_EQ(cv::countNonZero(shadow.colRange(kEnd + 12, kEnd + 200)), 0);
+}
+
+TEST(ShadowCut, ReachesThePicturesRim) {
+  const SetEvidence evidence = turningSurface(.05F);
+  const ShadowEvidence& key = evidence.lights[0];
+  const float threshold = key.level.at<float>(60, 10) - .3F;
+  const cv::Mat visibility = visibilityOf(key, sidesOf(evidence), evidence.known, threshold, 16);
+  for (int x = 0; x < kEnd - 12; ++x) {
+    EXPECT_LT(visibility.at<float>(0, x), .1F) << x;
+    EXPECT_LT(visibility.at<float>(kHeight - 1, x), .1F) << x;
+  }
 }
 
 TEST(ShadowCut, WithoutEdgesTheLevelDecides) {

@@ -70,6 +70,53 @@ TEST(Shadows, ALightThatCastsNoneHasNone) {
   for (const ShadowLabel label : found[1].labels) ASSERT_EQ(label, ShadowLabel::Lit);
 }
 
+// Two lights, each the same everywhere.
+SolvedSet evenSet(int width, int height, float key, float fill) {
+  SolvedSet set;
+  set.capture.lights = {{"key", Role::Key, Json::object()}, {"fill", Role::Fill, Json::object()}};
+  for (const float light : {key, fill}) {
+    Image& image = set.contributions.emplace_back(ImageSpec::rgb(width, height));
+    for (int c = 0; c < 3; ++c) std::fill_n(image.plane(c), image.pixelCount(), light);
+  }
+  updateBeta(set);
+  return set;
+}
+
+TEST(Shadows, EvenLightHasNoneInPicturesOfAnySize) {
+  for (const auto& [width, height] : {std::pair(1, 1), {1, 40}, {40, 1}, {2, 3}, {64, 48}}) {
+    const std::vector<LightShadows> found = detectShadows(evenSet(width, height, .5F, .2F));
+    for (const LightShadows& light : found)
+      for (const ShadowLabel label : light.labels)
+        ASSERT_EQ(label, ShadowLabel::Lit) << width << " " << height;
+  }
+}
+
+TEST(Shadows, ALightThatGivesNothingIsAllUmbra) {
+  const std::vector<LightShadows> found = detectShadows(evenSet(64, 48, .5F, 0));
+  for (const ShadowLabel label : found[0].labels) ASSERT_EQ(label, ShadowLabel::Lit);
+  for (const ShadowLabel label : found[1].labels) ASSERT_EQ(label, ShadowLabel::Umbra);
+}
+
+TEST(Shadows, APictureOnItsSideHasTheSame) {
+  const SolvedSet set = shadowedFloor().set;
+  SolvedSet turned = evenSet(kHeight, kWidth, 0, 0);
+  for (size_t i = 0; i < 2; ++i)
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x)
+        for (int c = 0; c < 3; ++c)
+          turned.contributions[i].span().at(c, y, x) = set.contributions[i].plane(c)[pixelAt(x, y)];
+  updateBeta(turned);
+  const std::vector<LightShadows> upright = detectShadows(set);
+  const std::vector<LightShadows> lying = detectShadows(turned);
+  double difference = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      difference +=
+          std::abs(upright[0].visibility.plane(0)[pixelAt(x, y)] -
+                   lying[0].visibility.plane(0)[static_cast<size_t>(x) * kHeight + static_cast<size_t>(y)]);
+  EXPECT_LT(difference / (kWidth * kHeight), .002);
+}
+
 TEST(Shadows, BlackPixelsAreUnknown) {
   Floor floor = shadowedFloor();
   for (Image& t : floor.set.contributions)
