@@ -5,10 +5,10 @@
 #include "core/error.h"
 #include "core/file/json_file.h"
 #include "core/image/image_io.h"
-#include "core/measure/dynamic_range.h"
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
 #include "core/session/session_file.h"
+#include "core/solve/dynamic_range.h"
 #include "core/solve/set_color_space.h"
 #include "core/solve/solved_file.h"
 

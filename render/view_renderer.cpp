@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/color/luminance.h"
 #include "core/view/false_color.h"
-#include "core/view/luminance.h"
 #include "render/gl_info.h"
 #include "render/gl_scope.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/view/luminance.h"
+#include "core/color/luminance.h"
 
 namespace swaplight {
 namespace {

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/color/kelvin.h"
-#include "core/view/luminance.h"
+#include "core/color/luminance.h"
 
 namespace swaplight {
 namespace {

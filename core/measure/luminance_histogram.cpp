@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/color/color_config.h"
-#include "core/view/luminance.h"
+#include "core/color/luminance.h"
 
 namespace swaplight {
 namespace {

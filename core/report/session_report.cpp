@@ -12,10 +12,10 @@
 #include "core/image/image_bytes.h"
 #include "core/image/shrunk_image.h"
 #include "core/measure/color_map.h"
-#include "core/measure/dynamic_range.h"
 #include "core/measure/luminance_histogram.h"
 #include "core/relight/relight.h"
 #include "core/relight/setting.h"
+#include "core/solve/dynamic_range.h"
 
 namespace swaplight {
 namespace {

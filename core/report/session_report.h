@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "core/json.h"
-#include "core/measure/dynamic_range.h"
 #include "core/measure/luminance_histogram.h"
 #include "core/relight/rig.h"
 #include "core/session/document.h"
+#include "core/solve/dynamic_range.h"
 #include "core/solve/solved_set.h"
 
 namespace swaplight {

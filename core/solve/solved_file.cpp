@@ -9,8 +9,8 @@
 #include "core/image/half.h"
 #include "core/image/image_io.h"
 #include "core/image/image_write.h"
-#include "core/measure/dynamic_range.h"
 #include "core/parallel.h"
+#include "core/solve/dynamic_range.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;

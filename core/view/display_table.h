@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/color/color_config.h"
+#include "core/color/luminance.h"
 #include "core/view/baked_view.h"
-#include "core/view/luminance.h"
 #include "core/view/view_settings.h"
 
 namespace swaplight {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/view/luminance.h"
+#include "core/color/luminance.h"
 
 namespace swaplight {
 namespace {

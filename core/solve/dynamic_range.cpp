@@ -1,4 +1,4 @@
-#include "core/measure/dynamic_range.h"
+#include "core/solve/dynamic_range.h"
 
 #include <fmt/core.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/color/color_config.h"
+#include "core/color/luminance.h"
 #include "core/error.h"
-#include "core/view/luminance.h"
 
 namespace swaplight {
 namespace {

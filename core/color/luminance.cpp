@@ -1,4 +1,4 @@
-#include "core/view/luminance.h"
+#include "core/color/luminance.h"
 
 namespace swaplight {
 namespace {
