@@ -89,8 +89,10 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
   });
   forEachLight(count, progress.part(.7f, 1), "filling shadows", [&](size_t i) {
     FilledShadow filled = fillShadow(evidence, visibilities, refined[i].told, i);
+    // After filling: what a surface that turns away still sees is dim of itself, and lacks nothing.
     cv::max(filled.visibility, refined[i].reached, filled.visibility);
-    all[i].labels = labelShadows(filled.visibility, evidence.known, smallest);
+    removeSmallShadows(filled.visibility, smallest);
+    all[i].labels = labelShadows(filled.visibility, evidence.known);
     all[i].visibility = imageOf(filled.visibility, {"Y"}, 1);
     all[i].direct = imageOf(filled.direct, {"R", "G", "B"}, evidence.white);
     all[i].direct.setColorSpace(set.colorSpace());

@@ -7,8 +7,6 @@
 namespace swaplight {
 
 inline constexpr float kRatioEdge = .3f;  ///< log step of the other lights that a ratio is not continued over
-/// The same for means that an edge-aware filter takes (its range, Gastal and Oliveira 2011).
-inline constexpr double kGuideReach = 3 * kRatioEdge;
 
 /// What the other lights show of the surfaces that one light falls on.
 struct OtherLights {

@@ -18,7 +18,7 @@ constexpr float kLeastParting = .02f;
 
 cv::Mat cutShadow(const cv::Mat& level, float threshold, const ShadowSides& sides) {
   const cv::Size size = sides.apart.size();
-  if (size.area() == 1) return level < threshold;
+  if (size.area() == 1) return level < threshold;  // the graph has to have a link
   cv::detail::GCGraph<float> graph(size.area(), 2 * size.area());
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {

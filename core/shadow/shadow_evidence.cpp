@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kDenoiseRadius = 3;
 constexpr float kLeastLight = 2e-4f;  // of white: what counts as black
+constexpr double kShining = .005;     // share of the pixels that a light must reach to be one
 constexpr int kKnownWindow = 7;       // pixels
 
 cv::Mat planeOf(const Image& image, int channel) {
@@ -111,13 +112,11 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress)
   const size_t count = set.contributions.size();
   const cv::Size size(set.width(), set.height());
 
-  const cv::Mat everywhere(size, CV_8U, cv::Scalar(255));
-
   // Scale and noise.
   cv::Mat total(size, CV_32F, cv::Scalar(0));
   for (const Image& t : set.contributions)
     for (int c = 0; c < 3; ++c) total += planeOf(t, c) / 3;
-  all.white = std::max(percentile(total, .99, everywhere), 1e-12f);
+  all.white = std::max(percentile(total, .99), 1e-12f);
   total /= all.white;
   cv::Mat sigma(size, CV_32F, cv::Scalar(0));
   if (!set.quality.empty()) sigma = planeOf(set.quality, kSigma).mul(total);
@@ -139,7 +138,7 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress)
   // More than a pixel's standard error: of which the filter leaves about a sixth.
   all.known = (sum > kLeastLight) & (sum > sigma);
   cv::medianBlur(all.known, all.known, kKnownWindow);  // noise does not decide pixel by pixel
-  const float floor = kLeastLight + .5f * percentile(sigma, .5, everywhere);
+  const float floor = kLeastLight + .5f * percentile(sigma, .5);
   std::vector<cv::Mat> logs;
   logs.reserve(greys.size());
   for (const cv::Mat& grey : greys) logs.push_back(logarithm(grey, floor));
@@ -158,7 +157,7 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress)
     light.shading = logs[i] - reflectance;
     const cv::Mat others = logarithm(sum - greys[i], floor);
     light.ratio = logs[i] - others;
-    light.shines = percentile(greys[i], .995, everywhere) > kLeastLight;
+    light.shines = cv::countNonZero(greys[i] > kLeastLight) > kShining * static_cast<double>(size.area());
     findEdges(logs[i], others, light);
   });
   return all;

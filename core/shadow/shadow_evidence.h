@@ -20,7 +20,7 @@ struct ShadowEvidence {
   cv::Mat slope, edge;
   /// log of the light's contribution over the sum of the others'.
   cv::Mat ratio;
-  bool shines = true;  ///< false: it gives nothing anywhere
+  bool shines = true;  ///< false: it gives nothing, or nearly nowhere
 };
 
 /// What all lights say together.

@@ -1,9 +1,8 @@
 #include "core/shadow/shadow_floor.h"
 
 #include <algorithm>
-#include <opencv2/ximgproc/edge_filter.hpp>
 
-#include "core/shadow/other_lights.h"
+#include "core/shadow/guided_mean.h"
 #include "core/shadow/shadow_pictures.h"
 
 namespace swaplight {
@@ -38,12 +37,9 @@ std::optional<ShadowFloor> shadowFloor(const cv::Mat& ratio, const cv::Mat& divi
   const cv::Mat inside = known & (divided < kInside) & (depth > kDepth * unit);
   if (cv::countNonZero(inside) < kFewest) return std::nullopt;
 
-  const cv::Mat where = asFloat(inside);
-  cv::Mat sum, weight;
-  cv::ximgproc::dtFilter(guide, ratio.mul(where), sum, kReach * unit, kGuideReach);
-  cv::ximgproc::dtFilter(guide, where, weight, kReach * unit, kGuideReach);
   ShadowFloor floor;
-  floor.ratio = (sum + kOverall * percentile(ratio, .5, inside)) / (weight + kOverall);
+  floor.ratio =
+      guidedMean(ratio, asFloat(inside), guide, kReach * unit, {percentile(ratio, .5, inside), kOverall});
   floor.high = percentile(ratio, kHigh, inside);
   floor.spread = kSpreadOfMiddle * percentile(cv::abs(ratio - floor.ratio), .5, inside);
   return floor;

@@ -96,12 +96,13 @@ inline cv::Mat sizeOf(const Slopes& slopes) {
   return size;
 }
 
-/// What `share` (0..1) of the pixels that `mask` (8-bit) chooses do not exceed; 0 where it chooses none.
-inline float percentile(const cv::Mat& picture, double share, const cv::Mat& mask) {
+/// What `share` (0..1) of the pixels do not exceed, of all or those that `mask` (8-bit) chooses; 0 where it
+/// chooses none.
+inline float percentile(const cv::Mat& picture, double share, const cv::Mat& mask = {}) {
   std::vector<float> values;
   for (int y = 0; y < picture.rows; ++y)
     for (int x = 0; x < picture.cols; ++x)
-      if (mask.at<uchar>(y, x)) values.push_back(picture.at<float>(y, x));
+      if (mask.empty() || mask.at<uchar>(y, x)) values.push_back(picture.at<float>(y, x));
   if (values.empty()) return 0;
   const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());

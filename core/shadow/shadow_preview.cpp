@@ -86,9 +86,9 @@ PreviewedShadows ShadowPreview::shadows(size_t light, const std::optional<float>
   const cv::Mat& known = m_evidence->known;
   const int smallest = smallestShadow({}, known);
   const float level = m_lights[light].lit + std::log(given);
-  cv::Mat visibility =
+  const cv::Mat visibility =
       visibilityOf(m_evidence->lights[light], *m_lights[light].sides, known, level, smallest);
-  return {labelShadows(visibility, known, smallest), known.cols, m_scale};
+  return {labelShadows(visibility, known), known.cols, m_scale};
 }
 
 float stopsFromThreshold(float threshold) {

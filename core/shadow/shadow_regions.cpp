@@ -51,8 +51,14 @@ void removeSmallParts(cv::Mat& mask, int smallest) {
     }
 }
 
-// Small shadows are noise, and so are small holes in large ones.
-void removeSmall(cv::Mat& visibility, int smallest) {
+}  // namespace
+
+int smallestShadow(const ShadowOptions& options, const cv::Mat& known) {
+  const float share = options.smallestShare * static_cast<float>(known.total());
+  return std::max(4, static_cast<int>(std::lround(share)));
+}
+
+void removeSmallShadows(cv::Mat& visibility, int smallest) {
   cv::Mat shadow = visibility < kLit;
   cv::Mat large = shadow.clone();
   removeSmallParts(large, smallest);
@@ -62,13 +68,6 @@ void removeSmall(cv::Mat& visibility, int smallest) {
   cv::Mat largeGaps = gaps.clone();
   removeSmallParts(largeGaps, smallest);
   visibility.setTo(0, gaps & ~largeGaps);
-}
-
-}  // namespace
-
-int smallestShadow(const ShadowOptions& options, const cv::Mat& known) {
-  const float share = options.smallestShare * static_cast<float>(known.total());
-  return std::max(4, static_cast<int>(std::lround(share)));
 }
 
 cv::Mat visibilityOf(const ShadowEvidence& light, const ShadowSides& sides, const cv::Mat& known,
@@ -96,12 +95,11 @@ cv::Mat visibilityOf(const ShadowEvidence& light, const ShadowSides& sides, cons
   cv::ximgproc::guidedFilter(light.level * kGuideScale, lit, visibility, radius, kGuideEpsilon);
   cv::min(visibility, 1, visibility);
   cv::max(visibility, 0, visibility);
-  removeSmall(visibility, smallest);
+  removeSmallShadows(visibility, smallest);
   return visibility;
 }
 
-std::vector<ShadowLabel> labelShadows(cv::Mat& visibility, const cv::Mat& known, int smallest) {
-  removeSmall(visibility, smallest);
+std::vector<ShadowLabel> labelShadows(const cv::Mat& visibility, const cv::Mat& known) {
   std::vector<ShadowLabel> labels;
   labels.reserve(visibility.total());
   for (int y = 0; y < visibility.rows; ++y)

@@ -59,7 +59,7 @@ cv::Mat bendsOf(const cv::Mat& ratio, const Slopes& slopes, const cv::Mat& known
   cv::dilate(least, least, disk(kStepReach * unit));
   cv::Mat steepest;
   cv::dilate(sizeOf(slopes), steepest, disk(kSlopeReach * unit));
-  cv::Mat bends;
+  cv::Mat bends;  // a slope that ends within the smoothing is about 1
   cv::divide(cv::max(most - kStepShare * least, 0) * (4 * unit * unit),
              steepest * unit + kFlat * ratio + 1e-5f, bends);
   cv::Mat inside;
