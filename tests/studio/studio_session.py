@@ -220,3 +220,12 @@ class StudioTest(unittest.TestCase):
         studio = self.start(os.path.join(SAMPLES, name), **options)
         studio.wait_ready()
         return studio
+
+    def open_edits(self, light='key', name='three_point'):
+        """A sample with the list of edits, for a light."""
+        studio = self.open_sample(name)
+        studio.click(f'mixer.{light}.chip')
+        studio.move(*studio.point('viewer.picture', 0.5, 0.02))
+        studio.key('F4')
+        studio.item('edits.add')
+        return studio

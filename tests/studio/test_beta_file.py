@@ -20,14 +20,6 @@ def write_float(path, pixels, names):
 
 
 class BetaFile(StudioTest):
-    def open_list(self):
-        studio = self.open_sample()
-        studio.click('mixer.key.chip')
-        studio.move(*studio.point('viewer.picture', 0.5, 0.02))
-        studio.key('F4')
-        studio.item('edits.add')
-        return studio
-
     def add(self, what):
         self.studio.click('edits.add')
         self.studio.item('add.' + what)
@@ -81,7 +73,7 @@ class BetaFile(StudioTest):
         self.dismiss()
 
     def test_a_map_is_written_edited_read_back_and_refused_where_it_is_wrong(self):
-        studio = self.open_list()
+        studio = self.open_edits()
         studio.click('mixer.fill.mute')
         studio.click('mixer.back.mute')
         before = self.shown('beta_before')
@@ -173,7 +165,7 @@ class BetaFile(StudioTest):
         self.same(self.shown('beta_whole'), before)
 
     def test_a_png_a_light_and_a_session_that_is_opened_again(self):
-        studio = self.open_list()
+        studio = self.open_edits()
         before = self.shown('beta_png_before')
         self.export('beta.png')
         path = self.path('beta.key.png')

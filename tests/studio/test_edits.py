@@ -11,14 +11,6 @@ from studio_session import PROGRAM, StudioTest
 
 
 class Edits(StudioTest):
-    def open_list(self, light='key', name='three_point'):
-        studio = self.open_sample(name)
-        studio.click(f'mixer.{light}.chip')
-        studio.move(*studio.point('viewer.picture', 0.5, 0.02))
-        studio.key('F4')
-        studio.item('edits.add')
-        return studio
-
     def add(self, kind):
         self.studio.click('edits.add')
         self.studio.item('add.' + kind)
@@ -67,7 +59,7 @@ class Edits(StudioTest):
         self.studio.drag(self.studio.point(item, start), self.studio.point(item, end))
 
     def test_points_of_a_curve_are_added_dragged_and_removed(self):
-        studio = self.open_list()
+        studio = self.open_edits()
         before = studio.picture('curve_before')
         self.add('curve')
         studio.item('curve.point.1')
@@ -109,7 +101,7 @@ class Edits(StudioTest):
         self.assertEqual(edits[0]['points'], [[0, 0], [1, 1]])
 
     def test_every_kind_is_added_and_its_numbers_changed(self):
-        studio = self.open_list()
+        studio = self.open_edits()
         self.add('gain')
         self.drag_slider('parameters.gain', 0.25, 0.5)
         self.drag_slider('parameters.offset', 0.5, 0.6)
@@ -151,7 +143,7 @@ class Edits(StudioTest):
         self.same_as_command_line(path)
 
     def test_the_other_lights_give_way_or_stay(self):
-        studio = self.open_list()
+        studio = self.open_edits()
         before = studio.picture('edits_fill_before')
         self.add('fill')
         self.drag_slider('parameters.fill', 0.25, 0.02)
@@ -163,7 +155,7 @@ class Edits(StudioTest):
         self.assertLess(studio.picture('edits_light_gone').mean(), before.mean() - 5)
 
     def test_edits_are_renamed_by_f2_and_by_a_double_click(self):
-        studio = self.open_list()
+        studio = self.open_edits()
         self.add('blur')
         self.add('gain')
         studio.click('edits.0', x=0.6, y=0.5)
@@ -197,7 +189,7 @@ class Edits(StudioTest):
         self.assertEqual([edit['name'] for edit in edits], ['Soft key', 'Stronger'])
 
     def test_edits_are_put_into_another_order_by_dragging(self):
-        studio = self.open_list()
+        studio = self.open_edits()
         for kind in ('fill', 'gain', 'invert'):
             self.add(kind)
         studio.click('edits.2', x=0.6, y=0.5)  # closes it: rows alone
@@ -219,7 +211,7 @@ class Edits(StudioTest):
         self.assertEqual([edit['operation'] for edit in edits], ['fill', 'invert'])
 
     def test_each_change_of_the_list_is_one_step_that_undo_takes_back(self):
-        studio = self.open_list()
+        studio = self.open_edits()
         self.add('fill')
         self.add('gain')
         studio.click('edits.1', x=0.6, y=0.5)  # closes it: rows alone
