@@ -1,5 +1,5 @@
 // The program `swaplight`: one verb a job.
-#include "app/verbs.h"
+#include "app/verbs/verbs.h"
 
 int main(int argc, char** argv) {
   swaplight::Program program;

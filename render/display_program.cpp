@@ -2,10 +2,10 @@
 
 #include <epoxy/gl.h>
 
-#include "core/color/color_config_impl.h"
-#include "core/error.h"
-#include "render/gl_info.h"
-#include "render/gl_scope.h"
+#include "core/base/error.h"
+#include "core/ocio/color_config_impl.h"
+#include "render/gl/gl_info.h"
+#include "render/gl/gl_scope.h"
 
 namespace swaplight {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/color/color_config.h"
-#include "render/gl_handle.h"
-#include "render/shader_program.h"
+#include "core/ocio/color_config.h"
+#include "render/gl/gl_handle.h"
+#include "render/gl/shader_program.h"
 
 namespace swaplight {
 

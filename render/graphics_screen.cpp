@@ -1,7 +1,7 @@
 #include "render/graphics_screen.h"
 
-#include "render/gl_info.h"
-#include "render/pixel_transfer.h"
+#include "render/gl/gl_info.h"
+#include "render/gl/pixel_transfer.h"
 
 namespace swaplight {
 

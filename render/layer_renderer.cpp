@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "render/gl_info.h"
-#include "render/gl_scope.h"
+#include "render/gl/gl_info.h"
+#include "render/gl/gl_scope.h"
 
 namespace swaplight {
 

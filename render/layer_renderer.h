@@ -4,8 +4,8 @@
 #include <span>
 
 #include "core/color/rgb.h"
-#include "render/shader_program.h"
-#include "render/tiled_texture.h"
+#include "render/gl/shader_program.h"
+#include "render/gl/tiled_texture.h"
 
 namespace swaplight {
 

@@ -1,6 +1,6 @@
 #include "render/picture_screen.h"
 
-#include "render/gl_info.h"
+#include "render/gl/gl_info.h"
 #include "render/graphics_screen.h"
 #include "render/processor_screen.h"
 

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "core/color/color_config.h"
+#include "core/ocio/color_config.h"
 #include "core/view/comparison.h"
-#include "core/view/view_settings.h"
+#include "core/view/display/view_settings.h"
 #include "core/view/view_window.h"
 #include "core/view/window_pixels.h"
-#include "render/tiled_texture.h"
+#include "render/gl/tiled_texture.h"
 
 namespace swaplight {
 

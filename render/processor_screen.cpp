@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/parallel.h"
-#include "core/view/zebra.h"
-#include "render/gl_info.h"
+#include "core/base/parallel.h"
+#include "core/view/display/zebra.h"
+#include "render/gl/gl_info.h"
 
 namespace swaplight {
 namespace {

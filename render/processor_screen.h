@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/image/pixel_rect.h"
-#include "core/view/display_table.h"
+#include "core/view/display/display_table.h"
 #include "render/picture_screen.h"
 #include "render/screen.h"
 

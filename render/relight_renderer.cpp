@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
-#include "core/error.h"
-#include "render/gl_info.h"
-#include "render/pixel_transfer.h"
+#include "core/base/error.h"
+#include "render/gl/gl_info.h"
+#include "render/gl/pixel_transfer.h"
 
 namespace swaplight {
 namespace {

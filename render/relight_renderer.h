@@ -5,9 +5,9 @@
 
 #include "core/color/rgb.h"
 #include "core/image/image.h"
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
+#include "render/gl/tiled_texture.h"
 #include "render/layer_renderer.h"
-#include "render/tiled_texture.h"
 
 namespace swaplight {
 

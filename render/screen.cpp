@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/error.h"
-#include "render/gl_scope.h"
+#include "core/base/error.h"
+#include "render/gl/gl_scope.h"
 
 namespace swaplight {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/color/rgb.h"
-#include "render/gl_handle.h"
+#include "render/gl/gl_handle.h"
 
 namespace swaplight {
 

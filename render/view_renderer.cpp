@@ -7,10 +7,10 @@
 #include <cmath>
 #include <vector>
 
-#include "core/color/luminance.h"
-#include "core/view/false_color.h"
-#include "render/gl_info.h"
-#include "render/gl_scope.h"
+#include "core/ocio/luminance.h"
+#include "core/view/display/false_color.h"
+#include "render/gl/gl_info.h"
+#include "render/gl/gl_scope.h"
 
 namespace swaplight {
 namespace {

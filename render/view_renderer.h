@@ -4,12 +4,12 @@
 #include <map>
 #include <string>
 
-#include "core/color/color_config.h"
 #include "core/color/rgb.h"
-#include "core/view/view_settings.h"
+#include "core/ocio/color_config.h"
+#include "core/view/display/view_settings.h"
 #include "core/view/view_window.h"
 #include "render/display_program.h"
-#include "render/tiled_texture.h"
+#include "render/gl/tiled_texture.h"
 #include "render/view_target.h"
 
 namespace swaplight {

@@ -3,8 +3,8 @@
 #include <epoxy/gl.h>
 #include <fmt/core.h>
 
-#include "render/gl_info.h"
-#include "render/gl_scope.h"
+#include "render/gl/gl_info.h"
+#include "render/gl/gl_scope.h"
 
 namespace swaplight {
 

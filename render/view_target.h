@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/gl_handle.h"
+#include "render/gl/gl_handle.h"
 
 namespace swaplight {
 

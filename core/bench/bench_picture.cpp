@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/parallel.h"
 #include "core/color/rgb.h"
-#include "core/parallel.h"
 
 namespace swaplight {
 namespace {

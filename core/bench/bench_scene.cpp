@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "core/parallel.h"
+#include "core/base/parallel.h"
 
 namespace swaplight {
 namespace {

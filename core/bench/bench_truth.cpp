@@ -1,7 +1,7 @@
 #include "core/bench/bench_truth.h"
 
-#include "core/error.h"
-#include "core/image/image_io.h"
+#include "core/base/error.h"
+#include "core/image/io/image_io.h"
 #include "core/image/rgb_image.h"
 
 namespace swaplight {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
 
 namespace swaplight {
 

@@ -10,7 +10,7 @@
 #include "core/bench/bench_scene.h"
 #include "core/bench/bench_truth.h"
 #include "core/color/srgb.h"
-#include "core/solve/light_plan.h"
+#include "core/solve/model/light_plan.h"
 
 namespace swaplight {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/capture/capture_pixels.h"
-#include "core/solve/noise_model.h"
-#include "core/solve/solve_options.h"
+#include "core/solve/model/noise_model.h"
+#include "core/solve/model/solve_options.h"
 
 namespace swaplight {
 

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "core/color/rgb.h"
-#include "core/solve/light_plan.h"
-#include "core/solve/noise_model.h"
+#include "core/solve/model/light_plan.h"
+#include "core/solve/model/noise_model.h"
 
 namespace swaplight {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/bench/matte_bound.h"
 #include "core/measure/delta_e.h"
-#include "core/parallel.h"
 #include "core/relight/relight.h"
 
 namespace swaplight {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "core/solve/light_plan.h"
-#include "core/solve/noise_model.h"
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
+#include "core/solve/model/light_plan.h"
+#include "core/solve/model/noise_model.h"
 
 namespace swaplight {
 

@@ -4,7 +4,7 @@
 
 #include "core/bench/bench_truth.h"
 #include "core/bench/hard_cases.h"
-#include "core/solve/estimator.h"
+#include "core/solve/model/estimator.h"
 #include "core/solve/solve.h"
 
 namespace swaplight {

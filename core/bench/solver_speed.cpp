@@ -5,11 +5,11 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/parallel.h"
 #include "core/bench/bench_scene.h"
-#include "core/parallel.h"
-#include "core/simd.h"
-#include "core/solve/auto_solve.h"
-#include "core/solve/two_lights.h"
+#include "core/simd/simd.h"
+#include "core/solve/auto/auto_solve.h"
+#include "core/solve/estimators/two_lights.h"
 
 namespace swaplight {
 namespace {

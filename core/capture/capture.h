@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/json.h"
 #include "core/capture/capture_frame.h"
 #include "core/color/rgb.h"
-#include "core/json.h"
 
 namespace swaplight {
 

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "core/base/json.h"
 #include "core/image/image.h"
 #include "core/image/pixel_rect.h"
-#include "core/json.h"
 
 namespace swaplight {
 

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/capture/capture.h"
 #include "core/capture/light_name.h"
-#include "core/color/color_config.h"
-#include "core/error.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
+#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/capture/mosaic_saturation.h"
 #include "core/capture/sensor_limits.h"
 #include "core/color/chromaticities.h"
-#include "core/color/color_config.h"
-#include "core/error.h"
 #include "core/image/rgb_image.h"
-#include "core/parallel.h"
+#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {

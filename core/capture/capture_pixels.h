@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/capture/capture.h"
-#include "core/image/carried_data.h"
 #include "core/image/image.h"
-#include "core/progress.h"
+#include "core/image/io/carried_data.h"
 
 namespace swaplight {
 

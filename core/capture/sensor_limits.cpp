@@ -7,8 +7,8 @@
 #include <limits>
 #include <mutex>
 
-#include "core/parallel.h"
-#include "core/simd.h"
+#include "core/base/parallel.h"
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {

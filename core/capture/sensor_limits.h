@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/image/image.h"
-#include "core/image/image_io.h"
+#include "core/image/io/image_io.h"
 
 namespace swaplight {
 

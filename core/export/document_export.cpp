@@ -1,7 +1,7 @@
 #include "core/export/document_export.h"
 
-#include "core/edit/beta_file.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/edit/stack/beta_file.h"
 #include "core/export/frame_export.h"
 #include "core/export/look_export.h"
 #include "core/export/provenance.h"

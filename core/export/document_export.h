@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/export/frame_file.h"
 #include "core/export/layer_export.h"
-#include "core/progress.h"
 #include "core/session/document.h"
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
 
 namespace swaplight {
 

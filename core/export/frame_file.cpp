@@ -1,13 +1,13 @@
 #include "core/export/frame_file.h"
 
-#include "core/color/color_config.h"
-#include "core/color/icc_profile.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/export/png_cicp.h"
 #include "core/file/atomic_file.h"
 #include "core/image/half.h"
-#include "core/image/image_format.h"
-#include "core/image/image_write_progress.h"
+#include "core/image/io/image_format.h"
+#include "core/image/io/image_write_progress.h"
+#include "core/ocio/color_config.h"
+#include "core/ocio/icc_profile.h"
 
 namespace swaplight {
 namespace {

@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "core/color/display_choice.h"
+#include "core/base/progress.h"
 #include "core/export/still_tone.h"
 #include "core/image/image.h"
-#include "core/image/image_io.h"
-#include "core/progress.h"
+#include "core/image/io/image_io.h"
+#include "core/ocio/display_choice.h"
 
 namespace swaplight {
 

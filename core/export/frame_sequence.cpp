@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/file/frame_range.h"
 
 namespace swaplight {

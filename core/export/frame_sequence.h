@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/export/frame_export.h"
-#include "core/progress.h"
 #include "core/relight/rig.h"
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
 
 namespace swaplight {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "core/color/color_config.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/export/layer_names.h"
 #include "core/image/half.h"
-#include "core/image/image_write.h"
-#include "core/parallel.h"
+#include "core/image/io/image_write.h"
+#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "core/base/progress.h"
 #include "core/image/pixel_pack.h"
 #include "core/image/pixel_rect.h"
-#include "core/progress.h"
 #include "core/relight/rig.h"
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
 
 namespace swaplight {
 

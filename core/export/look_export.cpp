@@ -1,9 +1,9 @@
 #include "core/export/look_export.h"
 
-#include "core/color/color_config.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/export/frame_file.h"
 #include "core/file/atomic_file.h"
+#include "core/ocio/color_config.h"
 #include "core/relight/relight.h"
 
 namespace swaplight {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/file/atomic_file.h"
 
 namespace swaplight {

@@ -7,7 +7,7 @@
 namespace swaplight {
 
 /// Tone mapping that looks at the whole picture, for stills: two frames of a sequence would not fit together.
-/// The curves that are views (core/color/tone_curve.h) have no such limit.
+/// The curves that are views (core/ocio/tone_curve.h) have no such limit.
 struct StillTone {
   enum class Operator {
     Drago,    ///< Drago et al., "Adaptive logarithmic mapping for displaying high contrast scenes", 2003

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/image/carried_data.h"
+#include "core/image/io/carried_data.h"
 
 namespace swaplight {
 

@@ -14,7 +14,7 @@
 #include <mutex>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;

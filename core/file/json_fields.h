@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/json.h"
+#include "core/base/json.h"
 
 namespace swaplight {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/file/atomic_file.h"
 
 namespace swaplight {

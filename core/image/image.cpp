@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace swaplight {
 namespace {

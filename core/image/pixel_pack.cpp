@@ -6,10 +6,10 @@
 #include <cstring>
 #include <utility>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/image/half.h"
-#include "core/parallel.h"
-#include "core/simd.h"
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/intake/capture_draft.h"
-#include "core/solve/align_shots.h"
-#include "core/solve/light_plan.h"
+#include "core/solve/model/light_plan.h"
+#include "core/solve/registration/align_shots.h"
 
 namespace swaplight {
 namespace {

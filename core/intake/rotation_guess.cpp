@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/error.h"
-#include "core/solve/color_fit.h"
-#include "core/solve/light_plan.h"
-#include "core/solve/noise_model.h"
-#include "core/solve/shot_signal.h"
+#include "core/base/error.h"
+#include "core/solve/calibration/color_fit.h"
+#include "core/solve/model/light_plan.h"
+#include "core/solve/model/noise_model.h"
+#include "core/solve/model/shot_signal.h"
 
 namespace swaplight {
 namespace {

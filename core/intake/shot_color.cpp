@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/color/gel.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/lamp/gel.h"
 #include "core/relight/setting.h"
 
 namespace swaplight {

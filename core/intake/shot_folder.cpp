@@ -5,10 +5,10 @@
 #include <cmath>
 #include <set>
 
-#include "core/color/color_config.h"
-#include "core/error.h"
-#include "core/image/image_io.h"
-#include "core/solve/solved_file.h"
+#include "core/base/error.h"
+#include "core/image/io/image_io.h"
+#include "core/ocio/color_config.h"
+#include "core/set/solved_file.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/color/luminance.h"
+#include "core/ocio/luminance.h"
 
 namespace swaplight {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
 
 namespace swaplight {
 

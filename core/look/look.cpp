@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/look/three_point.h"
 
 namespace swaplight {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/color/kelvin.h"
-#include "core/color/luminance.h"
+#include "core/lamp/kelvin.h"
+#include "core/ocio/luminance.h"
 
 namespace swaplight {
 namespace {

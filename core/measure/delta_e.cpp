@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/parallel.h"
+#include "core/base/parallel.h"
 
 namespace swaplight {
 namespace {

@@ -5,10 +5,10 @@
 #include <limits>
 #include <sstream>
 
+#include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/color/srgb.h"
-#include "core/error.h"
 #include "core/measure/delta_e.h"
-#include "core/parallel.h"
 
 namespace swaplight {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/image/image.h"
-#include "core/measure/statistics.h"
+#include "core/plot/statistics.h"
 
 namespace swaplight {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/measure/color_map.h"
-#include "core/measure/plot.h"
-#include "core/measure/plot_canvas.h"
-#include "core/parallel.h"
+#include "core/base/parallel.h"
+#include "core/plot/color_map.h"
+#include "core/plot/plot.h"
+#include "core/plot/plot_canvas.h"
 
 namespace swaplight {
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/error.h"
 #include "core/color/srgb.h"
-#include "core/error.h"
-#include "core/image/image_io.h"
+#include "core/image/io/image_io.h"
 #include "core/image/rgb_image.h"
 #include "core/measure/difference_picture.h"
-#include "core/measure/plot.h"
+#include "core/plot/plot.h"
 
 namespace swaplight {
 namespace {

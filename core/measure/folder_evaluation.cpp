@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
-#include "core/error.h"
-#include "core/image/image_io.h"
-#include "core/measure/plot.h"
+#include "core/base/error.h"
+#include "core/image/io/image_io.h"
+#include "core/plot/plot.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;

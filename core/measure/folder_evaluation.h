@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/measure/evaluate.h"
-#include "core/progress.h"
 
 namespace swaplight {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/color/color_config.h"
-#include "core/color/luminance.h"
+#include "core/ocio/color_config.h"
+#include "core/ocio/luminance.h"
 
 namespace swaplight {
 namespace {

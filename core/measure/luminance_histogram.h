@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/json.h"
 #include "core/image/image.h"
-#include "core/json.h"
-#include "core/measure/plot.h"
+#include "core/plot/plot.h"
 
 namespace swaplight {
 

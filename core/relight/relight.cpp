@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/error.h"
-#include "core/parallel.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/relight/weighted_sum.h"
 
 namespace swaplight {

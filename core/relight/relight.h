@@ -4,7 +4,7 @@
 
 #include "core/color/rgb.h"
 #include "core/image/image.h"
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
 
 namespace swaplight {
 

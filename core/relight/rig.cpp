@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/color/hsv.h"
-#include "core/color/kelvin.h"
-#include "core/color/lamp.h"
 #include "core/color/srgb.h"
-#include "core/error.h"
+#include "core/lamp/kelvin.h"
+#include "core/lamp/lamp.h"
 
 namespace swaplight {
 namespace {

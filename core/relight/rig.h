@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/json.h"
 #include "core/capture/capture.h"
 #include "core/color/rgb.h"
-#include "core/json.h"
 
 namespace swaplight {
 

@@ -5,8 +5,8 @@
 #include <glm/common.hpp>
 
 #include "core/capture/capture_pixels.h"
-#include "core/color/color_config.h"
 #include "core/color/srgb.h"
+#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/relight/rig.h"
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
 
 namespace swaplight {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/color/color_config.h"
+#include "core/ocio/color_config.h"
 #include "core/relight/rig.h"
 
 namespace swaplight {

@@ -1,4 +1,4 @@
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
 #include "core/relight/rig.h"

@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/color/gel.h"
-#include "core/color/kelvin.h"
+#include "core/base/error.h"
 #include "core/color/srgb.h"
-#include "core/error.h"
+#include "core/lamp/gel.h"
+#include "core/lamp/kelvin.h"
 
 namespace swaplight {
 namespace {

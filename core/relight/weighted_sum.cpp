@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/simd.h"
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {

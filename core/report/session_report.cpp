@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/color/color_config.h"
-#include "core/color/kelvin.h"
 #include "core/color/srgb.h"
-#include "core/image/image_bytes.h"
+#include "core/image/io/image_bytes.h"
 #include "core/image/shrunk_image.h"
-#include "core/measure/color_map.h"
+#include "core/lamp/kelvin.h"
 #include "core/measure/luminance_histogram.h"
+#include "core/ocio/color_config.h"
+#include "core/plot/color_map.h"
 #include "core/relight/relight.h"
 #include "core/relight/setting.h"
-#include "core/solve/dynamic_range.h"
+#include "core/set/dynamic_range.h"
 
 namespace swaplight {
 namespace {

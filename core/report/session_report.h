@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "core/json.h"
+#include "core/base/json.h"
 #include "core/measure/luminance_histogram.h"
 #include "core/relight/rig.h"
 #include "core/session/document.h"
-#include "core/solve/dynamic_range.h"
-#include "core/solve/solved_set.h"
+#include "core/set/dynamic_range.h"
+#include "core/set/solved_set.h"
 
 namespace swaplight {
 

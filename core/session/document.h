@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <string>
 
-#include "core/color/display_choice.h"
-#include "core/edit/edit.h"
+#include "core/edit/stack/edit.h"
 #include "core/look/saved_look.h"
+#include "core/ocio/display_choice.h"
 #include "core/relight/rig.h"
-#include "core/solve/solve_options.h"
+#include "core/solve/model/solve_options.h"
 
 namespace swaplight {
 
@@ -18,7 +18,7 @@ struct Document {
   std::filesystem::path source;  ///< a capture or a solved set, absolute; empty where nothing is open
   SolveOptions solve;            ///< how a capture is solved; without meaning for a solved set
   EditStack edits;               ///< of the source's lights, before they are mixed
-  Mask selection;                ///< what restricts new edits: see core/edit/selection.h
+  Mask selection;                ///< what restricts new edits: see core/edit/mask/selection.h
   Rig rig;                       ///< in the source's order of lights, then those that the edits add
   /// Primaries in which lights are multiplied and added: see inColorSpace; empty: the source's own.
   std::string workingSpace;

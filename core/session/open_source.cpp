@@ -4,11 +4,11 @@
 #include <cctype>
 
 #include "core/capture/capture_pixels.h"
-#include "core/edit/edited_set.h"
+#include "core/edit/apply/edited_set.h"
 #include "core/session/session_file.h"
-#include "core/shadow/detect_shadows.h"
+#include "core/set/solved_file.h"
+#include "core/shadow/detect/detect_shadows.h"
 #include "core/solve/solve.h"
-#include "core/solve/solved_file.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/edit/edit.h"
-#include "core/progress.h"
-#include "core/solve/solve_options.h"
-#include "core/solve/solved_set.h"
+#include "core/base/progress.h"
+#include "core/edit/stack/edit.h"
+#include "core/set/solved_set.h"
+#include "core/solve/model/solve_options.h"
 
 namespace swaplight {
 

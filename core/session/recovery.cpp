@@ -8,7 +8,7 @@
 #include <chrono>
 #include <system_error>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/file/json_file.h"
 
 namespace swaplight {

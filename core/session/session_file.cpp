@@ -2,12 +2,12 @@
 
 #include <fmt/ranges.h>
 
-#include "core/edit/selection.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/edit/mask/selection.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
 #include "core/session/unknown_keys.h"
-#include "core/solve/set_color_space.h"
+#include "core/set/set_color_space.h"
 
 namespace swaplight {
 namespace {

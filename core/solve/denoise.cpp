@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/parallel.h"
-#include "core/solve/share_pooling.h"
+#include "core/base/parallel.h"
+#include "core/solve/auto/share_pooling.h"
 
 namespace swaplight {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/solve/estimator.h"
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
+#include "core/solve/model/estimator.h"
 
 namespace swaplight {
 

@@ -8,18 +8,18 @@
 #include <cmath>
 #include <optional>
 
-#include "core/error.h"
-#include "core/parallel.h"
-#include "core/solve/align_shots.h"
-#include "core/solve/ambient_light.h"
-#include "core/solve/auto_solve.h"
-#include "core/solve/color_fit.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/set/fill.h"
+#include "core/solve/auto/auto_solve.h"
+#include "core/solve/calibration/ambient_light.h"
+#include "core/solve/calibration/color_fit.h"
+#include "core/solve/calibration/noise_calibration.h"
 #include "core/solve/denoise.h"
-#include "core/solve/estimator.h"
-#include "core/solve/fill.h"
-#include "core/solve/moved_pixels.h"
-#include "core/solve/noise_calibration.h"
-#include "core/solve/shot_signal.h"
+#include "core/solve/model/estimator.h"
+#include "core/solve/model/shot_signal.h"
+#include "core/solve/registration/align_shots.h"
+#include "core/solve/registration/moved_pixels.h"
 #include "core/solve/solve_report.h"
 
 namespace swaplight {

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/capture/capture_pixels.h"
-#include "core/progress.h"
-#include "core/solve/solve_options.h"
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
+#include "core/solve/model/solve_options.h"
 
 namespace swaplight {
 

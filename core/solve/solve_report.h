@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "core/json.h"
-#include "core/solve/align_shots.h"
-#include "core/solve/light_plan.h"
-#include "core/solve/solved_set.h"
+#include "core/base/json.h"
+#include "core/set/solved_set.h"
+#include "core/solve/model/light_plan.h"
+#include "core/solve/registration/align_shots.h"
 
 namespace swaplight {
 

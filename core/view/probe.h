@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/relight/rig.h"
-#include "core/solve/solved_set.h"
-#include "core/view/display_table.h"
+#include "core/set/solved_set.h"
+#include "core/view/display/display_table.h"
 
 namespace swaplight {
 

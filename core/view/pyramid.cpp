@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/parallel.h"
+#include "core/base/parallel.h"
 
 namespace swaplight {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/image/image.h"
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
 #include "core/view/view_subject.h"
 
 namespace swaplight {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/parallel.h"
-#include "core/simd.h"
+#include "core/base/parallel.h"
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <random>
 
-#include "core/edit/edited_set.h"
-#include "core/parallel.h"
+#include "core/base/parallel.h"
+#include "core/edit/apply/edited_set.h"
 #include "tests/core/small_set.h"
 
 using namespace swaplight;  // NOLINT(google-build-using-namespace)

@@ -10,13 +10,13 @@
 #include <string_view>
 #include <vector>
 
-#include "core/color/color_config.h"
-#include "core/parallel.h"
+#include "core/base/parallel.h"
+#include "core/ocio/color_config.h"
 #include "core/relight/relight.h"
-#include "core/view/display_table.h"
+#include "core/view/display/display_table.h"
 #include "core/view/window_pixels.h"
-#include "render/egl_context.h"
-#include "render/gl_info.h"
+#include "render/gl/egl_context.h"
+#include "render/gl/gl_info.h"
 #include "render/relight_renderer.h"
 #include "render/view_renderer.h"
 

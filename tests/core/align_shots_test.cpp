@@ -1,4 +1,4 @@
-#include "core/solve/align_shots.h"
+#include "core/solve/registration/align_shots.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/capture/capture.h"
-#include "core/image/image_io.h"
+#include "core/image/io/image_io.h"
 #include "core/solve/solve.h"
 #include "synthetic_capture.h"
 

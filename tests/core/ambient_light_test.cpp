@@ -1,10 +1,10 @@
-#include "core/solve/ambient_light.h"
+#include "core/solve/calibration/ambient_light.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/solve/solve.h"
 #include "synthetic_capture.h"
 

@@ -6,8 +6,8 @@
 
 #include <random>
 
-#include "core/image/image_io.h"
-#include "core/solve/solved_file.h"
+#include "core/image/io/image_io.h"
+#include "core/set/solved_file.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

@@ -1,13 +1,13 @@
-#include "core/edit/beta_file.h"
+#include "core/edit/stack/beta_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/edit/beta_files.h"
-#include "core/edit/edited_set.h"
-#include "core/image/image_io.h"
+#include "core/edit/apply/edited_set.h"
+#include "core/edit/stack/beta_files.h"
+#include "core/image/io/image_io.h"
 #include "tests/core/small_set.h"
 #include "tests/core/temporary_folder.h"
 

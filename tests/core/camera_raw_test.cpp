@@ -6,7 +6,7 @@
 
 #include "core/capture/capture_pixels.h"
 #include "core/capture/mosaic_saturation.h"
-#include "core/image/image_io.h"
+#include "core/image/io/image_io.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/tiny_dng.h"
 

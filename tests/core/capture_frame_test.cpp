@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "core/base/error.h"
 #include "core/capture/capture.h"
-#include "core/error.h"
 
 namespace swaplight {
 namespace {

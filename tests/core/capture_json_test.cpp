@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/capture/capture.h"
-#include "core/error.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

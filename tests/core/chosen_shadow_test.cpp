@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/edit/edited_set.h"
-#include "core/error.h"
-#include "core/shadow/connected_shadow.h"
-#include "core/shadow/detect_shadows.h"
-#include "core/shadow/shadow_preview.h"
+#include "core/base/error.h"
+#include "core/edit/apply/edited_set.h"
+#include "core/shadow/detect/detect_shadows.h"
+#include "core/shadow/detect/shadow_preview.h"
+#include "core/shadow/result/connected_shadow.h"
 
 namespace swaplight {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/color/color_config.h"
+#include "core/ocio/color_config.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

@@ -1,4 +1,4 @@
-#include "core/view/display_table.h"
+#include "core/view/display/display_table.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <random>
 
 #include "core/color/srgb.h"
-#include "core/view/exact_view.h"
-#include "core/view/false_color.h"
+#include "core/view/display/exact_view.h"
+#include "core/view/display/false_color.h"
 
 namespace swaplight {
 namespace {

@@ -1,8 +1,8 @@
-#include "core/edit/edit_file.h"
+#include "core/edit/stack/edit_file.h"
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/file/json_file.h"
 #include "tests/core/temporary_folder.h"
 

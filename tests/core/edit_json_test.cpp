@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/edit/edit.h"
+#include "core/edit/stack/edit.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

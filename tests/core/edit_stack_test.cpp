@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/edit/edited_set.h"
+#include "core/edit/apply/edited_set.h"
 #include "tests/core/small_set.h"
 #include "tests/core/temporary_folder.h"
 

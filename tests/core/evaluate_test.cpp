@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/image/image_io.h"
+#include "core/image/io/image_io.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

@@ -1,13 +1,13 @@
-#include "core/image/exr_file.h"
+#include "core/image/exr/exr_file.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "core/image/exr_zip.h"
+#include "core/image/exr/exr_zip.h"
 #include "core/image/half.h"
-#include "core/image/image_io.h"
+#include "core/image/io/image_io.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

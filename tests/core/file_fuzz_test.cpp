@@ -4,8 +4,8 @@
 
 #include "core/capture/capture.h"
 #include "core/file/json_file.h"
-#include "core/image/image_io.h"
-#include "core/solve/solved_file.h"
+#include "core/image/io/image_io.h"
+#include "core/set/solved_file.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/core/tiny_dng.h"
 

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/color/color_config.h"
 #include "core/color/srgb.h"
+#include "core/ocio/color_config.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

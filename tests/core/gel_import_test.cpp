@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/color/gel.h"
+#include "core/lamp/gel.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

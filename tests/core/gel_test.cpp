@@ -1,13 +1,13 @@
-#include "core/color/gel.h"
+#include "core/lamp/gel.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "core/color/kelvin.h"
-#include "core/color/lamp.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/lamp/kelvin.h"
+#include "core/lamp/lamp.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

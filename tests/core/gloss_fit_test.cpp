@@ -1,10 +1,10 @@
-#include "core/solve/gloss_fit.h"
+#include "core/solve/estimators/gloss_fit.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/solve/solve.h"
 #include "synthetic_capture.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/export/frame_export.h"
 #include "core/export/layer_export.h"
-#include "core/image/image_io.h"
+#include "core/image/io/image_io.h"
 #include "core/measure/delta_e.h"
 #include "core/relight/relight.h"
 #include "core/relight/setting.h"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/image/half.h"
-#include "core/image/image_io.h"
+#include "core/image/io/image_io.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

@@ -3,8 +3,8 @@
 
 #include <fstream>
 
-#include "core/error.h"
-#include "core/image/image_io.h"
+#include "core/base/error.h"
+#include "core/image/io/image_io.h"
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
 #include "core/solve/solve.h"

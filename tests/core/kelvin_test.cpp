@@ -1,4 +1,4 @@
-#include "core/color/kelvin.h"
+#include "core/lamp/kelvin.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/look/rig_blend.h"
 #include "core/look/saved_look.h"
 #include "core/look/three_point.h"

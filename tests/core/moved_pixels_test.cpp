@@ -1,4 +1,4 @@
-#include "core/solve/moved_pixels.h"
+#include "core/solve/registration/moved_pixels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "core/edit/paint.h"
+#include "core/edit/mask/paint.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/edit/curve.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/edit/stack/curve.h"
 
 namespace swaplight {
 namespace {

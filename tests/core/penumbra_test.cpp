@@ -1,4 +1,4 @@
-#include "core/shadow/penumbra.h"
+#include "core/shadow/detect/penumbra.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <complex>
 #include <limits>
 
+#include "core/base/error.h"
 #include "core/color/srgb.h"
-#include "core/error.h"
-#include "core/solve/plan_search.h"
+#include "core/plan/plan_search.h"
 #include "core/solve/solve.h"
 #include "synthetic_capture.h"
 

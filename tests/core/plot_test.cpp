@@ -1,4 +1,4 @@
-#include "core/measure/plot.h"
+#include "core/plot/plot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/measure/plot_axis.h"
+#include "core/plot/plot_axis.h"
 
 namespace swaplight {
 namespace {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace swaplight {
 namespace {

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "core/color/color_config.h"
+#include "core/ocio/color_config.h"
 #include "core/relight/relight.h"
 #include "core/relight/rig_edit.h"
 #include "core/relight/setting.h"
-#include "core/solve/set_color_space.h"
+#include "core/set/set_color_space.h"
 
 namespace swaplight {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/view/scopes.h"
+#include "core/view/scopes/scopes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/color/luminance.h"
+#include "core/ocio/luminance.h"
 
 namespace swaplight {
 namespace {

@@ -1,12 +1,12 @@
-#include "core/edit/selection.h"
+#include "core/edit/mask/selection.h"
 
 #include <gtest/gtest.h>
 
-#include "core/edit/drag_shape.h"
-#include "core/edit/edited_set.h"
-#include "core/edit/mask_outline.h"
-#include "core/edit/prepared_mask.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/edit/apply/edited_set.h"
+#include "core/edit/mask/drag_shape.h"
+#include "core/edit/mask/mask_outline.h"
+#include "core/edit/mask/prepared_mask.h"
 #include "core/session/session_file.h"
 #include "tests/core/small_set.h"
 

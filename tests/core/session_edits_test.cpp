@@ -3,8 +3,8 @@
 #include <array>
 #include <random>
 
-#include "core/edit/edited_set.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/edit/apply/edited_set.h"
 #include "core/file/json_file.h"
 #include "core/session/document_editor.h"
 #include "core/session/session_file.h"

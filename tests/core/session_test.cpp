@@ -6,7 +6,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/file/json_file.h"
 #include "core/relight/setting.h"
 #include "core/session/document_editor.h"

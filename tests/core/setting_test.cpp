@@ -6,8 +6,8 @@
 #include <random>
 
 #include "core/color/chromaticity.h"
-#include "core/color/kelvin.h"
 #include "core/color/srgb.h"
+#include "core/lamp/kelvin.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

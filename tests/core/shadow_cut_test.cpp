@@ -1,4 +1,4 @@
-#include "core/shadow/shadow_cut.h"
+#include "core/shadow/detect/shadow_cut.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/shadow/shadow_evidence.h"
-#include "core/shadow/shadow_regions.h"
-#include "core/shadow/shadow_threshold.h"
+#include "core/shadow/detect/shadow_evidence.h"
+#include "core/shadow/detect/shadow_regions.h"
+#include "core/shadow/detect/shadow_threshold.h"
 
 namespace swaplight {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/edit/edited_set.h"
-#include "core/error.h"
-#include "core/shadow/detect_shadows.h"
+#include "core/base/error.h"
+#include "core/edit/apply/edited_set.h"
+#include "core/shadow/detect/detect_shadows.h"
 
 namespace swaplight {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/edit/drag_shape.h"
-#include "core/edit/shape_handles.h"
+#include "core/edit/mask/drag_shape.h"
+#include "core/edit/mask/shape_handles.h"
 
 namespace swaplight {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/solve/share_pooling.h"
+#include "core/solve/auto/share_pooling.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "core/solve/solved_set.h"
+#include "core/set/solved_set.h"
 
 namespace swaplight::test {
 

@@ -5,8 +5,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "core/error.h"
-#include "core/solve/estimator.h"
+#include "core/base/error.h"
+#include "core/solve/model/estimator.h"
 #include "synthetic_capture.h"
 
 namespace swaplight {

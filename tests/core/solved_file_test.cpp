@@ -1,4 +1,4 @@
-#include "core/solve/solved_file.h"
+#include "core/set/solved_file.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/image/half.h"
-#include "core/image/image_io.h"
+#include "core/image/io/image_io.h"
 #include "tests/core/temporary_folder.h"
 
 namespace swaplight {

@@ -1,4 +1,4 @@
-#include "core/measure/statistics.h"
+#include "core/plot/statistics.h"
 
 #include <gtest/gtest.h>
 

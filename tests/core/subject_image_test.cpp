@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/measure/color_map.h"
+#include "core/plot/color_map.h"
 #include "core/relight/setting.h"
 #include "core/view/probe.h"
 #include "core/view/subject_image.h"

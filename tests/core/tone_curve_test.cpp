@@ -1,4 +1,4 @@
-#include "core/color/tone_curve.h"
+#include "core/ocio/tone_curve.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/color/color_config.h"
 #include "core/color/srgb.h"
+#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "core/image/image.h"
 #include "core/view/view_window.h"
-#include "render/pixel_transfer.h"
-#include "render/tiled_texture.h"
+#include "render/gl/pixel_transfer.h"
+#include "render/gl/tiled_texture.h"
 
 namespace swaplight {
 

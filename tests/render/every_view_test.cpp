@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/image/half.h"
-#include "core/image/image_io.h"
+#include "core/image/io/image_io.h"
 #include "core/image/rgb_image.h"
 #include "render/view_renderer.h"
 #include "tests/render/color_ramp.h"

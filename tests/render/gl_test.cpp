@@ -2,7 +2,7 @@
 
 #include <epoxy/gl.h>
 
-#include "render/gl_scope.h"
+#include "render/gl/gl_scope.h"
 
 namespace swaplight {
 

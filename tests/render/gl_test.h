@@ -6,12 +6,12 @@
 #include <random>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/image.h"
-#include "core/solve/solved_set.h"
-#include "render/egl_context.h"
-#include "render/gl_handle.h"
-#include "render/gl_info.h"
+#include "core/set/solved_set.h"
+#include "render/gl/egl_context.h"
+#include "render/gl/gl_handle.h"
+#include "render/gl/gl_info.h"
 
 namespace swaplight {
 

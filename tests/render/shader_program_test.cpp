@@ -1,8 +1,8 @@
-#include "render/shader_program.h"
+#include "render/gl/shader_program.h"
 
 #include <gmock/gmock.h>
 
-#include "render/shader_source.h"
+#include "render/gl/shader_source.h"
 #include "tests/render/gl_test.h"
 
 namespace swaplight {

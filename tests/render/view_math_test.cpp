@@ -5,9 +5,9 @@
 #include <limits>
 #include <random>
 
-#include "core/view/display_table.h"
-#include "core/view/false_color.h"
-#include "core/view/zebra.h"
+#include "core/view/display/display_table.h"
+#include "core/view/display/false_color.h"
+#include "core/view/display/zebra.h"
 
 namespace swaplight {
 namespace shader {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/view/display_table.h"
+#include "core/view/display/display_table.h"
 #include "tests/render/color_ramp.h"
 #include "tests/render/gl_test.h"
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "app/program/program.h"
+#include "core/edit/stack/edit.h"
+#include "core/set/solved_set.h"
+
+namespace swaplight {
+
+/// The option that edits a set before it is used.
+struct EditArguments {
+  std::string file;
+
+  void addTo(CLI::App& verb);
+  /// The set with a session's edits, if it has any, and the file's after them. Throws InputError.
+  [[nodiscard]] SolvedSet applyTo(SolvedSet set, const EditStack& session = {}) const;
+};
+
+}  // namespace swaplight

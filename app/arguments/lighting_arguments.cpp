@@ -1,0 +1,161 @@
+#include "app/arguments/lighting_arguments.h"
+
+#include "core/base/error.h"
+#include "core/file/json_file.h"
+#include "core/look/look.h"
+#include "core/look/rig_blend.h"
+#include "core/ocio/color_config.h"
+#include "core/relight/setting.h"
+#include "core/session/open_source.h"
+#include "core/set/set_color_space.h"
+
+namespace swaplight {
+namespace {
+
+/// Runs `work`; what it throws begins with `where`.
+template <typename Work>
+void saying(const std::string& where, const Work& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    throw InputError("{}: {}", where, error.what());
+  }
+}
+
+/// The rig under a look: one of the session's, else a preset, in part or whole.
+Rig withLook(const Rig& rig, const std::string& text, const std::optional<Session>& session,
+             const SolvedSet* set) {
+  const LookRequest request = lookRequestFromText(text);
+  const SavedLook* saved = session ? findSavedLook(session->document.looks, request.name) : nullptr;
+  const Rig lit =
+      saved ? saved->rig : applyLook(rig, findLook(request.name), set ? LightRatios(*set) : LightRatios());
+  return blendRigs(rig, lit, request.amount);
+}
+
+constexpr const char* kAnimation = "animation";
+
+struct RigKey {
+  std::string light;
+  RigAnimation::Key key;
+};
+
+RigKey keyFromText(const std::string& text) {
+  const size_t at = text.find('@');
+  const size_t equals = text.find('=');
+  int frame = 0;
+  if (at == std::string::npos || equals == std::string::npos || equals < at ||
+      !CLI::detail::lexical_cast(text.substr(at + 1, equals - at - 1), frame))
+    throw InputError("--key {}: write NAME@FRAME=SETTING, as key@24=3200K,+1st", text);
+  return {text.substr(0, at), {frame, text.substr(equals + 1)}};
+}
+
+}  // namespace
+
+void LightingArguments::addTo(CLI::App& verb) {
+  verb.add_option("SOURCE", m_source, "A solved set, a capture (it is solved first) or a session");
+  verb.add_option(
+          "--light", m_lights,
+          std::string("A light's part, more than once if need be. SETTING is a comma-joined list of ") +
+              kSettingGrammar + ". A light that is not named stays unit white")
+      ->type_name("NAME=SETTING")
+      ->allow_extra_args(false);
+  verb.add_option("--rig", m_rig, "A rig of lights (JSON)")->type_name("FILE");
+  verb.add_option("--session", m_session,
+                  "Take the edits, the rig, the view and, without SOURCE, the set of a session")
+      ->type_name("FILE");
+  verb.add_option("--working-space", m_workingSpace,
+                  "Primaries that lights are multiplied in: lin_rec709, acescg or aces2065_1 (default: the "
+                  "session's, else the set's)")
+      ->type_name("NAME");
+  verb.add_option("--look", m_look,
+                  "A look: one that the session holds, or high-key, low-key, rembrandt, silhouette, "
+                  "day-for-night, cool-morning, golden-hour, moonlight, candle, neon; with an amount from 0 "
+                  "to 1 after a colon. Lights that --light names are set after it")
+      ->type_name("NAME[:AMOUNT]");
+  verb.add_option("--key", m_keys,
+                  "A light's setting at a frame of a sequence, more than once if need be: key@1=-2st")
+      ->type_name("NAME@FRAME=SETTING")
+      ->allow_extra_args(false);
+  verb.add_option("--between", m_between, "From key to key: linear (default) or smooth")->type_name("HOW");
+  m_edits.addTo(verb);
+  verb.add_option("--ambient", m_ambient, "Factor on what no light explains (default: 1)")
+      ->check(CLI::Range(0.0, 1e9).description(""))
+      ->type_name("X");
+  m_solve.addTo(verb);
+}
+
+std::optional<Session> LightingArguments::session() const {
+  const std::string& file = m_session.empty() && isSessionFile(m_source) ? m_source : m_session;
+  if (file.empty()) return std::nullopt;
+  Session session = readSession(file);
+  ColorConfig::choose(session.document.colorConfig);
+  return session;
+}
+
+std::filesystem::path LightingArguments::source(const std::optional<Session>& session) const {
+  if (!m_source.empty() && !isSessionFile(m_source)) return m_source;
+  if (session && !session->document.source.empty()) return session->document.source;
+  throw InputError("say what to relight: a solved set, a capture, or a session that names one");
+}
+
+Rig LightingArguments::rig(const std::optional<Session>& session, const Capture& capture,
+                           const SolvedSet* set) const {
+  Rig rig = defaultRig(capture);
+  if (session) saying("session", [&] { rig = rigFor(capture, session->document.rig); });
+  if (!m_rig.empty()) saying(m_rig, [&] { rig = rigFor(capture, readRig(m_rig)); });
+  if (!m_look.empty()) saying("--look", [&] { rig = withLook(rig, m_look, session, set); });
+  for (const std::string& text : m_lights) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos)
+      throw InputError("--light {}: write NAME=SETTING, as key=3200K,+1st", text);
+    saying("--light " + text,
+           [&] { applySetting(findLight(rig, text.substr(0, equals)), text.substr(equals + 1)); });
+  }
+  if (m_ambient) rig.ambient = *m_ambient;
+  return rig;
+}
+
+SolveOptions LightingArguments::solveOptions(const std::optional<Session>& session) const {
+  return session && !m_solve.given() ? session->document.solve : m_solve.resolve();
+}
+
+std::string LightingArguments::workingSpace(const std::optional<Session>& session) const {
+  return session && m_workingSpace.empty() ? session->document.workingSpace : m_workingSpace;
+}
+
+void LightingArguments::check(const std::optional<Session>& session) const {
+  checkSetColorSpace(workingSpace(session));
+  const std::filesystem::path set = source(session);
+  const bool moreLights = !m_edits.file.empty() || (session && !session->document.edits.newLights.empty());
+  if (sourceKind(set) == SourceKind::Capture && !moreLights)
+    static_cast<void>(rig(session, readCapture(sourceFile(set))));
+}
+
+SolvedSet LightingArguments::open(const std::optional<Session>& session, const Progress& progress) const {
+  return openFile(source(session), session, progress);
+}
+
+SolvedSet LightingArguments::openFile(const std::filesystem::path& file,
+                                      const std::optional<Session>& session, const Progress& progress) const {
+  SolvedSet set = openSource(file, solveOptions(session), progress);
+  return m_edits.applyTo(inColorSpace(std::move(set), workingSpace(session)),
+                         session ? session->document.edits : EditStack{});
+}
+
+RigAnimation LightingArguments::animation(const std::optional<Session>& session) const {
+  RigAnimation animation;
+  if (session && session->unknown.contains(kAnimation))
+    animation = animationFromJson(session->unknown[kAnimation], "session: animation");
+  if (!m_rig.empty()) {
+    const Json json = readJson(m_rig);
+    if (json.contains(kAnimation)) animation = animationFromJson(json[kAnimation], m_rig + ": animation");
+  }
+  for (const std::string& text : m_keys) {
+    const RigKey key = keyFromText(text);
+    animation.add(key.light, key.key);
+  }
+  if (!m_between.empty()) saying("--between", [&] { animation.between = betweenFromName(m_between); });
+  return animation;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/arguments/edit_arguments.h"
+#include "app/arguments/solve_arguments.h"
+#include "app/program/program.h"
+#include "core/relight/rig.h"
+#include "core/relight/rig_animation.h"
+#include "core/session/session_file.h"
+
+namespace swaplight {
+
+/// A set and the light that is put on it, as every verb that makes pictures of a set takes them: a solved
+/// set, a capture or a session, and over it the rig of a session, of a file, and what the command line says.
+class LightingArguments {
+ public:
+  void addTo(CLI::App& verb);
+
+  /// The session that is named, or is the source itself; its colour configuration is chosen. Throws
+  /// InputError.
+  [[nodiscard]] std::optional<Session> session() const;
+  /// The set's file. Throws InputError where nothing names one.
+  [[nodiscard]] std::filesystem::path source(const std::optional<Session>& session) const;
+  /// The rig of the session, that of the rig file, the look, and the command line's lights, one over the
+  /// other. Without a solved set only what can be wrong is found out. Throws InputError that begins with
+  /// where the mistake is.
+  [[nodiscard]] Rig rig(const std::optional<Session>& session, const Capture& capture,
+                        const SolvedSet* set = nullptr) const;
+  /// The primaries to work in: as the command line says, else as the session does.
+  [[nodiscard]] std::string workingSpace(const std::optional<Session>& session) const;
+  /// How a capture is solved: as the command line says, else as the session does.
+  [[nodiscard]] SolveOptions solveOptions(const std::optional<Session>& session) const;
+  /// Says what is wrong with the rig or the working space before a capture is solved, where that can be
+  /// known.
+  void check(const std::optional<Session>& session) const;
+  /// How lights change over the frames of a sequence: of the session, the rig file, and the command line's
+  /// keys, one over the other. Throws InputError.
+  [[nodiscard]] RigAnimation animation(const std::optional<Session>& session) const;
+  /// The set in the working space, edited.
+  [[nodiscard]] SolvedSet open(const std::optional<Session>& session, const Progress& progress) const;
+  /// The same from another file: a frame of a sequence.
+  [[nodiscard]] SolvedSet openFile(const std::filesystem::path& file, const std::optional<Session>& session,
+                                   const Progress& progress) const;
+
+ private:
+  std::string m_source;
+  std::vector<std::string> m_lights;
+  std::string m_rig;
+  std::string m_session;
+  std::string m_look;
+  std::string m_workingSpace;
+  std::vector<std::string> m_keys;
+  std::string m_between;
+  std::optional<float> m_ambient;
+  EditArguments m_edits;
+  SolveArguments m_solve;
+};
+
+}  // namespace swaplight

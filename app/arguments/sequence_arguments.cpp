@@ -1,0 +1,184 @@
+#include "app/arguments/sequence_arguments.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/base/error.h"
+#include "core/export/frame_sequence.h"
+#include "core/export/provenance.h"
+#include "core/export/timecode.h"
+#include "core/file/atomic_file.h"
+#include "core/file/frame_range.h"
+
+namespace swaplight {
+namespace {
+
+using State = FrameOutcome::State;
+
+std::optional<int> environmentNumber(const char* name) {
+  const char* text = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
+  if (!text || *text == '\0') return std::nullopt;
+  return std::atoi(text);  // NOLINT(cert-err34-c)
+}
+
+/// The part of an array job that this task is: its index and the count of tasks.
+std::optional<std::pair<int, int>> slurmTask() {
+  const auto id = environmentNumber("SLURM_ARRAY_TASK_ID");
+  const auto count = environmentNumber("SLURM_ARRAY_TASK_COUNT");
+  if (!id || !count) return std::nullopt;
+  const int first = environmentNumber("SLURM_ARRAY_TASK_MIN").value_or(0);
+  const int step = std::max(1, environmentNumber("SLURM_ARRAY_TASK_STEP").value_or(1));
+  return std::pair((*id - first) / step, *count);
+}
+
+double peakMegabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// Opens what each frame is made of: one set for all, or a set a frame.
+class Inputs {
+ public:
+  /// `firstFrame`: the one that the photographs' time code belongs to.
+  Inputs(const LightingArguments& lighting, const std::optional<Session>& session, int firstFrame,
+         bool withText, const Progress& progress)
+      : m_lighting(lighting),
+        m_session(session),
+        m_firstFrame(firstFrame),
+        m_animation(lighting.animation(session)),
+        m_withText(withText) {
+    const std::filesystem::path source = lighting.source(session);
+    m_pattern = source.string();
+    if (!hasFrameNumber(m_pattern)) m_shared = open(source, progress);
+    if (m_shared)
+      for (const auto& [light, keys] : m_animation.lights)  // say now what is wrong in a key
+        for (const RigAnimation::Key& key : keys)
+          static_cast<void>(rigAt(m_shared->rig, m_animation, key.frame));
+  }
+
+  [[nodiscard]] FrameInput at(int frame, const Progress& progress) const {
+    FrameInput input = m_shared ? *m_shared : *open(frameName(m_pattern, frame), progress);
+    input.rig = rigAt(input.rig, m_animation, frame);
+    if (m_shared) input.carried = withTimecode(input.set->carried, frame - m_firstFrame);
+    if (m_withText) input.text["swaplight/rig"] = jsonFromRig(input.rig).dump();
+    return input;
+  }
+
+ private:
+  [[nodiscard]] std::optional<FrameInput> open(const std::filesystem::path& source,
+                                               const Progress& progress) const {
+    FrameInput input;
+    input.set = std::make_shared<const SolvedSet>(m_lighting.openFile(source, m_session, progress));
+    input.rig = m_lighting.rig(m_session, input.set->capture, input.set.get());
+    if (m_withText) input.text = provenanceOf(*input.set, input.rig, source);
+    return input;
+  }
+
+  const LightingArguments& m_lighting;
+  const std::optional<Session>& m_session;
+  int m_firstFrame;
+  RigAnimation m_animation;
+  bool m_withText;
+  std::string m_pattern;
+  std::optional<FrameInput> m_shared;
+};
+
+Json jsonFromSummary(const SequenceSummary& summary) {
+  Json frames = Json::array();
+  for (const FrameOutcome& outcome : summary.outcomes) {
+    const char* state = outcome.state == State::Written   ? "written"
+                        : outcome.state == State::Skipped ? "skipped"
+                                                          : "failed";
+    frames.push_back({{"frame", outcome.frame}, {"file", outcome.file.string()}, {"state", state}});
+    if (!outcome.error.empty()) frames.back()["error"] = outcome.error;
+  }
+  const int written = summary.count(State::Written);
+  return {{"frames", frames},
+          {"written", written},
+          {"skipped", summary.count(State::Skipped)},
+          {"failed", summary.count(State::Failed)},
+          {"seconds", summary.seconds},
+          {"frames_per_second", summary.seconds > 0 ? written / summary.seconds : 0},
+          {"input_share", summary.inputShare},
+          {"write_share", summary.writeShare},
+          {"peak_megabytes", peakMegabytes()}};
+}
+
+void sayFrame(const FrameOutcome& outcome, Terminal& terminal) {
+  if (outcome.state == State::Written)
+    terminal.say("Frame {} done: {}", outcome.frame, outcome.file.string());
+  if (outcome.state == State::Skipped)
+    terminal.say("Frame {} is there: {}", outcome.frame, outcome.file.string());
+  if (outcome.state == State::Failed) terminal.say("Frame {} failed: {}", outcome.frame, outcome.error);
+}
+
+}  // namespace
+
+void SequenceArguments::addTo(CLI::App& verb) {
+  constexpr const char* kGroup = "Sequences";
+  verb.add_option(
+          "-F,--frames", m_frames,
+          "Frames: 7, 1-100, 1-100x5, 1,5,10-20. FRAME, and SOURCE where each frame has a set of its own, "
+          "hold the number's place: name.%04d.exr, name.####.exr")
+      ->type_name("RANGE")
+      ->group(kGroup);
+  verb.add_flag("--cont", m_goOn, "Go on after a frame that fails")->group(kGroup);
+  verb.add_flag("--skip-existing", m_skipExisting, "Leave frames as they are whose file is there")
+      ->group(kGroup);
+  verb.add_option("--workers", m_workers, "Frames made at a time")
+      ->check(CLI::Range(1, 64).description(""))
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(kGroup);
+  verb.add_option("--frame-index", m_index,
+                  "Make only this part of the frames, counted from 0 (default: Slurm's task)")
+      ->type_name("I")
+      ->group(kGroup);
+  verb.add_option("--frame-count", m_count, "Into how many parts the frames are shared out")
+      ->type_name("N")
+      ->group(kGroup);
+}
+
+std::vector<int> SequenceArguments::frames() const {
+  std::vector<int> all = framesFromRange(m_frames);
+  if (m_index.has_value() != m_count.has_value())
+    throw InputError("--frame-index and --frame-count belong together: give both");
+  if (m_index) return shareOfFrames(all, *m_index, *m_count);
+  if (const auto task = slurmTask()) return shareOfFrames(all, task->first, task->second);
+  return all;
+}
+
+int SequenceArguments::run(const LightingArguments& lighting, const std::optional<Session>& session,
+                           const std::string& output, const FrameOptions& frame, Terminal& terminal) const {
+  SequenceOptions options{frames(), output, frame, m_workers, m_skipExisting, m_goOn};
+  if (!hasFrameNumber(output))
+    throw InputError("{}: has no place for the frame's number; write name.%04d.exr or name.####.exr", output);
+  if (!options.frames.empty()) checkWritable(frameName(output, options.frames.front()));
+
+  const Progress progress = terminal.progress();
+  Progress quiet;  // a line a frame is enough
+  quiet.stop = progress.stop;
+  const std::vector<int> all = framesFromRange(m_frames);  // of all tasks of an array job
+  const int first = all.empty() ? 0 : *std::min_element(all.begin(), all.end());
+  const Inputs inputs(lighting, session, first, isSceneLinear(output), progress);
+  const SequenceSummary summary = exportSequence(
+      options, [&](int number) { return inputs.at(number, quiet); },
+      [&](const FrameOutcome& outcome) { sayFrame(outcome, terminal); }, quiet);
+
+  const int failed = summary.count(State::Failed);
+  const Json json = jsonFromSummary(summary);
+  terminal.say(
+      "{} of {} frames written, {} there before, {} failed; {:.2f} s, {:.2f} frames/s, {:.0f} % of the "
+      "work in writing, {:.0f} MB",
+      summary.count(State::Written), options.frames.size(), summary.count(State::Skipped), failed,
+      summary.seconds, json["frames_per_second"].get<double>(), 100 * summary.writeShare,
+      json["peak_megabytes"].get<double>());
+  terminal.result("", json);
+  if (failed == 0) return 0;
+  return failed < static_cast<int>(summary.outcomes.size()) ? 1 : 2;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "core/solve/model/solve_options.h"
+
+namespace swaplight {
+
+/// The options of solving, for every verb that solves. They are texts until the verb runs, so that a mistake
+/// is said as every other one.
+class SolveArguments {
+ public:
+  void addTo(CLI::App& verb);
+  /// True where the command line has any of them.
+  [[nodiscard]] bool given() const;
+  /// Throws InputError that quotes the option that is wrong.
+  [[nodiscard]] SolveOptions resolve() const;
+
+ private:
+  std::string m_model = "auto";
+  std::string m_align = "off";
+  std::string m_noise;
+  SolveOptions m_solve;
+  std::vector<const CLI::Option*> m_options;
+};
+
+}  // namespace swaplight

@@ -1,0 +1,88 @@
+#include "app/program/program.h"
+
+#include <algorithm>
+#include <new>
+
+#include "app/program/interrupt.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kBadInput = 2;
+constexpr int kOutOfResources = 3;
+constexpr int kMostThreads = 1024;
+
+int fail(int code, std::string message) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  fmt::print(stderr, "swaplight: {}\n", message);
+  return code;
+}
+
+}  // namespace
+
+Program::Program() : m_app("Relight a set that has already been photographed.", "swaplight") {
+  m_app.set_version_flag("--version", "swaplight " SWAPLIGHT_VERSION);
+  m_app.require_subcommand(0, 1);
+  m_app.footer("`swaplight VERB --help` says what a verb takes.");
+}
+
+CLI::App& Program::addVerb(const std::string& name, const std::string& description, Run run) {
+  CLI::App* app = m_app.add_subcommand(name, description);
+  app->footer("");
+  Verb& verb = m_verbs.emplace_back(Verb{app, {}, std::move(run)});
+  app->add_flag("--json", verb.options.json, "Print one JSON object on standard output")->group("Common");
+  app->add_flag("-q,--quiet", verb.options.quiet, "Only errors on standard error")->group("Common");
+  app->add_flag("-v,--verbose", verb.options.verbose, "Say more")->group("Common");
+  app->add_option("--threads", verb.options.threads, "How many threads to use (default: one a core)")
+      ->check(CLI::Range(0, kMostThreads).description(""))
+      ->type_name("N")
+      ->group("Common");
+  return *app;
+}
+
+std::string Program::verbNames() const {
+  std::string names;
+  for (const Verb& verb : m_verbs) names += (names.empty() ? "" : ", ") + verb.app->get_name();
+  return names;
+}
+
+int Program::run(int argc, const char* const* argv) {
+  const auto isNamed = [&](const Verb& verb) { return verb.app->get_name() == argv[1]; };
+  if (argc > 1 && argv[1][0] != '-' && std::none_of(m_verbs.begin(), m_verbs.end(), isNamed))
+    return fail(kBadInput, fmt::format("there is no verb '{}'; the verbs are {}", argv[1], verbNames()));
+  try {
+    m_app.parse(argc, argv);
+  } catch (const CLI::Success& helpOrVersion) {
+    return m_app.exit(helpOrVersion);
+  } catch (const CLI::ParseError& error) {
+    const auto chosen = m_app.get_subcommands();
+    const std::string verb = chosen.empty() ? "" : chosen.front()->get_name() + " ";
+    return fail(kBadInput, fmt::format("{} (see swaplight {}--help)", error.what(), verb));
+  }
+  for (Verb& verb : m_verbs)
+    if (verb.app->parsed()) return runVerb(verb);
+  return fail(kBadInput, fmt::format("say what to do: {} (see swaplight --help)", verbNames()));
+}
+
+int Program::runVerb(Verb& verb) {
+  catchInterrupts();
+  setThreads(verb.options.threads);
+  try {
+    Terminal terminal(verb.options);
+    return verb.run(terminal);
+  } catch (const Stopped&) {
+    return fail(interruptExitCode(), "stopped");
+  } catch (const InputError& error) {
+    return fail(kBadInput, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kOutOfResources, "out of memory; close other programs, or work at a smaller size");
+  } catch (const ResourceError& error) {
+    return fail(kOutOfResources, error.what());
+  } catch (const std::exception& error) {
+    return fail(kOutOfResources, fmt::format("something failed that should not: {}", error.what()));
+  }
+}
+
+}  // namespace swaplight

@@ -1,0 +1,72 @@
+#include "app/program/terminal.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "app/program/interrupt.h"
+
+namespace swaplight {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto kTerminalInterval = 100ms;
+constexpr auto kLogInterval = 5s;
+
+}  // namespace
+
+Terminal::Terminal(CommonOptions options)
+    : m_options(options),
+      m_isTerminal(isatty(STDERR_FILENO) != 0),
+      m_lastReport(std::chrono::steady_clock::now()) {}
+
+Terminal::~Terminal() {
+  clearProgress();
+}
+
+void Terminal::result(const std::string& text, const Json& json) {
+  clearProgress();
+  // Names that are not UTF-8 (a file's, a header's) must not spoil the report.
+  const std::string out =
+      m_options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : text;
+  if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size() || std::fflush(stdout) != 0)
+    throw InputError("standard output: cannot be written: {}", std::strerror(errno));
+}
+
+void Terminal::line(const std::string& text) {
+  const std::lock_guard lock(m_mutex);
+  clearProgress();
+  fmt::print(stderr, "{}\n", text);
+}
+
+Progress Terminal::progress() {
+  Progress progress;
+  progress.stop = &interrupted();
+  if (!m_options.quiet)
+    progress.report = [this](float fraction, std::string_view what) { report(fraction, what); };
+  return progress;
+}
+
+void Terminal::report(float fraction, std::string_view what) {
+  const std::lock_guard lock(m_mutex);
+  const auto now = std::chrono::steady_clock::now();
+  const bool first = m_isTerminal && !m_progressShown;
+  if (!first && now - m_lastReport < (m_isTerminal ? kTerminalInterval : kLogInterval)) return;
+  m_lastReport = now;
+  m_progressShown = m_isTerminal;
+  const float percent = 100 * fraction;
+  if (m_isTerminal)
+    fmt::print(stderr, "\r{:3.0f} %  {}\033[K", percent, what);
+  else
+    fmt::print(stderr, "Progress: {:.0f}% {}\n", percent, what);
+  std::fflush(stderr);
+}
+
+void Terminal::clearProgress() {
+  if (m_progressShown) fmt::print(stderr, "\r\033[K");
+  m_progressShown = false;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,73 @@
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/file/atomic_file.h"
+#include "core/measure/evaluate.h"
+#include "core/measure/folder_evaluation.h"
+
+namespace swaplight {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string test;
+  std::string reference;
+  std::string metrics;
+  std::optional<float> scale;
+  EvaluateOptions options;
+};
+
+void sayWritten(const EvaluateOptions& options, Terminal& terminal) {
+  for (const fs::path& file : {options.plot, options.map, options.histogram})
+    if (!file.empty()) terminal.say("wrote {}", file.string());
+}
+
+int run(const Arguments& arguments, Terminal& terminal) {
+  EvaluateOptions options = arguments.options;
+  if (!arguments.metrics.empty()) options.metrics = metricsFromNames(arguments.metrics);
+  options.scale = arguments.scale;
+  const bool folders = fs::is_directory(arguments.test);
+  if (folders != fs::is_directory(arguments.reference))
+    throw InputError("{} is {}, {} is {}: name two pictures or two folders", arguments.test,
+                     folders ? "a folder" : "none", arguments.reference, folders ? "none" : "a folder");
+  for (const fs::path& file : {options.plot, options.map, options.histogram})
+    if (!file.empty()) checkWritable(file);
+  if (folders) {
+    const FolderEvaluation all =
+        evaluateFolders(arguments.test, arguments.reference, options, terminal.progress());
+    sayWritten(options, terminal);
+    terminal.result(textFromFolders(all), jsonFromFolders(all));
+    return 0;
+  }
+  const Evaluation evaluation = evaluate(arguments.test, arguments.reference, options);
+  sayWritten(options, terminal);
+  terminal.result(textFromEvaluation(evaluation), jsonFromEvaluation(evaluation));
+  return 0;
+}
+
+}  // namespace
+
+void addEvaluateVerb(Program& program) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App& verb = program.addVerb("evaluate", "Say how a picture differs from its reference",
+                                   [a](Terminal& terminal) { return run(*a, terminal); });
+  verb.add_option("TEST", a->test, "The picture, or the folder of pictures, to be judged")->required();
+  verb.add_option("REFERENCE", a->reference,
+                  "What it should be: a picture, or a folder with pictures of the same names")
+      ->required();
+  verb.add_option("--metric", a->metrics, "de2000,absdiff,rmse,psnr (default: all)")->type_name("LIST");
+  verb.add_option(
+          "--scale", a->scale,
+          "Show linear pictures at this exposure (default: the reference's 99.5th percentile becomes .9)")
+      ->type_name("X");
+  verb.add_option("--plot", a->options.plot,
+                  "Write a box plot; of folders: a box a picture of the first metric")
+      ->type_name("FILE.png");
+  verb.add_option("--histogram", a->options.histogram, "Plot the luminance of both")->type_name("FILE.png");
+  verb.add_option("--map", a->options.map, "Write the first metric in false colour")->type_name("FILE.png");
+  verb.add_option("--map-max", a->options.mapMaximum,
+                  "Value at the top of the false colours (default: the 99th percentile)")
+      ->type_name("X");
+}
+
+}  // namespace swaplight

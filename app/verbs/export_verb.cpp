@@ -1,0 +1,134 @@
+#include <fmt/ranges.h>
+
+#include "app/arguments/display_arguments.h"
+#include "app/arguments/lighting_arguments.h"
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/export/layer_export.h"
+#include "core/export/look_export.h"
+#include "core/export/provenance.h"
+#include "core/file/atomic_file.h"
+#include "core/ocio/color_config.h"
+
+namespace swaplight {
+namespace {
+
+struct Arguments {
+  LightingArguments lighting;
+  std::string file;
+  std::string naming = "layers";
+  std::string pictures = "half";
+  std::string data = "float";
+  std::string window;
+  DisplayChoice display;
+  LayerOptions options;
+};
+
+PixelType floatTypeOf(const std::string& option, const std::string& name) {
+  if (name == "half") return PixelType::Half;
+  if (name == "float") return PixelType::Float;
+  throw InputError("{} {}: give half or float", option, name);
+}
+
+/// "shots", "full" or "X,Y,W,H".
+std::optional<PixelRect> windowOf(const std::string& text, const SolvedSet& set) {
+  if (text.empty() || text == "shots") return std::nullopt;
+  if (text == "full") return PixelRect{0, 0, set.width(), set.height()};
+  const std::optional<PixelRect> rect = rectFromText(text);
+  if (!rect) throw InputError("--data-window {}: give shots, full or X,Y,WIDTH,HEIGHT in pixels", text);
+  return rect;
+}
+
+LayerOptions optionsOf(const Arguments& arguments) {
+  LayerOptions options = arguments.options;
+  if (arguments.naming != "layers" && arguments.naming != "blender")
+    throw InputError("--naming {}: give layers or blender", arguments.naming);
+  options.naming = arguments.naming == "blender" ? LayerNaming::Blender : LayerNaming::Layers;
+  options.pictures = floatTypeOf("--type", arguments.pictures);
+  options.data = floatTypeOf("--data-type", arguments.data);
+  return options;
+}
+
+int exportLook(const Arguments& arguments, const std::optional<Session>& session, const SolvedSet& set,
+               const Rig& rig, Terminal& terminal) {
+  const GlobalLook look = globalLook(set, rig);
+  writeLook(look, displayOver(session, arguments.display), arguments.file);
+  terminal.say(
+      "wrote {}: the global part of the look, {:.1f} % of the relit picture; what each light does on its "
+      "own is spatial and not in it",
+      arguments.file, 100 * look.explained);
+  terminal.result("", {{"file", arguments.file},
+                       {"gain", {look.gain.x, look.gain.y, look.gain.z}},
+                       {"explained", look.explained}});
+  return 0;
+}
+
+int run(const Arguments& arguments, Terminal& terminal) {
+  const std::optional<Session> session = arguments.lighting.session();
+  if (session)
+    for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
+  LayerOptions options = optionsOf(arguments);
+  const bool look = isLookFile(arguments.file);
+  if (look) ColorConfig::current().checkView(displayOver(session, arguments.display));
+  if (!options.colorSpace.empty()) ColorConfig::current().checkColorSpace(options.colorSpace);
+  checkWritable(arguments.file);
+  arguments.lighting.check(session);
+
+  const Progress progress = terminal.progress();
+  const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.6F));
+  const Rig rig = arguments.lighting.rig(session, set.capture, &set);
+  if (look) return exportLook(arguments, session, set, rig, terminal);
+  options.dataWindow = windowOf(arguments.window, set);
+  options.text = provenanceOf(set, rig, arguments.lighting.source(session));
+  exportLayers(set, rig, arguments.file, options, progress.part(0.6F, 1));
+  const std::vector<std::string> layers = exportedLayers(set, options);
+  terminal.say("wrote {}, {} x {} pixels; the layers {} add up to the picture", arguments.file, set.width(),
+               set.height(), fmt::join(layers, ", "));
+  terminal.result("", {{"file", arguments.file},
+                       {"layers", layers},
+                       {"width", set.width()},
+                       {"height", set.height()},
+                       {"color_space", options.colorSpace.empty() ? set.colorSpace() : options.colorSpace},
+                       {"rig", jsonFromRig(rig)}});
+  return 0;
+}
+
+}  // namespace
+
+void addExportVerb(Program& program) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App& verb =
+      program.addVerb("export", "Write every light as a layer for a compositor, or a look's global part",
+                      [a](Terminal& terminal) { return run(*a, terminal); });
+  a->lighting.addTo(verb);
+  verb.add_option(
+          "-o,--output", a->file,
+          "LAYERS.exr: every light as it shines under the rig, and their sum. LOOK.cube, .ccc or .cc: what "
+          "of the look is the same for every pixel")
+      ->required()
+      ->type_name("FILE");
+  verb.add_option("--naming", a->naming, "layers (LIGHT.R) or blender (ViewLayer.Combined_LIGHT.R)")
+      ->type_name("HOW")
+      ->capture_default_str();
+  verb.add_flag("--multipart", a->options.multipart, "One EXR part a layer");
+  verb.add_option("--compression", a->options.compression,
+                  "none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab")
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb.add_option("--type", a->pictures, "half or float: the colour layers")
+      ->type_name("TYPE")
+      ->capture_default_str();
+  verb.add_option("--color-space", a->options.colorSpace,
+                  "Of the colour layers: lin_rec709, acescg, aces2065_1 ... (default: the set's)")
+      ->type_name("NAME");
+  verb.add_flag("--beta", a->options.beta, "The proportions of the lights too (beta.LIGHT)");
+  verb.add_flag("--quality", a->options.quality, "The solver's residual, sigma and flags too");
+  verb.add_option("--data-type", a->data, "half or float: beta and quality")
+      ->type_name("TYPE")
+      ->capture_default_str();
+  verb.add_option("--data-window", a->window, "shots (as the photographs have it), full, or X,Y,WIDTH,HEIGHT")
+      ->type_name("WINDOW");
+  addDisplayOptions(*verb.add_option_group("For .cube"), a->display);
+}
+
+}  // namespace swaplight

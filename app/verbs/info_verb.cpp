@@ -1,0 +1,195 @@
+#include <fmt/ranges.h>
+
+#include "app/program/description.h"
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/file/json_file.h"
+#include "core/image/io/image_io.h"
+#include "core/relight/setting.h"
+#include "core/session/open_source.h"
+#include "core/session/session_file.h"
+#include "core/set/dynamic_range.h"
+#include "core/set/set_color_space.h"
+#include "core/set/solved_file.h"
+
+namespace swaplight {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string pictureText(const ImageSpec& spec, const ImageFileInfo& info) {
+  return fmt::format("{} x {} pixels, {} {}{}, {}", spec.width, spec.height, info.format, info.pixelType,
+                     info.parts > 1 ? fmt::format(" in {} parts", info.parts) : "", spec.colorSpace);
+}
+
+Json pictureJson(const ImageSpec& spec, const ImageFileInfo& info) {
+  return {{"width", spec.width},          {"height", spec.height}, {"format", info.format},
+          {"pixel_type", info.pixelType}, {"parts", info.parts},   {"color_space", spec.colorSpace},
+          {"channels", spec.channels}};
+}
+
+std::string lightsText(const Capture& capture) {
+  std::vector<std::string> names;
+  for (const Light& light : capture.lights)
+    names.push_back(light.role == Role::Other || roleName(light.role) == light.name
+                        ? light.name
+                        : fmt::format("{} ({})", light.name, roleName(light.role)));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string shotsText(const Capture& capture) {
+  std::vector<std::vector<std::string>> rows{{"shot", "stops"}};
+  for (const Light& light : capture.lights) rows.front().push_back(light.name);
+  for (const Shot& shot : capture.shots) {
+    rows.push_back({shot.image, fmt::format("{:+.2f}", shot.exposureStops)});
+    for (const std::optional<Rgb>& color : shot.lightColors)
+      rows.back().push_back(color ? fmt::format("{:.3f} {:.3f} {:.3f}", color->x, color->y, color->z)
+                                  : "unknown");
+  }
+  return tableText(rows);
+}
+
+Description describeCapture(const fs::path& file) {
+  const Capture capture = readCapture(file);
+  ImageFileInfo info;
+  const ImageSpec spec = readImageSpec(capture.folder / capture.shots.front().image, &info);
+  Description d;
+  d.text = fmt::format("{}: capture \"{}\"\n", file.string(), capture.name);
+  d.line("pictures", fmt::format("{} x {} pixels, {} {}, {}", spec.width, spec.height, info.format,
+                                 info.pixelType, capture.colorSpace));
+  d.line("lights", lightsText(capture));
+  if (capture.noise)
+    d.line("noise", fmt::format("read {}, full well {}", capture.noise->read, capture.noise->fullWell));
+  if (capture.ambient) d.line("ambient", *capture.ambient);
+  if (capture.dark) d.line("dark", *capture.dark);
+  for (const std::string& warning : capture.warnings) d.line("warning", warning);
+  d.text += "\n" + shotsText(capture);
+  d.json = {{"kind", "capture"}, {"file", file.string()}};
+  d.json.update(pictureJson(spec, info));
+  d.json["color_space"] = capture.colorSpace;
+  d.json["capture"] = jsonFromCapture(capture);
+  d.json["warnings"] = capture.warnings;
+  return d;
+}
+
+/// The range of each light, from the header, or from the pixels of an older file.
+void describeRange(const fs::path& file, const ImageFileInfo& info, Description& d) {
+  const auto said = info.text.find(kSolvedRanges);
+  const std::string where = file.string() + ": " + kSolvedRanges;
+  const std::vector<LightRange> ranges = said != info.text.end()
+                                             ? rangesFromJson(parseJson(said->second, where), where)
+                                             : dynamicRange(readSolvedSet(file));
+  d.json["dynamic_range"] = jsonFromRanges(ranges);
+  for (const LightRange& range : ranges) d.line("range", range.light + ": " + rangeWords(range));
+}
+
+Description describeSolvedSet(const fs::path& file) {
+  ImageFileInfo info;
+  const ImageSpec spec = readImageSpec(file, &info);
+  const auto header = [&](const char* key) {
+    const auto found = info.text.find(key);
+    return found == info.text.end() ? Json::object() : parseJson(found->second, file.string() + ": " + key);
+  };
+  const Capture capture = captureFromJson(header("swaplight/capture"), file.parent_path(), file);
+  const Json report = header("swaplight/report");
+  Description d;
+  d.text = fmt::format("{}: solved set \"{}\"\n", file.string(), capture.name);
+  d.line("pictures", pictureText(spec, info));
+  d.line("lights", lightsText(capture));
+  d.line("channels", fmt::format("{}", fmt::join(spec.channels, " ")));
+  if (report.contains("message")) d.line("solved", report["message"].get<std::string>());
+  d.json = {{"kind", "solved"}, {"file", file.string()}};
+  d.json.update(pictureJson(spec, info));
+  describeRange(file, info, d);
+  d.text += "\n" + shotsText(capture);
+  d.json["capture"] = jsonFromCapture(capture);
+  d.json["report"] = report;
+  return d;
+}
+
+std::string rigText(const Rig& rig) {
+  std::vector<std::vector<std::string>> rows{{"light", "role", "setting", ""}};
+  for (const LightSetting& light : rig.lights)
+    rows.push_back({light.light, roleName(light.role), settingText(light),
+                    fmt::format("{}{}", light.solo ? "solo " : "", light.mute ? "mute" : "")});
+  if (rig.ambient != 1) rows.push_back({"ambient", "", fmt::format("x{}", rig.ambient), ""});
+  return tableText(rows);
+}
+
+Description describeSession(const fs::path& file) {
+  const Session session = readSession(file);
+  const Document& document = session.document;
+  Description d;
+  d.text = fmt::format("{}: session\n", file.string());
+  d.line("set", document.source.empty() ? "none" : document.source.string());
+  if (!document.colorConfig.empty()) d.line("colours", document.colorConfig.string());
+  if (!document.workingSpace.empty()) d.line("working space", setColorSpaceWords(document.workingSpace));
+  if (!document.display.view.empty())
+    d.line("view", fmt::format("{} on {}", document.display.view, document.display.display));
+  if (document.display.look)
+    d.line("look of the view", document.display.look->empty() ? "none" : *document.display.look);
+  for (const std::string& warning : session.warnings) d.line("warning", warning);
+  d.text += "\n" + rigText(document.rig);
+  d.json = {{"kind", "session"}, {"file", file.string()}, {"set", document.source.string()}};
+  d.json["session"] = jsonFromSession(session, {});
+  d.json["warnings"] = session.warnings;
+  return d;
+}
+
+Description describeRig(const fs::path& file) {
+  const Rig rig = readRig(file);
+  return {fmt::format("{}: rig\n\n{}", file.string(), rigText(rig)),
+          {{"kind", "rig"}, {"file", file.string()}, {"rig", jsonFromRig(rig)}}};
+}
+
+Description describeImage(const fs::path& file, bool verbose) {
+  ImageFileInfo info;
+  const ImageSpec spec = readImageSpec(file, &info);
+  Description d;
+  d.text = fmt::format("{}: picture\n", file.string());
+  d.line("pixels", pictureText(spec, info));
+  d.line("channels", fmt::format("{}", fmt::join(spec.channels, " ")));
+  if (verbose)
+    for (const auto& [key, value] : info.text) d.line(key, value);
+  d.json = {{"kind", "image"}, {"file", file.string()}};
+  d.json.update(pictureJson(spec, info));
+  d.json["attributes"] = info.text;
+  return d;
+}
+
+Description describeFile(const fs::path& file, bool verbose) {
+  switch (sourceKind(file)) {
+    case SourceKind::Session:
+      return describeSession(file);
+    case SourceKind::Capture: {
+      const fs::path manifest = sourceFile(file);
+      const Json json = readJson(manifest);
+      const bool isRig = json.is_object() && json.contains("format") && json["format"] == "swaplight-rig";
+      return isRig ? describeRig(manifest) : describeCapture(manifest);
+    }
+    case SourceKind::SolvedSet:
+      return describeSolvedSet(file);
+    case SourceKind::Folder:
+      throw InputError("{}: a folder without a capture.json; name a file, or the folder of a capture",
+                       file.string());
+    case SourceKind::Other:
+      break;
+  }
+  return describeImage(file, verbose);
+}
+
+}  // namespace
+
+void addInfoVerb(Program& program) {
+  const auto file = std::make_shared<std::string>();
+  CLI::App& verb =
+      program.addVerb("info", "Say what a capture, a solved set, a session, a rig or a picture holds",
+                      [file](Terminal& terminal) {
+                        const Description d = describeFile(*file, terminal.options().verbose);
+                        terminal.result(d.text, d.json);
+                        return 0;
+                      });
+  verb.add_option("FILE", *file, "The file, or the folder of a capture")->required();
+}
+
+}  // namespace swaplight

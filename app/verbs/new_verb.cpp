@@ -1,0 +1,231 @@
+#include <algorithm>
+#include <sstream>
+
+#include "app/program/description.h"
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/intake/capture_draft.h"
+#include "core/intake/rotation_guess.h"
+
+namespace swaplight {
+namespace {
+
+struct Arguments {
+  std::string folder;
+  std::string lights;
+  std::string gels;
+  std::string colors;
+  std::string files;
+  std::vector<std::string> shots;
+  std::vector<std::string> cards;
+  std::string rotation = "guess";
+  bool oneAtATime = false;
+  std::string colorSpace;
+  std::string crop;
+  double scale = 1;
+  bool force = false;
+};
+
+std::vector<std::string> partsOf(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, ',');)
+    if (!part.empty()) parts.push_back(part);
+  return parts;
+}
+
+/// NAME=REST; `option` and `form` are for the message.
+std::pair<std::string, std::string> pairOf(const std::string& text, const char* option, const char* form) {
+  const size_t equals = text.find('=');
+  if (equals == std::string::npos) throw InputError("{} {}: write {}", option, text, form);
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+/// The colours that the lights had in the first shot, one a light.
+std::vector<ShotColor> ringOf(const Arguments& arguments) {
+  std::vector<ShotColor> ring = shotColorsFromText(arguments.gels);
+  for (ShotColor& color : shotColorsFromText(arguments.colors)) ring.push_back(std::move(color));
+  return ring;
+}
+
+/// Every colour the same step on in every shot.
+std::vector<int> steadySteps(const CaptureDraft& draft, int step) {
+  std::vector<int> steps;
+  const auto count = static_cast<int>(draft.lights.size());
+  for (size_t k = 0; k < draft.folder.shots.size(); ++k)
+    steps.push_back(static_cast<int>(k) * (step + count) % count);
+  return steps;
+}
+
+/// Fills in the ring's colours; returns how it was decided which light had which, in words.
+std::string placeRing(const Arguments& arguments, const std::vector<ShotColor>& ring,
+                      const CapturePixels& pixels, CaptureDraft& draft) {
+  const bool known =
+      std::all_of(ring.begin(), ring.end(), [](const ShotColor& c) { return c.color.has_value(); });
+  if (ring.size() != draft.lights.size())
+    throw InputError("--gels, --colors: {} colours for {} lights: give one a light, as in the first shot",
+                     ring.size(), draft.lights.size());
+  if (arguments.rotation == "guess" && known) {
+    const RotationGuess guess = guessRotation(draft, pixels, ring);
+    draft = withRotation(draft, ring, guess.steps);
+    return guess.words;
+  }
+  if (arguments.rotation != "guess" && arguments.rotation != "forward" && arguments.rotation != "back")
+    throw InputError("--rotation: '{}' is not known; known are guess, forward, back", arguments.rotation);
+  const bool back = arguments.rotation == "back";
+  draft = withRotation(draft, ring, steadySteps(draft, back ? -1 : 1));
+  if (arguments.rotation == "guess")
+    return "assumed, because a colour is unknown: from shot to shot a light takes the colour of the next one";
+  return back ? "as told: from shot to shot a light takes the colour of the one before"
+              : "as told: from shot to shot a light takes the colour of the next one";
+}
+
+void placeOneAtATime(CaptureDraft& draft) {
+  if (draft.lights.size() != draft.folder.shots.size())
+    throw InputError("--one-at-a-time: {} lights and {} shots: there must be one shot a light",
+                     draft.lights.size(), draft.folder.shots.size());
+  for (size_t k = 0; k < draft.colors.size(); ++k)
+    for (size_t i = 0; i < draft.lights.size(); ++i)
+      draft.colors[k][i] = i == k ? ShotColor{"on", Rgb(1)} : ShotColor{"off", Rgb(0)};
+}
+
+void placeShots(const Arguments& arguments, CaptureDraft& draft) {
+  for (const std::string& text : arguments.shots) {
+    const auto [file, colors] = pairOf(text, "--shot", "FILE=COLOUR,COLOUR, one colour a light");
+    const auto& shots = draft.folder.shots;
+    const auto found = std::find_if(shots.begin(), shots.end(),
+                                    [&, name = file](const FoundShot& shot) { return shot.file == name; });
+    if (found == shots.end()) throw InputError("--shot {}: there is no such shot in the folder", file);
+    const std::vector<ShotColor> said = shotColorsFromText(colors);
+    if (said.size() != draft.lights.size())
+      throw InputError("--shot {}: {} colours for {} lights", text, said.size(), draft.lights.size());
+    draft.colors[static_cast<size_t>(found - shots.begin())] = said;
+  }
+}
+
+void placeCards(const Arguments& arguments, const CapturePixels& pixels, CaptureDraft& draft) {
+  for (const std::string& text : arguments.cards) {
+    const auto [name, place] = pairOf(text, "--card", "LIGHT=X,Y");
+    const auto light = std::find(draft.lights.begin(), draft.lights.end(), name);
+    if (light == draft.lights.end()) throw InputError("--card {}: there is no light \"{}\"", text, name);
+    const std::vector<std::string> numbers = partsOf(place);
+    int x = 0, y = 0;
+    if (numbers.size() != 2 || !CLI::detail::lexical_cast(numbers[0], x) ||
+        !CLI::detail::lexical_cast(numbers[1], y))
+      throw InputError("--card {}: write LIGHT=X,Y in pixels", text);
+    for (size_t k = 0; k < draft.colors.size(); ++k)
+      draft.colors[k][static_cast<size_t>(light - draft.lights.begin())] = colorOfCard(pixels.shots[k], x, y);
+  }
+}
+
+/// Places given by --card are of the whole photographs: cropping comes last.
+void placeFrame(const Arguments& arguments, const CapturePixels& pixels, CaptureDraft& draft) {
+  draft.frame.scale = checkedScale(arguments.scale);
+  if (arguments.crop.empty()) return;
+  draft.frame.crop = cropFromText(arguments.crop);
+  static_cast<void>(croppedImage(pixels.shots.front(), *draft.frame.crop, draft.folder.shots.front().file));
+}
+
+Description describe(const CaptureDraft& draft, const std::filesystem::path& file, const std::string& how,
+                     const std::vector<std::string>& warnings) {
+  std::vector<std::vector<std::string>> rows{{"shot", "file"}};
+  for (const std::string& light : draft.lights) rows.front().push_back(light);
+  Json shots = Json::array();
+  for (size_t k = 0; k < draft.folder.shots.size(); ++k) {
+    rows.push_back({fmt::format("{}", k + 1), draft.folder.shots[k].file});
+    Json colors = Json::array();
+    for (const ShotColor& color : draft.colors[k]) {
+      rows.back().push_back(color.text);
+      colors.push_back(color.text);
+    }
+    shots.push_back({{"image", draft.folder.shots[k].file}, {"colors", colors}});
+  }
+  Description d{tableText(rows) + "\n", Json::object()};
+  d.line("order", draft.folder.timed ? "of the time they were taken at" : "of their names");
+  if (!how.empty()) d.line("colours", how);
+  for (const std::string& warning : warnings) d.line("warning", warning);
+  d.json = {{"capture", file.string()},
+            {"lights", draft.lights},
+            {"shots", shots},
+            {"order", draft.folder.timed ? "time" : "name"},
+            {"colors", how},
+            {"color_space", draft.colorSpace},
+            {"crop", draft.frame.crop ? Json{draft.frame.crop->x, draft.frame.crop->y,
+                                             draft.frame.crop->width, draft.frame.crop->height}
+                                      : Json()},
+            {"scale", draft.frame.scale},
+            {"warnings", warnings}};
+  return d;
+}
+
+int run(const Arguments& arguments, Terminal& terminal) {
+  ShotFolder folder = scanShotFolder(arguments.folder);
+  if (!arguments.files.empty()) folder = withShots(std::move(folder), partsOf(arguments.files));
+  CaptureDraft draft = draftOf(folder, partsOf(arguments.lights));
+  if (!arguments.colorSpace.empty()) draft.colorSpace = arguments.colorSpace;
+  const std::vector<ShotColor> ring = ringOf(arguments);
+  if (ring.empty() && !arguments.oneAtATime && arguments.shots.empty() && arguments.cards.empty())
+    throw InputError(
+        "say which colours the lights had: --gels L106,L119 or --colors as in the first shot, --shot "
+        "FILE=COLOUR,COLOUR, --card LIGHT=X,Y, or --one-at-a-time");
+
+  const CapturePixels pixels = loadCapturePixels(captureOf(draft), terminal.progress());
+  std::string how;
+  if (!ring.empty()) how = placeRing(arguments, ring, pixels, draft);
+  if (arguments.oneAtATime) placeOneAtATime(draft);
+  placeCards(arguments, pixels, draft);
+  placeShots(arguments, draft);
+
+  std::vector<std::string> warnings = folder.notes;
+  for (auto&& more : {pictureWarnings(draft, pixels), colorWarnings(draft)})
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  placeFrame(arguments, pixels, draft);
+  const std::filesystem::path file = writeDraft(draft, arguments.force);
+  const Description d = describe(draft, file, how, warnings);
+  terminal.say("wrote {}", file.string());
+  terminal.result(d.text, d.json);
+  return 0;
+}
+
+}  // namespace
+
+void addNewVerb(Program& program) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App& verb =
+      program.addVerb("new", "Describe a folder of photographs as a capture: writes capture.json",
+                      [a](Terminal& terminal) { return run(*a, terminal); });
+  verb.add_option("FOLDER", a->folder, "The folder with the photographs, and nothing else")->required();
+  verb.add_option("--lights", a->lights, "The lights' names, apart by commas")
+      ->required()
+      ->type_name("key,fill");
+  verb.add_option("--gels", a->gels, "The gel of each light in the first shot; how they moved is guessed")
+      ->type_name("L106,L119");
+  verb.add_option("--colors", a->colors,
+                  "The same as colours: linear r/g/b, #rrggbb, 3200K, a gel's number, off, unknown")
+      ->type_name("LIST");
+  verb.add_option("--rotation", a->rotation,
+                  "How they moved: guess (from the pictures), forward (a light takes the colour of the next "
+                  "one), back")
+      ->type_name("HOW")
+      ->capture_default_str();
+  verb.add_flag("--one-at-a-time", a->oneAtATime, "In shot 1 only the first light is on, and so on");
+  verb.add_option("--shot", a->shots, "A shot's colours, one a light; more than once if need be")
+      ->type_name("FILE=COLOUR,COLOUR")
+      ->allow_extra_args(false);
+  verb.add_option("--card", a->cards,
+                  "A white card that only this light shines on, in pixels: its colours are read off it")
+      ->type_name("LIGHT=X,Y")
+      ->allow_extra_args(false);
+  verb.add_option("--shots", a->files, "These files in this order, instead of all in order of time")
+      ->type_name("FILE,FILE");
+  verb.add_option("--color-space", a->colorSpace, "Of the pictures (default: what the files say)")
+      ->type_name("NAME");
+  verb.add_option("--crop", a->crop, "Use only this part of the photographs, in their pixels")
+      ->type_name("X,Y,WIDTH,HEIGHT");
+  verb.add_option("--scale", a->scale, "Make them smaller: 0.5 is half the width and height")
+      ->type_name("X")
+      ->capture_default_str();
+  verb.add_flag("--force", a->force, "Replace a capture.json that is there");
+}
+
+}  // namespace swaplight

@@ -1,0 +1,112 @@
+#include "app/arguments/display_arguments.h"
+#include "app/arguments/lighting_arguments.h"
+#include "app/arguments/sequence_arguments.h"
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/export/frame_export.h"
+#include "core/export/provenance.h"
+#include "core/file/atomic_file.h"
+#include "core/image/io/image_io.h"
+#include "core/measure/luminance_histogram.h"
+#include "core/relight/relight.h"
+#include "core/relight/setting.h"
+
+namespace swaplight {
+namespace {
+
+struct Arguments {
+  LightingArguments lighting;
+  SequenceArguments sequence;
+  std::string frame;
+  std::string tone;
+  std::string histogram;
+  FrameOptions output;
+};
+
+/// A session's view holds where the picture goes through one and the command line names none.
+FrameOptions outputOf(const Arguments& arguments, const std::optional<Session>& session) {
+  FrameOptions output = arguments.output;
+  if (!arguments.tone.empty()) output.tone = stillToneFromText(arguments.tone);
+  if (output.tone && arguments.sequence.given())
+    throw InputError(
+        "--tone {}: looks at each frame by itself, so that a sequence would flicker; take a view, as --view "
+        "Hable",
+        arguments.tone);
+  return frameOptionsFor(session ? session->document.display : DisplayChoice{}, arguments.frame, output);
+}
+
+/// Luminance under unit white and under the rig, as a plot; gives the figures.
+Json writeHistogram(const SolvedSet& set, const Rig& rig, const std::string& file) {
+  const std::vector<NamedHistogram> histograms = {
+      {"before", luminanceHistogram(allWhite(set))},
+      {"after", luminanceHistogram(relight(set, rigFactors(rig, set.colorSpace()), rig.ambient))}};
+  writeImage(drawLuminanceHistograms(histograms), file);
+  return {{"before", jsonFromHistogram(histograms[0].histogram)},
+          {"after", jsonFromHistogram(histograms[1].histogram)}};
+}
+
+int run(const Arguments& arguments, Terminal& terminal) {
+  const std::optional<Session> session = arguments.lighting.session();
+  if (session)
+    for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
+  const std::filesystem::path source = arguments.lighting.source(session);
+  FrameOptions output = outputOf(arguments, session);
+
+  // Say what is wrong before the work, not after it.
+  checkFrame(arguments.frame, output);
+  if (arguments.sequence.given() && !arguments.histogram.empty())
+    throw InputError("--histogram is of one frame: leave it out, or --frames");
+  if (arguments.sequence.given())
+    return arguments.sequence.run(arguments.lighting, session, arguments.frame, output, terminal);
+  checkWritable(arguments.frame);
+  if (!arguments.histogram.empty()) checkFrame(arguments.histogram, {});
+  if (!arguments.histogram.empty()) checkWritable(arguments.histogram);
+  arguments.lighting.check(session);
+
+  const Progress progress = terminal.progress();
+  const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.8F));
+  const Rig rig = arguments.lighting.rig(session, set.capture, &set);
+  if (isSceneLinear(arguments.frame)) output.write.text = provenanceOf(set, rig, source);
+  exportFrame(set, rig, arguments.frame, output, progress.part(0.9F, 1));
+
+  Json json{{"frame", arguments.frame}, {"source", source.string()},       {"width", set.width()},
+            {"height", set.height()},   {"color_space", set.colorSpace()}, {"rig", jsonFromRig(rig)}};
+  for (const LightSetting& light : rig.lights)
+    terminal.detail("  {:<12} {}", light.light, settingText(light));
+  terminal.say("wrote {}, {} x {} pixels", arguments.frame, set.width(), set.height());
+  if (!arguments.histogram.empty()) {
+    json["luminance"] = writeHistogram(set, rig, arguments.histogram);
+    terminal.say("wrote {}", arguments.histogram);
+  }
+  terminal.result("", json);
+  return 0;
+}
+
+}  // namespace
+
+void addRelightVerb(Program& program) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App& verb = program.addVerb("relight", "Make a frame of a set under new lights",
+                                   [a](Terminal& terminal) { return run(*a, terminal); });
+  a->lighting.addTo(verb);
+  a->sequence.addTo(verb);
+  verb.add_option("-o,--output", a->frame, "The frame: EXR, HDR, PNG, TIFF or JPEG")
+      ->required()
+      ->type_name("FRAME");
+  addDisplayOptions(verb, a->output.display);
+  verb.add_option("--tone", a->tone,
+                  "Tone map a still by the whole picture: drago, mantiuk or reinhard; with parameters, as "
+                  "drago:bias=0.9,saturation=1.1")
+      ->type_name("NAME");
+  verb.add_option("--color-space", a->output.colorSpace,
+                  "Scene-linear in these primaries: lin_rec709, acescg, aces2065_1 ... (default: the set's)")
+      ->type_name("NAME");
+  verb.add_option("--histogram", a->histogram, "Plot luminance before (unit white) and after")
+      ->type_name("FILE.png");
+  verb.add_flag("--linear", a->output.linear, "Scene-linear pixels, whatever the format");
+  verb.add_option("--type", a->output.write.pixelType,
+                  "half, float, uint8 or uint16 (default: as the format has it)")
+      ->type_name("TYPE");
+}
+
+}  // namespace swaplight

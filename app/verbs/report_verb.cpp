@@ -1,0 +1,64 @@
+#include "app/arguments/display_arguments.h"
+#include "app/arguments/lighting_arguments.h"
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/file/atomic_file.h"
+#include "core/image/io/image_io.h"
+#include "core/ocio/color_config.h"
+#include "core/report/session_report.h"
+
+namespace swaplight {
+namespace {
+
+struct Arguments {
+  LightingArguments lighting;
+  DisplayChoice display;
+  std::string page;
+  std::string histogram;
+};
+
+int run(const Arguments& arguments, Terminal& terminal) {
+  const std::optional<Session> session = arguments.lighting.session();
+  if (session)
+    for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
+  ColorConfig::current().checkView(arguments.display);
+  for (const std::string& file : {arguments.page, arguments.histogram})
+    if (!file.empty()) checkWritable(file);
+  arguments.lighting.check(session);
+
+  const Progress progress = terminal.progress();
+  const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.7F));
+  const Rig rig = arguments.lighting.rig(session, set.capture, &set);
+  const SessionReport report({set, rig, displayOver(session, arguments.display),
+                              arguments.lighting.source(session).filename().string()});
+  progress.update(0.8F, "writing");
+  writeFile(arguments.page, report.html());
+  terminal.say("wrote {}", arguments.page);
+  if (!arguments.histogram.empty()) {
+    writeImage(report.histogram(), arguments.histogram);
+    terminal.say("wrote {}", arguments.histogram);
+  }
+  const Json json = report.json();
+  std::string text;
+  for (const LightRange& range : report.ranges())
+    text += fmt::format("{:<12} {}\n", range.light, rangeWords(range));
+  terminal.result(text, json);
+  return 0;
+}
+
+}  // namespace
+
+void addReportVerb(Program& program) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App& verb = program.addVerb("report", "Describe a set and its lighting on a page that prints",
+                                   [a](Terminal& terminal) { return run(*a, terminal); });
+  a->lighting.addTo(verb);
+  verb.add_option("-o,--output", a->page, "The page, complete in itself")
+      ->required()
+      ->type_name("REPORT.html");
+  addDisplayOptions(verb, a->display);
+  verb.add_option("--histogram", a->histogram, "Write luminance before and after as a plot")
+      ->type_name("FILE.png");
+}
+
+}  // namespace swaplight

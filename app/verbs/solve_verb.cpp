@@ -1,0 +1,64 @@
+#include "app/arguments/solve_arguments.h"
+#include "app/verbs/verbs.h"
+#include "core/capture/capture_pixels.h"
+#include "core/file/atomic_file.h"
+#include "core/file/json_file.h"
+#include "core/session/open_source.h"
+#include "core/set/set_color_space.h"
+#include "core/set/solved_file.h"
+#include "core/solve/solve.h"
+
+namespace swaplight {
+namespace {
+
+struct Arguments {
+  std::string capture;
+  std::string output;
+  std::string report;
+  std::string colorSpace;
+  SolvedFileOptions file;
+  SolveArguments solve;
+};
+
+int run(const Arguments& arguments, Terminal& terminal) {
+  const SolveOptions options = arguments.solve.resolve();
+  const Capture capture = readCapture(sourceFile(arguments.capture));
+  for (const std::string& warning : capture.warnings) terminal.say("warning: {}", warning);
+  checkSetColorSpace(arguments.colorSpace);
+  checkWritable(arguments.output);
+  if (!arguments.report.empty()) checkWritable(arguments.report);
+
+  const Progress progress = terminal.progress();
+  const CapturePixels pixels = loadCapturePixels(capture, progress.part(0, 0.2f));
+  for (const std::string& warning : pixels.warnings) terminal.say("warning: {}", warning);
+  SolvedSet set = solve(capture, pixels, options, progress.part(0.2f, 0.8f));
+  set = inColorSpace(std::move(set), arguments.colorSpace);
+  writeSolvedSet(set, arguments.output, arguments.file, progress.part(0.8f, 1));
+  if (!arguments.report.empty()) writeJson(set.report, arguments.report);
+
+  Json json = set.report;
+  json["solved"] = arguments.output;
+  terminal.say("wrote {}, {} x {} pixels, {} lights", arguments.output, set.width(), set.height(),
+               set.lightCount());
+  terminal.result(set.report.value("message", "") + "\n", json);
+  return 0;
+}
+
+}  // namespace
+
+void addSolveVerb(Program& program) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App& verb = program.addVerb("solve", "Tell the lights of a capture apart",
+                                   [a](Terminal& terminal) { return run(*a, terminal); });
+  verb.add_option("CAPTURE", a->capture, "capture.json, or the folder that holds it")->required();
+  verb.add_option("-o,--output", a->output, "The solved set")->required()->type_name("SOLVED.exr");
+  verb.add_option("--report", a->report, "Write the solver's report")->type_name("FILE.json");
+  verb.add_option("--color-space", a->colorSpace,
+                  "Working space of the set: lin_rec709, acescg or aces2065_1 (default: that of the shots)")
+      ->type_name("NAME");
+  verb.add_flag("--multipart", a->file.multipart, "One EXR part a light instead of layers");
+  verb.add_flag("--float", a->file.floatPictures, "Contributions as 32-bit float instead of half");
+  a->solve.addTo(verb);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,182 @@
+#include "core/edit/apply/edit_tile.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "core/edit/apply/edit_rows.h"
+#include "core/edit/apply/edit_targets.h"
+
+namespace swaplight {
+
+EditTile::EditTile(const SolvedSet& set, int lights, const PixelRect& area)
+    : m_lights(lights),
+      m_area(area),
+      m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)),
+      m_data(m_plane * (static_cast<size_t>(lights) * 3 + 4)) {
+  const auto planes = static_cast<size_t>(m_lights);
+  float* white = m_data.data() + planes * 3 * m_plane;
+  for (int i = 0; i < set.lightCount(); ++i)
+    for (int c = 0; c < 3; ++c)
+      for (int y = 0; y < area.height; ++y) {
+        const float* in = set.contributions[static_cast<size_t>(i)].view().row(c, area.y + y) + area.x;
+        std::copy_n(in, area.width, writableRow(i, c, area.y + y));
+        float* sum = white + static_cast<size_t>(c) * m_plane + static_cast<size_t>(y * area.width);
+        for (int x = 0; x < area.width; ++x) sum[x] += in[x];
+      }
+  float* inverse = white + 3 * m_plane;
+  for (size_t p = 0; p < m_plane; ++p) {
+    const float grey = white[p] + white[m_plane + p] + white[2 * m_plane + p];
+    inverse[p] = grey > 0 ? 1 / grey : 0;
+  }
+}
+
+EditTile::EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRect& area)
+    : EditTile(set, edited.lightCount(), area) {
+  for (int i = 0; i < m_lights; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (int y = area.y; y < area.bottom(); ++y)
+        std::copy_n(edited.contributions[static_cast<size_t>(i)].view().row(c, y) + area.x, area.width,
+                    writableRow(i, c, y));
+}
+
+EditTile::EditTile(const EditTile& whole, const PixelRect& area)
+    : m_lights(whole.m_lights),
+      m_area(area),
+      m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)),
+      m_data(m_plane * (static_cast<size_t>(whole.m_lights) * 3 + 4)) {
+  float* out = m_data.data();
+  for (int plane = 0; plane < m_lights * 3 + 4; ++plane)
+    for (int y = area.y; y < area.bottom(); ++y) {
+      const float* in = whole.row(plane / 3, plane % 3, y) + (area.x - whole.m_area.x);
+      out = std::copy_n(in, area.width, out);
+    }
+}
+
+const float* EditTile::row(int light, int channel, int y) const {
+  return m_data.data() + static_cast<size_t>(light * 3 + channel) * m_plane +
+         static_cast<size_t>(y - m_area.y) * static_cast<size_t>(m_area.width);
+}
+
+float* EditTile::writableRow(int light, int channel, int y) {
+  return const_cast<float*>(row(light, channel, y));
+}
+
+const float* EditTile::whiteRow(int channel, int y) const {
+  return row(m_lights, channel, y);
+}
+
+const float* EditTile::inverseGreyRow(int y) const {
+  return row(m_lights + 1, 0, y);
+}
+
+void EditTile::betaRow(int light, int y, int x, int count, float* out) const {
+  const int skip = x - m_area.x;
+  auto* self = const_cast<EditTile*>(this);
+  const LightRow pixels{self->writableRow(light, 0, y) + skip, self->writableRow(light, 1, y) + skip,
+                        self->writableRow(light, 2, y) + skip};
+  betaOfRow(pixels, inverseGreyRow(y) + skip, count, out);
+}
+
+std::vector<float> EditTile::blurredBeta(int light, int radius) const {
+  // Pixels without light have no beta: blur beta and the count of those who have it, then divide.
+  cv::Mat beta(m_area.height, m_area.width, CV_32F);
+  cv::Mat known(m_area.height, m_area.width, CV_32F);
+  for (int y = 0; y < m_area.height; ++y) {
+    betaRow(light, m_area.y + y, m_area.x, m_area.width, beta.ptr<float>(y));
+    const float* inverse = inverseGreyRow(m_area.y + y);
+    for (int x = 0; x < m_area.width; ++x) known.at<float>(y, x) = inverse[x] > 0 ? 1.f : 0.f;
+  }
+  const cv::Size kernel(2 * radius + 1, 2 * radius + 1);
+  cv::GaussianBlur(beta, beta, kernel, radius / 2., 0, cv::BORDER_REPLICATE);
+  cv::GaussianBlur(known, known, kernel, radius / 2., 0, cv::BORDER_REPLICATE);
+  std::vector<float> blurred(m_plane);
+  for (size_t p = 0; p < m_plane; ++p) {
+    const float weight = known.ptr<float>()[p];
+    blurred[p] = weight > 1e-6f ? beta.ptr<float>()[p] / weight : 0;
+  }
+  return blurred;
+}
+
+void EditTile::swapRow(const PreparedEdit& edit, int y, int x, int count, const float* mask) {
+  for (int c = 0; c < 3; ++c) {
+    float* a = writableRow(edit.lights[0], c, y) + (x - m_area.x);
+    float* b = writableRow(edit.lights[1], c, y) + (x - m_area.x);
+    for (int i = 0; i < count; ++i) {
+      const float step = mask[i] * (b[i] - a[i]);
+      a[i] += step;
+      b[i] -= step;
+    }
+  }
+}
+
+void EditTile::shadowRow(const PreparedEdit& edit, int y, int x, int count, const float* mask) {
+  const auto& operation = std::get<ShadowOperation>(edit.edit->operation);
+  thread_local std::vector<float> weight;
+  weight.resize(static_cast<size_t>(count));
+  for (size_t k = 0; k < edit.lights.size(); ++k) {
+    const ShadowChange& change = edit.shadows[k];
+    shadowWeightRow(operation, change, x, y, mask, count, weight.data());
+    for (int c = 0; c < 3; ++c)
+      changeShadowRow(operation, c, weight.data(), change.shadows->direct.view().row(c, y) + x, count,
+                      writableRow(edit.lights[k], c, y) + (x - m_area.x));
+  }
+}
+
+void EditTile::apply(const PreparedEdit& edit, const PixelRect& part) {
+  const PixelRect area = intersection(part, edit.mask->bounds());
+  if (area.empty() || !edit.isActive() || edit.lights.empty() || !edit.mask->touches(area)) return;
+  std::vector<std::vector<float>> blurred;
+  if (const int radius = edit.reach(); radius > 0)
+    for (const int light : edit.lights) blurred.push_back(blurredBeta(light, radius));
+  const bool swap = std::holds_alternative<InvertOperation>(edit.edit->operation) && edit.lights.size() == 2;
+  const bool shadow = std::holds_alternative<ShadowOperation>(edit.edit->operation);
+  const bool share = edit.edit->meaning == Meaning::Share;
+
+  std::vector<LightRow> rows;
+  std::vector<float> maskRow(static_cast<size_t>(area.width));
+  ShareScratch scratch(static_cast<size_t>(m_lights), maskRow.size());
+  for (int y = area.y; y < area.bottom(); ++y) {
+    if (!edit.mask->row(area.x, y, area.width, maskRow.data())) continue;
+    // Only the span between the first and the last pixel that the mask lets through.
+    const auto isOpen = [](float m) { return m > 0; };
+    const auto first = std::find_if(maskRow.begin(), maskRow.end(), isOpen);
+    const auto end = std::find_if(maskRow.rbegin(), maskRow.rend(), isOpen).base();
+    const int x = area.x + static_cast<int>(first - maskRow.begin());
+    const int count = static_cast<int>(end - first);
+    const int skip = x - m_area.x;
+    float* mask = &*first;
+    for (int i = 0; i < count; ++i) mask[i] *= edit.edit->opacity;
+    if (swap || shadow) {
+      swap ? swapRow(edit, y, x, count, mask) : shadowRow(edit, y, x, count, mask);
+      continue;
+    }
+
+    // Beta as it is and as the operation wants it.
+    for (int i = 0; share && i < m_lights; ++i)
+      betaRow(i, y, x, count, scratch.beta[static_cast<size_t>(i)].data());
+    for (size_t k = 0; k < edit.lights.size(); ++k) {
+      const auto i = static_cast<size_t>(edit.lights[k]);
+      if (!share) betaRow(edit.lights[k], y, x, count, scratch.beta[i].data());
+      const float* soft = blurred.empty()
+                              ? nullptr
+                              : blurred[k].data() + static_cast<size_t>((y - m_area.y) * m_area.width + skip);
+      targetRow(edit, k, y, x, scratch.beta[i].data(), soft, count, scratch.target[i].data());
+    }
+
+    // Move the light.
+    rows.clear();
+    for (int i = 0; i < m_lights; ++i)
+      rows.push_back({writableRow(i, 0, y) + skip, writableRow(i, 1, y) + skip, writableRow(i, 2, y) + skip});
+    if (share) {
+      shareRow(rows, edit.lights, mask, count, scratch);
+      continue;
+    }
+    const WhiteRow white{whiteRow(0, y) + skip, whiteRow(1, y) + skip, whiteRow(2, y) + skip};
+    for (const int i : edit.lights) {
+      const auto k = static_cast<size_t>(i);
+      addRow(rows[k], white, scratch.beta[k].data(), scratch.target[k].data(), mask, count);
+    }
+  }
+}
+
+}  // namespace swaplight

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "core/edit/apply/prepared_edit.h"
+#include "core/set/solved_set.h"
+
+namespace swaplight {
+
+constexpr int kTileSize = 256;  ///< pixels: the part of a set that is computed at a time
+
+/// A rectangle of the set while edits are applied to it.
+class EditTile {
+ public:
+  /// The set's contributions in `area` (inside the picture); `lights` - set.lightCount() new lights without
+  /// light.
+  EditTile(const SolvedSet& set, int lights, const PixelRect& area);
+
+  /// The same with contributions that have been edited already.
+  EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRect& area);
+
+  /// A part of another.
+  EditTile(const EditTile& whole, const PixelRect& area);
+
+  /// Applies an edit to `part` of the area. Edits that look around (PreparedEdit::reach) read the whole area:
+  /// what lies outside counts only where it is outside the picture.
+  void apply(const PreparedEdit& edit, const PixelRect& part);
+
+  [[nodiscard]] const PixelRect& area() const { return m_area; }
+  [[nodiscard]] size_t bytes() const { return m_data.size() * sizeof(float); }
+  /// A contribution's row: x from area().x on.
+  [[nodiscard]] const float* row(int light, int channel, int y) const;
+
+ private:
+  [[nodiscard]] float* writableRow(int light, int channel, int y);
+  [[nodiscard]] const float* whiteRow(int channel, int y) const;
+  [[nodiscard]] const float* inverseGreyRow(int y) const;
+  void betaRow(int light, int y, int x, int count, float* out) const;
+  /// Beta of a light over the whole area, blurred.
+  [[nodiscard]] std::vector<float> blurredBeta(int light, int radius) const;
+  void swapRow(const PreparedEdit& edit, int y, int x, int count, const float* mask);
+  void shadowRow(const PreparedEdit& edit, int y, int x, int count, const float* mask);
+
+  int m_lights;
+  PixelRect m_area;
+  size_t m_plane;             // pixels of a plane
+  std::vector<float> m_data;  // light by light R G B, then white R G B, then 1 / grey of white
+};
+
+}  // namespace swaplight

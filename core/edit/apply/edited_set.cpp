@@ -1,0 +1,245 @@
+#include "core/edit/apply/edited_set.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/edit/apply/edit_changes.h"
+#include "core/edit/apply/edit_tile.h"
+
+namespace swaplight {
+namespace {
+
+ImageSpec betaSpec(const EditedLights& lights) {
+  ImageSpec spec{lights.width, lights.height, {}, "data"};
+  for (const std::string& name : lights.names) spec.channels.push_back("beta." + name);
+  return spec;
+}
+
+// A set of the size with room for the lights; contributions are not initialised.
+SolvedSet emptyResult(const SolvedSet& set, const EditedLights& lights) {
+  SolvedSet result;
+  result.capture = set.capture;
+  result.report = set.report;
+  result.carried = set.carried;
+  if (set.ambient) result.ambient = set.ambient->clone();
+  for (size_t i = 0; i < lights.names.size(); ++i) {
+    result.contributions.emplace_back(set.contributions.front().spec());
+    if (i >= result.capture.lights.size())
+      result.capture.lights.push_back({lights.names[i], Role::Other, Json::object()});
+  }
+  result.beta = Image(betaSpec(lights));
+  return result;
+}
+
+// Lights come and go; those that stay keep their pixels, where they lie; new ones are dark.
+void changeLights(const SolvedSet& set, const EditedLights& lights, SolvedSet& result) {
+  std::vector<Image> contributions;
+  std::vector<int> planes;  // of the old beta
+  std::vector<Light> described = set.capture.lights;
+  for (size_t i = 0; i < lights.names.size(); ++i) {
+    const int known = result.capture.lightIndex(lights.names[i]);
+    planes.push_back(known);
+    if (known >= 0)
+      contributions.push_back(std::move(result.contributions[static_cast<size_t>(known)]));
+    else
+      contributions.emplace_back(set.contributions.front().spec(), 0.F);
+    if (i >= described.size()) described.push_back({lights.names[i], Role::Other, Json::object()});
+  }
+  Image beta(betaSpec(lights));
+  parallelRows(beta.channelCount(), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const int known = planes[static_cast<size_t>(i)];
+      if (known >= 0)
+        std::copy_n(result.beta.plane(known), beta.pixelCount(), beta.plane(i));
+      else
+        std::fill_n(beta.plane(i), beta.pixelCount(), 0.F);
+    }
+  });
+  result.contributions = std::move(contributions);
+  result.capture.lights = std::move(described);
+  result.beta = std::move(beta);
+}
+
+// Contributions as they are, and beta from them.
+void writeBack(const EditTile& tile, const PixelRect& part, SolvedSet& result) {
+  const int lights = result.lightCount();
+  const int skip = part.x - tile.area().x;
+  std::vector<float> total(static_cast<size_t>(part.width));
+  for (int y = part.y; y < part.bottom(); ++y) {
+    std::fill(total.begin(), total.end(), 0.f);
+    for (int i = 0; i < lights; ++i) {
+      float* grey = result.beta.span().row(i, y) + part.x;
+      std::fill_n(grey, part.width, 0.f);
+      for (int c = 0; c < 3; ++c) {
+        const float* in = tile.row(i, c, y) + skip;
+        std::copy_n(in, part.width, result.contributions[static_cast<size_t>(i)].span().row(c, y) + part.x);
+        for (int x = 0; x < part.width; ++x) grey[x] += in[x];
+      }
+      for (int x = 0; x < part.width; ++x) total[static_cast<size_t>(x)] += grey[x];
+    }
+    for (float& t : total) t = t > 0 ? 1 / t : 0;
+    for (int i = 0; i < lights; ++i) {
+      float* grey = result.beta.span().row(i, y) + part.x;
+      for (int x = 0; x < part.width; ++x) grey[x] *= total[static_cast<size_t>(x)];
+    }
+  }
+}
+
+}  // namespace
+
+EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
+  EditedLights lights{{}, set.width(), set.height()};
+  for (const Light& light : set.capture.lights) lights.names.push_back(light.name);
+  for (const std::string& name : stack.newLights) {
+    if (std::count(lights.names.begin(), lights.names.end(), name))
+      throw InputError("the edits add a light \"{}\", but the set has one of that name: give it another.",
+                       name);
+    lights.names.push_back(name);
+  }
+  return lights;
+}
+
+SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowSource& shadows) {
+  const EditedLights lights = editedLights(set, stack);
+  const PixelRect all{0, 0, set.width(), set.height()};
+  MaskGround ground(set, shadows);
+  BetaFiles files;
+  EditTile picture(set, static_cast<int>(lights.names.size()), all);
+  for (const auto& edit : stack.edits) picture.apply(prepareEdit(edit, lights, ground, files), all);
+  SolvedSet result = emptyResult(set, lights);
+  writeBack(picture, all, result);
+  return result;
+}
+
+EditedSet::EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows)
+    : m_set(std::move(set)),
+      m_ground(*m_set, std::move(shadows)),
+      m_result(emptyResult(*m_set, editedLights(*m_set, {}))),
+      m_checkpoint(m_set->width(), m_set->height()) {
+  const int rows = (m_set->height() + kTileSize - 1) / kTileSize;
+  m_stale.resize(static_cast<size_t>(columns()) * static_cast<size_t>(rows));
+  markStale({0, 0, m_set->width(), m_set->height()});
+}
+
+void EditedSet::setStack(const EditStack& stack) {
+  const EditedLights lights = editedLights(*m_set, stack);
+  const bool sameLights = stack.newLights == m_stack.newLights;
+
+  // Prepare what is new; what failed to prepare leaves the old stack in force.
+  const bool sameShadows = stack.shadowThresholds == m_stack.shadowThresholds;
+  const auto stays = [&](const Edit& edit) { return sameShadows || !usesShadows(edit); };
+  if (!sameShadows) m_ground.forgetDrawn();
+  std::vector<Prepared> prepared;
+  for (const auto& edit : stack.edits) {
+    const auto known = std::find_if(m_prepared.begin(), m_prepared.end(),
+                                    [&](const Prepared& p) { return p->edit == edit; });
+    if (known != m_prepared.end() && sameLights && stays(*edit)) {
+      prepared.push_back(*known);
+      continue;
+    }
+    const auto place =
+        known != m_prepared.end()
+            ? known
+            : m_prepared.begin() + static_cast<ptrdiff_t>(std::min(prepared.size(), m_prepared.size()));
+    const PreparedEdit* earlier =
+        place != m_prepared.end() && stays(*(*place)->edit) ? place->get() : nullptr;
+    prepared.push_back(
+        std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_ground, m_files, earlier)));
+  }
+  const bool otherShadows = !sameShadows && std::any_of(stack.edits.begin(), stack.edits.end(),
+                                                        [](const auto& edit) { return usesShadows(*edit); });
+  if (!sameLights) changeLights(*m_set, lights, m_result);
+  if (otherShadows) {
+    m_checkpoint.forget();
+    markStale({0, 0, m_set->width(), m_set->height()});
+  } else if (!sameLights) {
+    // Where no edit acts, lights that stay are as they were and new ones are dark.
+    m_checkpoint.forget();
+    for (const auto* edits : {&m_prepared, &prepared})
+      for (const PixelRect& area : changedAreas(*edits, {})) markStale(area);
+  } else {
+    if (m_checkpoint.follow(m_prepared, prepared)) m_staleBelow = m_stale;
+    for (const PixelRect& area : changedAreas(m_prepared, prepared)) markStale(area);
+  }
+  m_prepared = std::move(prepared);
+  m_stack = stack;
+}
+
+void EditedSet::markStale(const PixelRect& area) {
+  const PixelRect inside = intersection(area, {0, 0, m_set->width(), m_set->height()});
+  if (inside.empty()) return;
+  for (int row = inside.y / kTileSize; row <= (inside.bottom() - 1) / kTileSize; ++row)
+    for (int column = inside.x / kTileSize; column <= (inside.right() - 1) / kTileSize; ++column) {
+      const int tile = row * columns() + column;
+      PixelRect& stale = m_stale[static_cast<size_t>(tile)];
+      const PixelRect whole{column * kTileSize, row * kTileSize, kTileSize, kTileSize};
+      stale = enclosing(stale, intersection(whole, inside));
+    }
+}
+
+std::optional<PixelRect> EditedSet::staleTile() const {
+  for (const PixelRect& stale : m_stale)
+    if (!stale.empty()) return stale;
+  return std::nullopt;
+}
+
+std::vector<PixelRect> EditedSet::update() {
+  return update({0, 0, m_set->width(), m_set->height()});
+}
+
+std::vector<PixelRect> EditedSet::update(const PixelRect& area) {
+  std::vector<PixelRect> changed;
+  for (PixelRect& stale : m_stale)
+    if (!intersection(stale, area).empty()) changed.push_back(std::exchange(stale, {}));
+
+  // Edits that look around would do so again for each band.
+  const bool looksAround =
+      m_checkpoint.editsBelow() == 0 &&
+      std::any_of(m_prepared.begin(), m_prepared.end(), [](const Prepared& p) { return p->reach() > 0; });
+  std::vector<PixelRect> bands;
+  for (const PixelRect& rect : changed) {
+    for (int y = rect.y, next = 0; y < rect.bottom(); y = next) {
+      next = looksAround ? rect.bottom() : std::min(rect.bottom(), (y / kBandRows + 1) * kBandRows);
+      bands.push_back({rect.x, y, rect.width, next - y});
+    }
+  }
+  parallelRows(static_cast<int>(bands.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) compute(bands[static_cast<size_t>(i)]);
+  });
+  return changed;
+}
+
+EditTile EditedSet::evaluate(const PixelRect& area, size_t edits) const {
+  const PixelRect all{0, 0, m_set->width(), m_set->height()};
+  // What later edits look at around the area has to be computed too.
+  int around = 0;
+  for (size_t k = 0; k < edits; ++k) around += m_prepared[k]->reach();
+  EditTile tile(*m_set, m_result.lightCount(), intersection(area.grown(around), all));
+  for (size_t k = 0; k < edits; ++k) {
+    around -= m_prepared[k]->reach();
+    tile.apply(*m_prepared[k], intersection(area.grown(around), all));
+  }
+  return tile;
+}
+
+EditTile EditedSet::belowCheckpoint(const PixelRect& band) const {
+  const int tile = band.y / kTileSize * columns() + band.x / kTileSize;
+  // Nothing has been computed here since: the result is what is below.
+  if (m_checkpoint.startedAtTheEnd() && m_staleBelow[static_cast<size_t>(tile)].empty())
+    return {*m_set, m_result, band};
+  return {evaluate(band, m_checkpoint.editsBelow()), band};
+}
+
+void EditedSet::compute(const PixelRect& area) {
+  const size_t below = m_checkpoint.editsBelow();
+  if (below == 0) {
+    writeBack(evaluate(area, m_prepared.size()), area, m_result);
+    return;
+  }
+  EditTile tile = m_checkpoint.stateAt(area, [&](const PixelRect& band) { return belowCheckpoint(band); });
+  for (size_t k = below; k < m_prepared.size(); ++k) tile.apply(*m_prepared[k], area);
+  writeBack(tile, area, m_result);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,58 @@
+#include "core/edit/mask/mask_ground.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/edit/mask/mask_drawing.h"
+#include "core/edit/mask/selection_drawing.h"
+
+namespace swaplight {
+
+MaskGround::MaskGround(const SolvedSet& set, ShadowSource shadows)
+    : m_set(set), m_shadows(std::move(shadows)) {}
+
+std::shared_ptr<const MaskRaster> MaskGround::raster(const MaskShape& shape, int shadowZone) {
+  if (const auto* paint = std::get_if<PaintShape>(&shape.shape))
+    return {paint->painting, &paint->painting->mask()};
+  if (!std::holds_alternative<ShadowShape>(shape.shape)) shadowZone = 0;
+  if (auto raster = known(shape, shadowZone)) return raster;
+  auto raster = draw(shape, shadowZone);
+  if (raster) m_drawn.push_back({shape, shadowZone, raster});
+  return raster;
+}
+
+std::shared_ptr<const MaskRaster> MaskGround::known(const MaskShape& shape, int shadowZone) {
+  std::erase_if(m_drawn, [](const Drawn& drawn) { return drawn.raster.expired(); });
+  const auto found = std::find_if(m_drawn.begin(), m_drawn.end(), [&](const Drawn& drawn) {
+    return drawn.shadowZone == shadowZone && drawn.shape.shape == shape.shape;
+  });
+  return found == m_drawn.end() ? nullptr : found->raster.lock();
+}
+
+void MaskGround::keep(const MaskShape& shape, const std::shared_ptr<const MaskRaster>& raster) {
+  if (!known(shape)) m_drawn.push_back({shape, 0, raster});
+}
+
+std::shared_ptr<const MaskRaster> MaskGround::draw(const MaskShape& shape, int shadowZone) {
+  return std::visit(
+      [&](const auto& s) -> std::shared_ptr<const MaskRaster> {
+        using T = std::decay_t<decltype(s)>;
+        if constexpr (std::is_same_v<T, ShadowShape>) {
+          if (!m_shadows) throw InputError("the edits use shadows, which are not at hand here.");
+          const auto found = m_shadows(s.light);
+          return std::make_shared<const MaskRaster>(
+              shadowZone > 0 && s.region ? drawShadowZone(s, *found, shadowZone) : drawShape(s, *found));
+        } else if constexpr (std::is_same_v<T, SimilarShape>) {
+          return std::make_shared<const MaskRaster>(drawSimilar(s, m_set));
+        } else if constexpr (std::is_same_v<T, SelectionShape>) {
+          return std::make_shared<const MaskRaster>(drawSelection(s, *this));
+        } else if constexpr (requires { drawShape(s, 0, 0); }) {
+          return std::make_shared<const MaskRaster>(drawShape(s, width(), height()));
+        } else {
+          return nullptr;
+        }
+      },
+      shape.shape);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/edit/mask/mask.h"
+#include "core/set/solved_set.h"
+#include "core/shadow/result/light_shadows.h"
+
+namespace swaplight {
+
+/// Finds a light's shadows on the set as solved; may take long the first time. Throws InputError for a name
+/// that is not a light of the set.
+using ShadowSource = std::function<std::shared_ptr<const LightShadows>(const std::string& light)>;
+
+/// What masks are drawn on: the set as solved, and its shadows. A shape is drawn once as long as somebody
+/// holds it. Not for use by several threads at once.
+class MaskGround {
+ public:
+  /// The set must outlive it.
+  explicit MaskGround(const SolvedSet& set, ShadowSource shadows = {});
+
+  [[nodiscard]] int width() const { return m_set.width(); }
+  [[nodiscard]] int height() const { return m_set.height(); }
+  [[nodiscard]] const SolvedSet& set() const { return m_set; }
+  [[nodiscard]] const ShadowSource& shadows() const { return m_shadows; }
+
+  /// A shape as pixels, before it is inverted; nullptr for shapes that are formulas (rectangles, ellipses,
+  /// gradients, patterns). Throws InputError: a picture that cannot be read, a light without shadows, a place
+  /// outside the picture.
+  /// `shadowZone`: edits of shadows are measured by the visibility themselves: for them a shadow that was
+  /// chosen counts in whole, with so many pixels around it.
+  std::shared_ptr<const MaskRaster> raster(const MaskShape& shape, int shadowZone = 0);
+  /// The same where it has been drawn already and somebody holds it; else nullptr.
+  [[nodiscard]] std::shared_ptr<const MaskRaster> known(const MaskShape& shape, int shadowZone = 0);
+  /// A shape that was drawn elsewhere, on the same set and shadows.
+  void keep(const MaskShape& shape, const std::shared_ptr<const MaskRaster>& raster);
+  /// To be called when the shadows are others.
+  void forgetDrawn() { m_drawn.clear(); }
+
+ private:
+  struct Drawn {
+    MaskShape shape;
+    int shadowZone = 0;
+    std::weak_ptr<const MaskRaster> raster;
+  };
+  std::shared_ptr<const MaskRaster> draw(const MaskShape& shape, int shadowZone);
+
+  const SolvedSet& m_set;
+  ShadowSource m_shadows;
+  std::vector<Drawn> m_drawn;
+};
+
+}  // namespace swaplight

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/edit/stack/edit.h"
+
+namespace swaplight {
+
+/// Reads a file of edits ({"format": "swaplight-edits", "version": 1, "new_lights": [...], "edits": [...]})
+/// for pictures of the size given. Files that the edits name are relative to the file. Throws InputError that
+/// names the file.
+[[nodiscard]] EditStack readEdits(const std::filesystem::path& file, int width, int height);
+
+/// Writes such a file. Throws InputError where it cannot be written.
+void writeEdits(const EditStack& stack, const std::filesystem::path& file);
+
+}  // namespace swaplight

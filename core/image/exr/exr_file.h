@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/file/atomic_file.h"
+#include "core/image/io/image_write.h"
+
+namespace swaplight {
+
+/// OpenEXR files with ZIP or ZIPS compression in scan lines, which is what nearly every file is: packed and
+/// unpacked on all threads, by libdeflate. Everything else goes through OpenImageIO.
+
+/// True where writeExrZip can write `contents`.
+[[nodiscard]] bool isExrZip(const FileToWrite& contents);
+
+/// Writes into file.temporary(). The same contents give the same bytes. Throws InputError where it cannot be
+/// written.
+void writeExrZip(const FileToWrite& contents, const AtomicFile& file, const Progress& progress);
+
+/// Reads parts whose compression allows it.
+class ExrZipReader {
+ public:
+  /// Never throws: a file that cannot be opened has no part that can be read.
+  explicit ExrZipReader(const std::filesystem::path& file);
+  ExrZipReader(const ExrZipReader&) = delete;
+  ExrZipReader& operator=(const ExrZipReader&) = delete;
+  ~ExrZipReader();
+
+  /// True where `read` can read the part: ZIP or ZIPS, scan lines, no subsampling, exactly these channels (in
+  /// any order) and this size.
+  [[nodiscard]] bool canRead(int part, const std::vector<std::string>& channels, int width, int height) const;
+
+  /// Reads a part of the file into planes (one a channel, nullptr: not wanted). Throws InputError where it is
+  /// damaged.
+  void read(int part, const std::vector<std::string>& channels, std::span<float* const> planes,
+            const std::function<void(int rows)>& done) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace swaplight

@@ -1,0 +1,177 @@
+#include "core/image/io/image_input.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/error.h"
+#include "core/color/chromaticities.h"
+#include "core/image/io/header_oiio.h"
+#include "core/image/io/image_format.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kMostParts = 4096;
+
+/// Camera raw: linear numbers of the sensor, each channel as it is. Alpha: not multiplied in.
+OIIO::ImageSpec readingHints() {
+  OIIO::ImageSpec hints;
+  hints.attribute("oiio:UnassociatedAlpha", 1);
+  hints.attribute("raw:ColorSpace", "raw");
+  hints.attribute("raw:use_camera_wb", 0);
+  const std::array<float, 4> unit = {1, 1, 1, 1};
+  hints.attribute("raw:user_mul", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 4), unit.data());
+  hints.attribute("raw:auto_bright", 0);
+  hints.attribute("raw:HighlightMode", 1);
+  return hints;
+}
+
+bool hasPlainName(const std::string& part) {
+  const std::array<const char*, 7> plain = {"", "rgb", "rgba", "main", "beauty", "RGB", "RGBA"};
+  return std::find(plain.begin(), plain.end(), part) != plain.end();
+}
+
+/// The channels' names, with the part's name as layer where the file has several parts.
+std::vector<std::string> channelNames(const OIIO::ImageSpec& spec, int index) {
+  std::vector<std::string> names = spec.channelnames;
+  const std::string part = spec.get_string_attribute("oiio:subimagename");
+  if (index == 0 && hasPlainName(part)) return names;
+  const std::string layer = (part.empty() ? fmt::format("part{}", index + 1) : part) + ".";
+  for (std::string& name : names)
+    if (!name.starts_with(layer)) name.insert(0, layer);
+  return names;
+}
+
+std::string colorSpaceOfFile(const OIIO::ImageSpec& spec, const std::string& format) {
+  if (format == "raw") return "raw";
+  const auto* attribute = spec.find_attribute("chromaticities");
+  if (attribute && attribute->type() == OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8)) {
+    Chromaticities xy;
+    std::copy_n(static_cast<const float*>(attribute->data()), xy.size(), xy.begin());
+    if (std::string known = colorSpaceOf(xy); !known.empty()) return known;
+  }
+  return spec.format.is_floating_point() ? "lin_rec709" : "srgb";
+}
+
+ImageFileInfo infoOf(const OIIO::ImageSpec& spec, const std::string& format) {
+  ImageFileInfo info;
+  info.format = format;
+  const OIIO::TypeDesc type = spec.channelformat(0);
+  info.pixelType = type.c_str();
+  info.isFloat = type.is_floating_point();
+  info.bits = spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(type.size()) * 8);
+  info.header = headerValuesOf(spec);
+  info.pixelAspect = spec.get_float_attribute("PixelAspectRatio", 1);
+  for (const auto& attribute : spec.extra_attribs) {
+    const std::string name = attribute.name().string();
+    if (attribute.type() == OIIO::TypeString)
+      info.text[name] = attribute.get_string();
+    else if (attribute.type().numelements() == 1 && attribute.type().aggregate == OIIO::TypeDesc::SCALAR)
+      info.numbers[name] =
+          attribute.type().is_floating_point() ? double{attribute.get_float()} : double(attribute.get_int());
+  }
+  return info;
+}
+
+/// A part's data window within the picture, where it leaves something out.
+std::optional<PixelRect> smallerWindow(const ImagePart& part, const ImageSpec& picture) {
+  const int left = std::max(part.x, 0);
+  const int top = std::max(part.y, 0);
+  const PixelRect window{left, top, std::min(part.x + part.spec.width, picture.width) - left,
+                         std::min(part.y + part.spec.height, picture.height) - top};
+  const bool whole = window == PixelRect{0, 0, picture.width, picture.height};
+  return whole || window.empty() ? std::nullopt : std::optional(window);
+}
+
+/// Puts the data window of a part into the image's display window.
+void place(ImagePart& part, const OIIO::ImageSpec& display, const ImageInput& input) {
+  if (input.format() != "openexr") return;
+  part.x = part.spec.x - display.full_x;
+  part.y = part.spec.y - display.full_y;
+  const bool apart = part.x >= display.full_width || part.y >= display.full_height ||
+                     part.x + int64_t{part.spec.width} <= 0 || part.y + int64_t{part.spec.height} <= 0;
+  if (apart) throw InputError("{}: its data window lies outside of its display window.", input.name());
+}
+
+}  // namespace
+
+std::optional<PixelType> pixelTypeOf(const OIIO::TypeDesc& type) {
+  switch (type.basetype) {
+    case OIIO::TypeDesc::UINT8:
+      return PixelType::UInt8;
+    case OIIO::TypeDesc::UINT16:
+      return PixelType::UInt16;
+    case OIIO::TypeDesc::UINT32:
+      return PixelType::UInt32;
+    case OIIO::TypeDesc::HALF:
+      return PixelType::Half;
+    case OIIO::TypeDesc::FLOAT:
+      return PixelType::Float;
+    default:
+      return std::nullopt;
+  }
+}
+
+ImageContents contentsOf(ImageInput& input) {
+  ImageContents contents;
+  const bool layered = input.format() == "openexr";
+  for (int index = 0; index < (layered ? kMostParts : 1); ++index) {
+    OIIO::ImageSpec spec = input->spec_dimensions(index);
+    if (spec.undefined()) break;
+    spec = input->spec(index);
+    if (spec.deep) throw InputError("{}: is a deep picture. Flatten it first.", input.name());
+    ImagePart part{spec, index, 0, 0, spec.channelnames};
+    if (layered) part.channels = channelNames(spec, index);
+    if (index == 0) {
+      contents.info = infoOf(spec, input.format());
+      // OpenEXR and camera raw come upright.
+      const bool asHeld = input.format() == "jpeg" || input.format() == "tiff" || input.format() == "png";
+      if (asHeld) contents.orientation = spec.get_int_attribute("Orientation", 1);
+      contents.spec = {layered ? spec.full_width : spec.width,
+                       layered ? spec.full_height : spec.height,
+                       {},
+                       colorSpaceOfFile(spec, input.format())};
+    }
+    checkImageFits(input.name(), spec.width, spec.height, spec.nchannels);
+    contents.spec.channels.insert(contents.spec.channels.end(), part.channels.begin(), part.channels.end());
+    checkImageFits(input.name(), contents.spec.width, contents.spec.height, contents.spec.channelCount());
+    place(part, contents.parts.empty() ? spec : contents.parts.front().spec, input);
+    for (int c = 0; c < spec.nchannels; ++c)
+      contents.info.channelTypes.push_back(pixelTypeOf(spec.channelformat(c)).value_or(PixelType::Float));
+    if (index == 0) contents.info.dataWindow = smallerWindow(part, contents.spec);
+    contents.parts.push_back(std::move(part));
+  }
+  (void)input->geterror();  // of the part behind the last
+  if (contents.parts.empty()) input.fail("it has no picture in it");
+  contents.info.parts = static_cast<int>(contents.parts.size());
+  return contents;
+}
+
+ImageInput::ImageInput(const std::filesystem::path& file)
+    : m_file(file), m_format(imageFormatOf(file)), m_input(OIIO::ImageInput::create(m_format)) {
+  if (!m_input && m_format == "raw")
+    throw InputError(
+        "{}: camera raw cannot be read here: OpenImageIO was built without LibRaw. Develop the "
+        "photographs to 16-bit TIFF or EXR with a linear curve, all with the same white balance.",
+        name());
+  if (!m_input) fail(OIIO::geterror());
+  checkIntegrity(file, m_format);
+  OIIO::attribute("debug", 0);  // it prints
+  OIIO::ImageSpec first;
+  if (!m_input->open(file.string(), first, readingHints())) fail();
+}
+
+ImageInput::~ImageInput() {
+  if (!m_input) return;
+  m_input->close();
+  (void)m_input->geterror();
+  (void)OIIO::geterror();
+}
+
+void ImageInput::fail(std::string words) const {
+  words = words.substr(0, words.find('\n'));
+  throw InputError("{}: is broken or no {} file: {}", name(), m_format,
+                   words.empty() ? "it cannot be read" : words);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,82 @@
+#include "core/lamp/gel.h"
+
+#include <algorithm>
+#include <cctype>
+#include <deque>
+#include <mutex>
+
+#include "core/base/error.h"
+#include "core/file/atomic_file.h"
+#include "core/file/user_folders.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kLargestTable = size_t{16} << 20;
+
+/// Every list that was ever given out; the last one is in use.
+struct GelLists {
+  std::mutex mutex;
+  std::deque<std::vector<Gel>> lists;
+};
+
+GelLists& gelLists() {
+  static GelLists instance;
+  return instance;
+}
+
+std::vector<std::filesystem::path> personsTables() {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::exists(dataFolder() / "gels.csv")) files.push_back(dataFolder() / "gels.csv");
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(dataFolder() / "gels", none))
+    if (entry.path().extension() == ".csv") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Gel> readGels() {
+  std::vector<Gel> all;
+  for (const std::filesystem::path& file : personsTables()) {
+    const std::vector<Gel> own = gelsFromCsv(readFile(file, kLargestTable), file.string());
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  all.insert(all.end(), builtInGels().begin(), builtInGels().end());
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Gel>& allGels() {
+  GelLists& gels = gelLists();
+  const std::lock_guard lock(gels.mutex);
+  if (gels.lists.empty()) gels.lists.push_back(readGels());
+  return gels.lists.back();
+}
+
+size_t importGels(const std::filesystem::path& csv) {
+  const std::string text = readFile(csv, kLargestTable);
+  const size_t count = gelsFromCsv(text, csv.string()).size();
+  std::error_code ignored;
+  std::filesystem::create_directories(dataFolder() / "gels", ignored);
+  writeFile(dataFolder() / "gels" / csv.filename(), text);
+  GelLists& gels = gelLists();
+  const std::lock_guard lock(gels.mutex);
+  gels.lists.push_back(readGels());
+  return count;
+}
+
+const Gel& findGel(const std::string& id) {
+  const auto sameLetter = [](char a, char b) {
+    return std::toupper(static_cast<unsigned char>(a)) == std::toupper(static_cast<unsigned char>(b));
+  };
+  std::string known;
+  for (const Gel& gel : allGels()) {
+    if (std::equal(gel.id.begin(), gel.id.end(), id.begin(), id.end(), sameLetter)) return gel;
+    known += (known.empty() ? "" : ", ") + gel.id;
+  }
+  throw InputError(
+      "there is no gel {} here; known are {}, and what the file gels.csv in the data folder adds", id, known);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,304 @@
+#include "core/ocio/color_config.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/ocio/color_config_impl.h"
+
+namespace swaplight {
+namespace {
+
+/// The names that every capture may use (FORMATS 1), whatever configuration is in use.
+constexpr std::array<const char*, 5> kAlwaysKnown = {"lin_rec709", "srgb", "acescg", "aces2065_1", "raw"};
+constexpr int kGrain = 16;  // rows
+
+std::string join(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// OpenColorIO's words in one line that ends.
+std::string oneLine(std::string words) {
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  while (!words.empty() && words.back() == ' ') words.pop_back();
+  return words.ends_with('.') ? words : words + ".";
+}
+
+template <typename Work>
+auto inWords(const std::string& config, const Work& work) {
+  try {
+    return work();
+  } catch (const OCIO::Exception& error) {
+    throw InputError("{}: OpenColorIO: {}", config, oneLine(error.what()));
+  }
+}
+
+/// Finds a colour space that a foreign configuration and the built-in one both have: by its interchange role,
+/// by the names that the usual configurations give it, or by the guess that its scene-linear is Rec.709.
+void findBridge(ColorConfig::Impl& impl) {
+  const std::array<std::array<const char*, 2>, 10> candidates = {{{"aces2065_1", "aces_interchange"},
+                                                                  {"aces2065_1", "ACES2065-1"},
+                                                                  {"aces2065_1", "ACES - ACES2065-1"},
+                                                                  {"acescg", "ACEScg"},
+                                                                  {"acescg", "ACES - ACEScg"},
+                                                                  {"lin_rec709", "lin_rec709"},
+                                                                  {"lin_rec709", "Linear Rec.709 (sRGB)"},
+                                                                  {"lin_rec709", "Utility - Linear - sRGB"},
+                                                                  {"lin_rec709", "scene_linear"},
+                                                                  {"lin_rec709", "linear"}}};
+  for (const auto& [ours, theirs] : candidates) {
+    const auto space = impl.config->getColorSpace(theirs);
+    if (!space || space->isData()) continue;
+    impl.bridgeBuiltin = ours;
+    impl.bridgeHere = space->getName();
+    return;
+  }
+}
+
+const OCIO::ConstConfigRcPtr& sharedBuiltin() {
+  static const OCIO::ConstConfigRcPtr config = builtinConfig();
+  return config;
+}
+
+/// One processor that does one thing after the other.
+OCIO::ConstProcessorRcPtr chain(const OCIO::ConstConfigRcPtr& config, const OCIO::ConstProcessorRcPtr& first,
+                                const OCIO::ConstProcessorRcPtr& second) {
+  const auto both = OCIO::GroupTransform::Create();
+  both->appendTransform(first->createGroupTransform());
+  both->appendTransform(second->createGroupTransform());
+  return config->getProcessor(both);
+}
+
+OCIO::ConstProcessorRcPtr viewIn(const OCIO::ConstConfigRcPtr& config, const std::string& from,
+                                 const DisplayChoice& choice) {
+  const auto transform = OCIO::DisplayViewTransform::Create();
+  transform->setSrc(from.c_str());
+  transform->setDisplay(choice.display.c_str());
+  transform->setView(choice.view.c_str());
+  const auto pipeline = OCIO::LegacyViewingPipeline::Create();
+  pipeline->setDisplayViewTransform(transform);
+  pipeline->setLooksOverrideEnabled(choice.look.has_value());
+  pipeline->setLooksOverride(choice.look.value_or("").c_str());
+  return pipeline->getProcessor(config);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Runs a processor over the first three planes, bands of rows in parallel.
+void applyProcessor(const OCIO::ConstProcessorRcPtr& processor, const ImageSpan& image) {
+  if (processor->isNoOp()) return;
+  // Lossless: the default optimisation replaces powers by approximations.
+  const auto cpu = processor->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32,
+                                                       OCIO::OPTIMIZATION_LOSSLESS);
+  constexpr auto kFloat = static_cast<ptrdiff_t>(sizeof(float));
+  parallelRows(image.height, kGrain, [&](int begin, int end) {
+    OCIO::PlanarImageDesc band(image.row(0, begin), image.row(1, begin), image.row(2, begin), nullptr,
+                               image.width, end - begin, OCIO::BIT_DEPTH_F32, kFloat,
+                               image.rowStride * kFloat);
+    cpu->apply(band);
+  });
+}
+
+void checkThreeChannels(const ImageSpan& image) {
+  if (image.channels < 3)
+    throw InputError("a picture with {} channels has no colour to convert, expected R, G, B.",
+                     image.channels);
+}
+
+void clampToUnit(const ImageSpan& image) {
+  parallelRows(image.height, kGrain, [&](int begin, int end) {
+    for (int c = 0; c < 3; ++c)
+      for (int y = begin; y < end; ++y) {
+        float* row = image.row(c, y);
+        for (int x = 0; x < image.width; ++x) row[x] = row[x] > 0 ? (row[x] < 1 ? row[x] : 1) : 0;  // NaN: 0
+      }
+  });
+}
+
+}  // namespace
+
+bool ColorConfig::Impl::has(const std::string& colorSpace) const {
+  return config->getColorSpace(colorSpace.c_str()) != nullptr;
+}
+
+OCIO::ConstProcessorRcPtr ColorConfig::Impl::conversion(const std::string& from,
+                                                        const std::string& to) const {
+  return inWords(name, [&]() -> OCIO::ConstProcessorRcPtr {
+    const OCIO::ConstConfigRcPtr& known = sharedBuiltin();
+    const auto in = [&](const char* a, const char* b) { return config->getProcessor(a, b); };
+    const auto inBuiltin = [&](const char* a, const char* b) { return known->getProcessor(a, b); };
+    const bool fromHere = has(from);
+    const bool toHere = has(to);
+    if (fromHere && toHere) return in(from.c_str(), to.c_str());
+    if (!fromHere && !toHere) return inBuiltin(from.c_str(), to.c_str());
+    if (fromHere)
+      return chain(config, in(from.c_str(), bridgeHere.c_str()),
+                   inBuiltin(bridgeBuiltin.c_str(), to.c_str()));
+    return chain(config, inBuiltin(from.c_str(), bridgeBuiltin.c_str()), in(bridgeHere.c_str(), to.c_str()));
+  });
+}
+
+OCIO::ConstProcessorRcPtr ColorConfig::Impl::view(const std::string& from,
+                                                  const DisplayChoice& choice) const {
+  return inWords(name, [&]() -> OCIO::ConstProcessorRcPtr {
+    if (has(from)) return viewIn(config, from, choice);
+    return chain(config, sharedBuiltin()->getProcessor(from.c_str(), bridgeBuiltin.c_str()),
+                 viewIn(config, bridgeHere, choice));
+  });
+}
+
+ColorConfig::ColorConfig(const std::string& ocioFile) : m_impl(std::make_unique<Impl>()) {
+  OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
+  m_impl->name = ocioFile.empty() ? "built-in" : ocioFile;
+  if (ocioFile.empty()) {
+    m_impl->config = sharedBuiltin();
+    return;
+  }
+  inWords(ocioFile, [&] {
+    m_impl->config = OCIO::Config::CreateFromFile(ocioFile.c_str());
+    m_impl->config->validate();
+    findBridge(*m_impl);
+  });
+  if (m_impl->bridgeHere.empty())
+    throw InputError(
+        "{}: OpenColorIO: the configuration has no scene-linear colour space. Give it the role "
+        "scene_linear or aces_interchange.",
+        ocioFile);
+}
+
+ColorConfig::~ColorConfig() = default;
+
+std::string ColorConfig::name() const {
+  return m_impl->name;
+}
+
+std::string ColorConfig::title() const {
+  if (m_impl->config == sharedBuiltin()) return m_impl->name;
+  const std::string own = m_impl->config->getName();
+  return own.empty() ? std::filesystem::path(m_impl->name).filename().string() : own;
+}
+
+std::string ColorConfig::colorSpaceOfFile(const std::filesystem::path& picture) const {
+  try {
+    size_t rule = 0;
+    const char* space = m_impl->config->getColorSpaceFromFilepath(picture.string().c_str(), rule);
+    const auto rules = m_impl->config->getFileRules();
+    const bool decided = space && *space != '\0' && rule + 1 < rules->getNumEntries();
+    return decided && m_impl->has(space) ? m_impl->config->getColorSpace(space)->getName() : "";
+  } catch (const OCIO::Exception&) {
+    return {};
+  }
+}
+
+void ColorConfig::checkView(const DisplayChoice& choice) const {
+  const auto [display, view, look] = namedDisplay(*this, choice);
+  if (!contains(displays(), display))
+    throw InputError("there is no display '{}'; {} has {}", display, name(), join(displays()));
+  if (!contains(views(display), view))
+    throw InputError("the display {} has no view '{}'; {} has {}", display, view, name(),
+                     join(views(display)));
+  if (const std::string unknown = unknownLook(look.value_or("")); !unknown.empty())
+    throw InputError("there is no look '{}'; {} has {}", unknown, name(),
+                     looks().empty() ? "none" : join(looks()));
+  static_cast<void>(m_impl->view("lin_rec709", {display, view, look}));
+}
+
+std::vector<std::string> ColorConfig::colorSpaces() const {
+  std::vector<std::string> names;
+  for (int i = 0; i < m_impl->config->getNumColorSpaces(); ++i) {
+    const std::string name = m_impl->config->getColorSpaceNameByIndex(i);
+    const auto space = m_impl->config->getColorSpace(name.c_str());
+    if (space->getReferenceSpaceType() == OCIO::REFERENCE_SPACE_SCENE) names.push_back(name);
+  }
+  for (const char* name : kAlwaysKnown)
+    if (!m_impl->has(name)) names.emplace_back(name);
+  return names;
+}
+
+std::vector<std::string> ColorConfig::displays() const {
+  const int count = m_impl->config->getNumDisplays();
+  std::vector<std::string> names;
+  names.reserve(static_cast<size_t>(count));
+  for (int i = 0; i < count; ++i) names.emplace_back(m_impl->config->getDisplay(i));
+  return names;
+}
+
+std::vector<std::string> ColorConfig::views(const std::string& display) const {
+  const int count = m_impl->config->getNumViews(display.c_str());
+  std::vector<std::string> names;
+  names.reserve(static_cast<size_t>(count));
+  for (int i = 0; i < count; ++i) names.emplace_back(m_impl->config->getView(display.c_str(), i));
+  return names;
+}
+
+std::string ColorConfig::viewDescription(const std::string& display, const std::string& view) const {
+  return m_impl->config->getDisplayViewDescription(display.c_str(), view.c_str());
+}
+
+std::string ColorConfig::viewLook(const std::string& display, const std::string& view) const {
+  return m_impl->config->getDisplayViewLooks(display.c_str(), view.c_str());
+}
+
+std::vector<std::string> ColorConfig::looks() const {
+  const int count = m_impl->config->getNumLooks();
+  std::vector<std::string> names;
+  names.reserve(static_cast<size_t>(count));
+  for (int i = 0; i < count; ++i) names.emplace_back(m_impl->config->getLookNameByIndex(i));
+  return names;
+}
+
+std::string ColorConfig::lookDescription(const std::string& look) const {
+  const auto found = m_impl->config->getLook(look.c_str());
+  return found ? found->getDescription() : "";
+}
+
+std::string ColorConfig::unknownLook(const std::string& looks) const {
+  constexpr const char* kParting = ",:|";
+  for (size_t begin = 0; begin <= looks.size();) {
+    const size_t end = std::min(looks.find_first_of(kParting, begin), looks.size());
+    std::string name = looks.substr(begin, end - begin);
+    name.erase(0, name.find_first_not_of(" \t+-"));
+    name.erase(name.find_last_not_of(" \t") + 1);
+    if (!name.empty() && !m_impl->config->getLook(name.c_str())) return name;
+    begin = end + 1;
+  }
+  return {};
+}
+
+std::string ColorConfig::defaultDisplay() const {
+  return m_impl->config->getDefaultDisplay();
+}
+
+std::string ColorConfig::defaultView(const std::string& display) const {
+  return m_impl->config->getDefaultView(display.c_str());
+}
+
+void ColorConfig::checkColorSpace(const std::string& name) const {
+  const bool always = std::find(kAlwaysKnown.begin(), kAlwaysKnown.end(), name) != kAlwaysKnown.end();
+  if (always || m_impl->has(name)) return;
+  throw InputError("the colour space \"{}\" is not known. Known ({}): {}.", name, m_impl->name,
+                   join(colorSpaces()));
+}
+
+void ColorConfig::convert(ImageSpan image, const std::string& from, const std::string& to) const {
+  checkColorSpace(from);
+  checkColorSpace(to);
+  if (from == to) return;
+  checkThreeChannels(image);
+  applyProcessor(m_impl->conversion(from, to), image);
+}
+
+void ColorConfig::applyView(ImageSpan image, const std::string& from, const DisplayChoice& choice) const {
+  checkColorSpace(from);
+  checkThreeChannels(image);
+  checkView(choice);
+  applyProcessor(m_impl->view(from, namedDisplay(*this, choice)), image);
+  clampToUnit(image);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <string>
+
+#include "core/color/rgb.h"
+#include "core/ocio/color_config.h"
+
+namespace swaplight {
+
+/// Relative luminance of linear Rec.709: Y of CIE XYZ.
+inline constexpr Rgb kRec709Luminance{0.2126F, 0.7152F, 0.0722F};
+
+/// CIE XYZ (white D65 at Y = 1) of a linear colour space's R, G, B; columns are its primaries. Throws
+/// InputError on an unknown space.
+[[nodiscard]] glm::mat3 xyzFromLinear(const ColorConfig& config, const std::string& colorSpace);
+
+/// The weights with which R, G, B of a linear colour space add up to its luminance. Throws InputError on an
+/// unknown space.
+[[nodiscard]] Rgb luminanceWeights(const ColorConfig& config, const std::string& colorSpace);
+
+}  // namespace swaplight

@@ -1,0 +1,278 @@
+#include "core/set/solved_file.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/file/json_file.h"
+#include "core/image/half.h"
+#include "core/image/io/image_io.h"
+#include "core/image/io/image_write.h"
+#include "core/set/dynamic_range.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kCapture = "swaplight/capture";
+constexpr const char* kCaptureFile = "swaplight/captureFile";  // relative to the solved file
+constexpr const char* kReport = "swaplight/report";
+constexpr const char* kColors[] = {"R", "G", "B"};
+constexpr const char* kQuality[] = {"residual", "sigma", "flags", "model"};  // the last one is optional
+constexpr int kGrain = 64;                                                   // rows
+
+/// The pictures that add up to R G B.
+std::vector<const Image*> layersOf(const SolvedSet& set) {
+  std::vector<const Image*> layers;
+  for (const Image& contribution : set.contributions) layers.push_back(&contribution);
+  if (set.ambient) layers.push_back(&*set.ambient);
+  return layers;
+}
+
+/// The sum of the layers as a reader of the file will see them: each rounded first, so that the rounded sum
+/// equals what a compositor gets by adding them up.
+Image sumAsWritten(const SolvedSet& set, bool half) {
+  Image sum(ImageSpec::rgb(set.width(), set.height()), 0);
+  parallelRows(sum.height(), kGrain, [&](int begin, int end) {
+    const ptrdiff_t first = ptrdiff_t{begin} * sum.width();
+    const ptrdiff_t count = ptrdiff_t{end} * sum.width() - first;
+    for (const Image* layer : layersOf(set))
+      for (int c = 0; c < 3; ++c) {
+        float* out = sum.plane(c) + first;
+        const float* in = layer->plane(c) + first;
+        if (half)
+          for (ptrdiff_t p = 0; p < count; ++p) out[p] += roundedToHalf(in[p]);
+        else
+          for (ptrdiff_t p = 0; p < count; ++p) out[p] += in[p];
+      }
+  });
+  return sum;
+}
+
+/// Whether half float holds the sum to a thousandth of full scale. Where lamps in the picture are brighter
+/// than that allows, R G B is written as float, so that it stays the sum of its layers.
+bool halfIsEnough(const Image& sum) {
+  constexpr float kMost = 1e-3F;
+  std::atomic<bool> enough = true;
+  parallelRows(sum.height(), kGrain, [&](int begin, int end) {
+    const ptrdiff_t first = ptrdiff_t{begin} * sum.width();
+    const ptrdiff_t last = ptrdiff_t{end} * sum.width();
+    float worst = 0;
+    for (int c = 0; c < sum.channelCount() && enough; ++c)
+      for (ptrdiff_t p = first; p < last; ++p)
+        worst = std::max(worst, std::abs(roundedToHalf(sum.plane(c)[p]) - sum.plane(c)[p]));
+    if (worst > kMost) enough = false;
+  });
+  return enough;
+}
+
+/// Channels `names` of an image as a part.
+PartToWrite partOf(const std::string& name, const Image& image, std::span<const std::string> names,
+                   PixelType type) {
+  PartToWrite part{name, {}};
+  for (size_t c = 0; c < names.size(); ++c)
+    part.channels.push_back({names[c], image.plane(static_cast<int>(c)), type});
+  return part;
+}
+
+std::vector<std::string> lightNames(const Capture& capture) {
+  std::vector<std::string> names;
+  for (const Light& light : capture.lights) names.push_back(light.name);
+  return names;
+}
+
+/// The file as one part a layer.
+std::vector<PartToWrite> partsOf(const SolvedSet& set, const Image& sum, PixelType pictures) {
+  const PixelType sumType =
+      pictures == PixelType::Half && halfIsEnough(sum) ? PixelType::Half : PixelType::Float;
+  const std::vector<std::string> colors(std::begin(kColors), std::end(kColors));
+  const std::vector<std::string> lights = lightNames(set.capture);
+  std::vector<PartToWrite> parts = {partOf("rgb", sum, colors, sumType)};
+  for (size_t i = 0; i < lights.size(); ++i)
+    parts.push_back(partOf(lights[i], set.contributions[i], colors, pictures));
+  if (set.ambient) parts.push_back(partOf("ambient", *set.ambient, colors, pictures));
+  parts.push_back(partOf("beta", set.beta, lights, PixelType::Float));
+  const std::vector<std::string> quality(kQuality, kQuality + set.quality.channelCount());
+  parts.push_back(partOf("quality", set.quality, quality, PixelType::Float));
+  return parts;
+}
+
+/// One part, the parts' names as layers.
+PartToWrite merged(const std::vector<PartToWrite>& parts) {
+  PartToWrite all;
+  for (const PartToWrite& part : parts)
+    for (ChannelToWrite channel : part.channels) {
+      if (&part != parts.data()) channel.name = part.name + "." + channel.name;
+      all.channels.push_back(std::move(channel));
+    }
+  return all;
+}
+
+/// Empty where the set has none, or its primaries are not known here.
+std::string rangesText(const SolvedSet& set) {
+  try {
+    const std::vector<LightRange> ranges = dynamicRange(set);
+    return ranges.empty() ? "" : jsonFromRanges(ranges).dump();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+std::map<std::string, std::string> headerOf(const SolvedSet& set, const fs::path& file) {
+  std::map<std::string, std::string> text = {{kCapture, jsonFromCapture(set.capture).dump()},
+                                             {kReport, set.report.dump()}};
+  if (!set.capture.file.empty())
+    text[kCaptureFile] =
+        fs::proximate(set.capture.file, file.has_parent_path() ? file.parent_path() : ".").string();
+  if (const std::string ranges = rangesText(set); !ranges.empty()) text[kSolvedRanges] = ranges;
+  return text;
+}
+
+/// The manifest in the header; without one (another program rewrote the file) the lights are those with a
+/// beta.
+Capture captureFrom(const ImageSpec& spec, const ImageFileInfo& info, const fs::path& file) {
+  const std::string name = file.string();
+  if (const auto json = info.text.find(kCapture); json != info.text.end()) {
+    Capture capture =
+        captureFromJson(parseJson(json->second, name + " (" + kCapture + ")"), file.parent_path());
+    if (const auto path = info.text.find(kCaptureFile); path != info.text.end()) {
+      capture.file = (file.parent_path() / path->second).lexically_normal();
+      capture.folder = capture.file.parent_path();
+    }
+    return capture;
+  }
+  Capture capture;
+  capture.folder = file.parent_path();
+  capture.name = file.stem().string();
+  capture.colorSpace = spec.colorSpace;
+  const std::string beta = "beta.";
+  for (const std::string& channel : spec.channels)
+    if (channel.starts_with(beta)) capture.lights.push_back({channel.substr(beta.size()), Role::Other, {}});
+  if (capture.lights.empty())
+    throw InputError("{}: is no solved set: it has no channel beta.<light>. Make one with swaplight solve.",
+                     name);
+  capture.warnings.push_back(
+      fmt::format("{}: \"{}\" is missing in the header: roles and shots are not known", name, kCapture));
+  return capture;
+}
+
+/// Hands out a plane for each channel of the file.
+class PlaneFinder {
+ public:
+  PlaneFinder(const ImageSpec& spec, std::string file)
+      : m_spec(spec), m_file(std::move(file)), m_planes(spec.channels.size(), nullptr) {}
+
+  [[nodiscard]] bool has(const std::string& channel) const { return indexOf(channel) < m_planes.size(); }
+
+  /// An image of these channels, to be read.
+  Image want(const std::vector<std::string>& channels, std::vector<std::string> names,
+             const std::string& colorSpace) {
+    Image image({m_spec.width, m_spec.height, std::move(names), colorSpace});
+    for (size_t c = 0; c < channels.size(); ++c) {
+      const size_t index = indexOf(channels[c]);
+      if (index >= m_planes.size())
+        throw InputError("{}: is no whole solved set: the channel {} is missing. Solve again.", m_file,
+                         channels[c]);
+      m_planes[index] = image.plane(static_cast<int>(c));
+    }
+    return image;
+  }
+  Image wantColor(const std::string& layer) {
+    return want({layer + ".R", layer + ".G", layer + ".B"}, {"R", "G", "B"}, m_spec.colorSpace);
+  }
+  /// A channel that follows from others.
+  void passOver(const std::string& channel) {
+    if (has(channel)) m_passedOver.push_back(indexOf(channel));
+  }
+  /// The header and the channels that nobody has asked for.
+  void wantRest(const ImageFileInfo& info, CarriedData& carried) {
+    carried.header = info.header;
+    carried.pixelAspect = info.pixelAspect;
+    carried.dataWindow = info.dataWindow;
+    std::vector<std::string> names;
+    for (size_t c = 0; c < m_planes.size(); ++c) {
+      if (m_planes[c] || std::find(m_passedOver.begin(), m_passedOver.end(), c) != m_passedOver.end())
+        continue;
+      names.push_back(m_spec.channels[c]);
+      carried.types.push_back(info.channelTypes[c] == PixelType::Half ? PixelType::Half : PixelType::Float);
+    }
+    if (!names.empty()) carried.channels = want(names, names, "data");
+  }
+  [[nodiscard]] const std::vector<float*>& planes() const { return m_planes; }
+
+ private:
+  [[nodiscard]] size_t indexOf(const std::string& channel) const {
+    return static_cast<size_t>(std::find(m_spec.channels.begin(), m_spec.channels.end(), channel) -
+                               m_spec.channels.begin());
+  }
+  const ImageSpec& m_spec;
+  std::string m_file;
+  std::vector<float*> m_planes;
+  std::vector<size_t> m_passedOver;
+};
+
+std::vector<std::string> inLayer(const std::string& layer, const std::vector<std::string>& names) {
+  std::vector<std::string> channels;
+  channels.reserve(names.size());
+  for (const std::string& name : names) channels.push_back(fmt::format("{}.{}", layer, name));
+  return channels;
+}
+
+}  // namespace
+
+void writeSolvedSet(const SolvedSet& set, const fs::path& file, const SolvedFileOptions& options,
+                    const Progress& progress) {
+  if (file.extension() != ".exr")
+    throw InputError("{}: a solved set is written as OpenEXR. Name it {}.", file.string(),
+                     fs::path(file).replace_extension(".exr").string());
+  const PixelType pictures = options.floatPictures ? PixelType::Float : PixelType::Half;
+  const Image sum = sumAsWritten(set, pictures == PixelType::Half);
+  std::vector<PartToWrite> parts = partsOf(set, sum, pictures);
+  if (!options.multipart) parts = {merged(parts)};
+  FileToWrite contents{set.width(),      set.height(),        std::move(parts),
+                       set.colorSpace(), options.compression, headerOf(set, file)};
+  if (set.carried) addCarried(contents, *set.carried);
+  writeChannels(contents, file, progress);
+}
+
+SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
+  SolvedSet set;
+  const auto planes = [&](const ImageSpec& spec, const ImageFileInfo& info) {
+    if (info.format != "openexr")
+      throw InputError("{}: is no solved set, which is an OpenEXR file.", file.string());
+    set.capture = captureFrom(spec, info, file);
+    if (const auto report = info.text.find(kReport); report != info.text.end())
+      set.report = parseJson(report->second, file.string() + " (" + kReport + ")");
+    const std::vector<std::string> lights = lightNames(set.capture);
+    PlaneFinder finder(spec, file.string());
+    std::vector<std::string> quality(std::begin(kQuality), std::end(kQuality));
+    if (!finder.has("quality.model")) quality.pop_back();
+    for (const std::string& light : lights) set.contributions.push_back(finder.wantColor(light));
+    if (finder.has("ambient.R")) set.ambient = finder.wantColor("ambient");
+    set.beta = finder.want(inLayer("beta", lights), inLayer("beta", lights), "data");
+    set.quality = finder.want(inLayer("quality", quality), quality, "data");
+    for (const char* color : kColors) finder.passOver(color);
+    auto carried = std::make_shared<CarriedData>();
+    finder.wantRest(info, *carried);
+    set.carried = carried;
+    return finder.planes();
+  };
+  readChannels(file, planes, progress);
+  return set;
+}
+
+bool isSolvedSet(const fs::path& file) {
+  try {
+    ImageFileInfo info;
+    const ImageSpec spec = readImageSpec(file, &info);
+    return info.format == "openexr" &&
+           std::any_of(spec.channels.begin(), spec.channels.end(),
+                       [](const auto& name) { return name.starts_with("beta."); });
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace swaplight

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/progress.h"
+#include "core/set/solved_set.h"
+
+namespace swaplight {
+
+struct SolvedFileOptions {
+  bool multipart = false;           ///< one part a light instead of one part with layers
+  std::string compression = "zip";  ///< an OpenEXR compression
+  bool floatPictures = false;       ///< contributions as 32-bit float instead of half
+};
+
+/// Writes a solved set as one multichannel OpenEXR (FORMATS 2), to a temporary name that is then renamed.
+/// Throws InputError where the file cannot be written (the disk is full, no permission).
+void writeSolvedSet(const SolvedSet& set, const std::filesystem::path& file,
+                    const SolvedFileOptions& options = {}, const Progress& progress = {});
+
+/// Reads single-part and multi-part files. Throws InputError where a channel that FORMATS 2 demands is
+/// missing.
+[[nodiscard]] SolvedSet readSolvedSet(const std::filesystem::path& file, const Progress& progress = {});
+
+/// The header's text with what dynamicRange says of the set as JSON: for those who only look at the header.
+inline constexpr const char* kSolvedRanges = "swaplight/dynamicRange";
+
+/// True for an EXR that holds a solved set. Looks at the header only.
+[[nodiscard]] bool isSolvedSet(const std::filesystem::path& file);
+
+}  // namespace swaplight

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/json.h"
+#include "core/base/progress.h"
+#include "core/set/solved_set.h"
+#include "core/shadow/result/light_shadows.h"
+#include "core/shadow/result/shadow_options.h"
+
+namespace swaplight {
+
+/// Finds the shadows of every light of a set, in the set's order. Works on the contributions alone: no
+/// geometry, no direction of light. With one light only, its shadows cannot be told from dark surfaces, and
+/// are guessed from the level alone.
+[[nodiscard]] std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOptions& options = {},
+                                                      const Progress& progress = {});
+
+/// What was found, for a report.
+[[nodiscard]] Json jsonFromShadows(const LightShadows& shadows);
+
+/// Finds shadows on first demand and keeps them, for edits that use shadows. Throws InputError for a light
+/// that the set does not have.
+[[nodiscard]] std::function<std::shared_ptr<const LightShadows>(const std::string& light)> shadowSource(
+    std::shared_ptr<const SolvedSet> set, const ShadowOptions& options = {});
+
+}  // namespace swaplight

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "core/shadow/detect/shadow_evidence.h"
+
+namespace swaplight {
+
+inline constexpr float kRatioEdge = .3f;  ///< log step of the other lights that a ratio is not continued over
+
+/// What the other lights show of the surfaces that one light falls on.
+struct OtherLights {
+  cv::Mat rgb;   ///< the sum of their contributions
+  cv::Mat grey;  ///< its mean over the channels
+  /// 8-bit: not 0 where at least one of them reaches the surface, and is bright enough to tell.
+  cv::Mat known;
+
+  /// A light's grey over theirs at a smaller size, from the pixels that `mask` (0 or 1, float) chooses.
+  [[nodiscard]] cv::Mat ratioOf(const cv::Mat& own, const cv::Mat& mask, cv::Size size) const;
+};
+
+/// `visibilities`: of all lights of the set, 0..1; at the borders of what is known, `rim` pixels are left
+/// out.
+[[nodiscard]] OtherLights otherLights(const SetEvidence& set, const std::vector<cv::Mat>& visibilities,
+                                      size_t light, int rim);
+
+}  // namespace swaplight

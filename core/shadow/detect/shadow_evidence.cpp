@@ -1,0 +1,166 @@
+#include "core/shadow/detect/shadow_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/shadow/detect/each_light.h"
+#include "core/shadow/detect/poisson.h"
+#include "core/shadow/detect/shadow_pictures.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kDenoiseRadius = 3;
+constexpr float kLeastLight = 2e-4f;  // of white: what counts as black
+constexpr double kShining = .005;     // share of the pixels that a light must reach to be one
+constexpr int kKnownWindow = 7;       // pixels
+
+cv::Mat planeOf(const Image& image, int channel) {
+  return {image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(channel))};
+}
+
+// Each pixel goes towards its neighbourhood's mean by how much of the variance there is noise.
+cv::Mat denoised(cv::Mat x, cv::Mat variance) {
+  const cv::Size window(2 * kDenoiseRadius + 1, 2 * kDenoiseRadius + 1);
+  const auto box = [&](const cv::Mat& m) {
+    cv::Mat out;
+    cv::boxFilter(m, out, CV_32F, window, {-1, -1}, true, cv::BORDER_REFLECT);
+    return out;
+  };
+  for (int round = 0; round < 2; ++round) {
+    const cv::Mat mean = box(x);
+    cv::Mat spread = box(x.mul(x)) - mean.mul(mean);
+    cv::max(spread, 1e-14, spread);
+    cv::Mat keep = (spread - variance) / spread;
+    cv::max(keep, 0, keep);
+    const cv::Mat base = (1 - keep).mul(mean);
+    x = box(keep).mul(x) + box(base);
+    variance = variance * .15;
+  }
+  cv::max(x, 0, x);
+  return x;
+}
+
+cv::Mat logarithm(const cv::Mat& x, float floor) {
+  cv::Mat out = x + floor;
+  cv::log(out, out);
+  return out;
+}
+
+// Towards the right and the lower neighbour.
+void gradients(const cv::Mat& x, cv::Mat& gx, cv::Mat& gy) {
+  gx = cv::Mat::zeros(x.size(), CV_32F);
+  gy = cv::Mat::zeros(x.size(), CV_32F);
+  if (x.cols > 1) gx.colRange(0, x.cols - 1) = x.colRange(1, x.cols) - x.colRange(0, x.cols - 1);
+  if (x.rows > 1) gy.rowRange(0, x.rows - 1) = x.rowRange(1, x.rows) - x.rowRange(0, x.rows - 1);
+}
+
+// What several gradients have in common at each pixel.
+cv::Mat sharedGradient(const std::vector<cv::Mat>& g) {
+  cv::Mat shared(g.front().size(), CV_32F, cv::Scalar(0));
+  std::vector<float> values(g.size());
+  for (int y = 0; y < shared.rows; ++y)
+    for (int x = 0; x < shared.cols; ++x) {
+      for (size_t i = 0; i < g.size(); ++i) values[i] = g[i].at<float>(y, x);
+      float& out = shared.at<float>(y, x);
+      if (g.size() == 2) {
+        const bool sameSign = values[0] * values[1] > 0;
+        out = sameSign ? (std::abs(values[0]) < std::abs(values[1]) ? values[0] : values[1]) : 0;
+      } else if (g.size() > 2) {
+        const size_t half = values.size() / 2;
+        std::nth_element(values.begin(), values.begin() + static_cast<ptrdiff_t>(half), values.end());
+        out = values[half];
+        if (values.size() % 2 == 0)
+          out = (out + *std::max_element(values.begin(), values.begin() + static_cast<ptrdiff_t>(half))) / 2;
+      }
+    }
+  return shared;
+}
+
+// A shadow's edge changes one light alone: the part of the light's slope that the others' slope does not
+// have.
+void findEdges(const cv::Mat& own, const cv::Mat& others, ShadowEvidence& evidence) {
+  const auto slopes = [](const cv::Mat& x, cv::Mat& sx, cv::Mat& sy) {
+    cv::Mat soft;
+    cv::GaussianBlur(x, soft, {}, 2, 0, cv::BORDER_REFLECT);
+    cv::Sobel(soft, sx, CV_32F, 1, 0, 1, .5, 0, cv::BORDER_REFLECT);
+    cv::Sobel(soft, sy, CV_32F, 0, 1, 1, .5, 0, cv::BORDER_REFLECT);
+  };
+  cv::Mat ax, ay, bx, by;
+  slopes(own, ax, ay);
+  slopes(others, bx, by);
+  evidence.edge.create(own.size(), CV_32F);
+  evidence.slope.create(own.size(), CV_32F);
+  for (int y = 0; y < own.rows; ++y)
+    for (int x = 0; x < own.cols; ++x) {
+      const float gx = ax.at<float>(y, x);
+      const float gy = ay.at<float>(y, x);
+      const float size2 = gx * gx + gy * gy;
+      const float common = gx * bx.at<float>(y, x) + gy * by.at<float>(y, x);
+      const float unshared = std::clamp(1 - common / std::max(size2, 1e-9f), 0.f, 1.f);
+      evidence.slope.at<float>(y, x) = std::sqrt(size2);
+      evidence.edge.at<float>(y, x) = unshared * std::sqrt(size2);
+    }
+}
+
+}  // namespace
+
+SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress) {
+  constexpr const char* kWhat = "telling surfaces from shadows";
+  SetEvidence all;
+  const size_t count = set.contributions.size();
+  const cv::Size size(set.width(), set.height());
+
+  // Scale and noise.
+  cv::Mat total(size, CV_32F, cv::Scalar(0));
+  for (const Image& t : set.contributions)
+    for (int c = 0; c < 3; ++c) total += planeOf(t, c) / 3;
+  all.white = std::max(percentile(total, .99), 1e-12f);
+  total /= all.white;
+  cv::Mat sigma(size, CV_32F, cv::Scalar(0));
+  if (!set.quality.empty()) sigma = planeOf(set.quality, kSigma).mul(total);
+  cv::patchNaNs(sigma, 0);
+
+  // Contributions without noise, their greys, and the logarithms of those.
+  std::vector<cv::Mat> greys(count);
+  all.contributions.resize(count);
+  forEachLight(count, progress.part(0, .5f), kWhat, [&](size_t i) {
+    const Image& t = set.contributions[i];
+    cv::Mat channels[3];
+    for (int c = 0; c < 3; ++c) channels[c] = denoised(planeOf(t, c) / all.white, sigma.mul(sigma) * 3);
+    cv::merge(channels, 3, all.contributions[i]);
+    const cv::Mat grey = (planeOf(t, 0) + planeOf(t, 1) + planeOf(t, 2)) / (3 * all.white);
+    greys[i] = denoised(grey, sigma.mul(sigma));
+  });
+  cv::Mat sum(size, CV_32F, cv::Scalar(0));
+  for (const cv::Mat& grey : greys) sum += grey;
+  // More than a pixel's standard error: of which the filter leaves about a sixth.
+  all.known = (sum > kLeastLight) & (sum > sigma);
+  cv::medianBlur(all.known, all.known, kKnownWindow);  // noise does not decide pixel by pixel
+  const float floor = kLeastLight + .5f * percentile(sigma, .5);
+  std::vector<cv::Mat> logs;
+  logs.reserve(greys.size());
+  for (const cv::Mat& grey : greys) logs.push_back(logarithm(grey, floor));
+
+  // Reflectance: what the lights share.
+  std::vector<cv::Mat> across(count);
+  std::vector<cv::Mat> down(count);
+  for (size_t i = 0; i < count; ++i) gradients(logs[i], across[i], down[i]);
+  progress.update(.5f, kWhat);
+  const cv::Mat reflectance = integrateGradients(sharedGradient(across), sharedGradient(down));
+
+  all.lights.resize(count);
+  forEachLight(count, progress.part(.7f, 1), kWhat, [&](size_t i) {
+    ShadowEvidence& light = all.lights[i];
+    light.level = logs[i] - .5 * reflectance;
+    light.shading = logs[i] - reflectance;
+    const cv::Mat others = logarithm(sum - greys[i], floor);
+    light.ratio = logs[i] - others;
+    light.shines = cv::countNonZero(greys[i] > kLeastLight) > kShining * static_cast<double>(size.area());
+    findEdges(logs[i], others, light);
+  });
+  return all;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,110 @@
+#include "core/shadow/detect/shadow_preview.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/image/shrunk_image.h"
+#include "core/shadow/detect/shadow_cut.h"
+#include "core/shadow/detect/shadow_evidence.h"
+#include "core/shadow/detect/shadow_regions.h"
+#include "core/shadow/detect/shadow_threshold.h"
+
+namespace swaplight {
+namespace {
+
+constexpr double kPixels = 1.2e6;
+
+// What the search for shadows looks at, smaller by a whole factor.
+SolvedSet shrunk(const SolvedSet& set, int factor, const Progress& progress) {
+  SolvedSet small;
+  small.capture = set.capture;
+  const int width = std::max(1, set.width() / factor);
+  const int height = std::max(1, set.height() / factor);
+  for (const Image& contribution : set.contributions) {
+    progress.update(0, "making a small picture");
+    small.contributions.push_back(shrunkImage(contribution, width, height));
+  }
+  updateBeta(small);
+  if (set.quality.empty()) return small;
+  small.quality = shrunkImage(set.quality, width, height);
+  // The mean of many pixels is surer than one of them.
+  float* sigma = small.quality.plane(kSigma);
+  for (size_t p = 0; p < small.quality.pixelCount(); ++p) sigma[p] /= static_cast<float>(factor);
+  return small;
+}
+
+ShadowHistogram histogramOf(const cv::Mat& level, const cv::Mat& known, float lit) {
+  ShadowHistogram histogram;
+  constexpr float kRange = ShadowHistogram::kHighestStops - ShadowHistogram::kLowestStops;
+  double count = 0;
+  for (int y = 0; y < level.rows; ++y)
+    for (int x = 0; x < level.cols; ++x) {
+      if (!known.at<uchar>(y, x)) continue;
+      const float stops = (level.at<float>(y, x) - lit) / std::numbers::ln2_v<float>;
+      const float bin =
+          (stops - ShadowHistogram::kLowestStops) / kRange * static_cast<float>(ShadowHistogram::kBins);
+      histogram
+          .share[static_cast<size_t>(std::clamp(bin, 0.f, static_cast<float>(ShadowHistogram::kBins - 1)))] +=
+          1;
+      count += 1;
+    }
+  for (float& share : histogram.share) share /= static_cast<float>(std::max(count, 1.));
+  return histogram;
+}
+
+}  // namespace
+
+ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress) {
+  const auto pixels = static_cast<double>(set.contributions.front().pixelCount());
+  const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kPixels))));
+  const Progress gathering = progress.part(.1f, 1);
+  auto evidence = std::make_shared<SetEvidence>(
+      factor > 1 ? gatherShadowEvidence(shrunk(set, factor, progress), gathering)
+                 : gatherShadowEvidence(set, gathering));
+  m_scale = static_cast<float>(set.width()) / static_cast<float>(evidence->known.cols);
+  std::vector<float> thresholds;
+  for (const ShadowEvidence& light : evidence->lights) {
+    const float lit = litLevel(light, evidence->known);
+    thresholds.push_back(shadowThreshold(light, evidence->known));
+    PreviewedLight& previewed = m_lights.emplace_back();
+    previewed.histogram = histogramOf(light.level, evidence->known, lit);
+    previewed.lit = lit;
+    previewed.threshold = std::exp(thresholds.back() - lit);
+  }
+  const std::vector<cv::Mat> bright = brightParts(*evidence, thresholds);
+  for (size_t i = 0; i < m_lights.size(); ++i)
+    m_lights[i].sides = std::make_shared<const ShadowSides>(shadowSides(*evidence, bright, i));
+  evidence->contributions.clear();
+  for (ShadowEvidence& light : evidence->lights)
+    for (cv::Mat* used : {&light.slope, &light.edge, &light.ratio}) used->release();
+  m_evidence = std::move(evidence);
+}
+
+PreviewedShadows ShadowPreview::shadows(size_t light, const std::optional<float>& threshold) const {
+  const float given = std::max(threshold.value_or(m_lights[light].threshold), 1e-6f);
+  const cv::Mat& known = m_evidence->known;
+  const int smallest = smallestShadow({}, known);
+  const float level = m_lights[light].lit + std::log(given);
+  const cv::Mat visibility =
+      visibilityOf(m_evidence->lights[light], *m_lights[light].sides, known, level, smallest);
+  return {labelShadows(visibility, known), known.cols, m_scale};
+}
+
+float stopsFromThreshold(float threshold) {
+  return std::log2(threshold);
+}
+
+float thresholdFromStops(float stops) {
+  return std::exp2(stops);
+}
+
+float surelyShadowStops() {
+  return kSurelyShadow / std::numbers::ln2_v<float>;
+}
+
+float surelyLitStops() {
+  return kSurelyLit / std::numbers::ln2_v<float>;
+}
+
+}  // namespace swaplight

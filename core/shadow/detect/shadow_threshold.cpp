@@ -1,0 +1,123 @@
+#include "core/shadow/detect/shadow_threshold.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/shadow/detect/shadow_pictures.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kLevels = 128;
+constexpr size_t kPeakReach = 4;     // levels
+constexpr double kLengthBonus = .3;  // exponent of the contour's length
+constexpr double kAreaBonus = .15;   // exponent of the lit share: a light is there to light something
+constexpr double kFullRatio =
+    1.5;  // log ratio to the other lights by which a shadow surely falls behind lit pixels
+constexpr double kLeastTrust = .05;  // in levels that divide at the same ratio
+// What is left in a shadow is bounced light: of what a light gives to surfaces that see it, usually this
+// much, give or take a factor of e^spread: nothing at all where there is little to bounce from.
+constexpr double kUsualLevel = .06;
+constexpr double kSpreadBelow = 2.2;
+constexpr double kSpreadAbove = 1;
+// Unshared log step a pixel (of 480) along a contour: less is shading, no shadow. Pictures smaller than half
+// of that blur their edges.
+constexpr double kLeastEdge = .02;
+constexpr float kSmallest = .5f;
+constexpr float kOutside = 3;      // log, beyond nearly all pixels' levels: surely lit, or surely shadow
+constexpr double kAlike = .93;     // of the best level's value
+constexpr double kLeastLit = .03;  // share of the pixels above the threshold, against contours of highlights
+
+// What is summed along the contour of each level.
+struct Contours {
+  std::array<double, kLevels + 1> edge{}, slope{}, length{}, pixels{}, ratio{};
+
+  // The contours between two neighbours' levels pass through here.
+  void add(int a, int b, float edgeHere, float slopeHere) {
+    const auto low = static_cast<size_t>(std::min(a, b));
+    const auto high = static_cast<size_t>(std::max(a, b));
+    edge[low] += edgeHere, edge[high] -= edgeHere;
+    slope[low] += slopeHere, slope[high] -= slopeHere;
+    length[low] += 1, length[high] -= 1;
+  }
+  void accumulate() {
+    for (auto* sum : {&edge, &slope, &length, &pixels, &ratio})
+      for (size_t i = 1; i < sum->size(); ++i) (*sum)[i] += (*sum)[i - 1];
+  }
+};
+
+}  // namespace
+
+float litLevel(const ShadowEvidence& light, const cv::Mat& known) {
+  return percentile(light.level, .95, known);
+}
+
+float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
+  const float low = percentile(light.level, .005, known);
+  const float high = percentile(light.level, .995, known);
+  const float lit = percentile(light.level, .99, known);
+  if (!light.shines) return high + kOutside;
+  if (!(high > low)) return low - kOutside;
+  const float scale = kLevels / (high - low);
+  const auto binAt = [&](int y, int x) {
+    return std::clamp(static_cast<int>((light.level.at<float>(y, x) - low) * scale), 0, kLevels - 1);
+  };
+
+  // Let every pair of neighbours vote for the levels between them.
+  Contours contours;
+  const auto vote = [&](int y, int x, int y2, int x2) {
+    if (!known.at<uchar>(y2, x2)) return;
+    const float edge = .5f * (light.edge.at<float>(y, x) + light.edge.at<float>(y2, x2));
+    const float slope = .5f * (light.slope.at<float>(y, x) + light.slope.at<float>(y2, x2));
+    contours.add(binAt(y, x), binAt(y2, x2), edge, slope);
+  };
+  for (int y = 0; y < known.rows; ++y)
+    for (int x = 0; x < known.cols; ++x) {
+      if (!known.at<uchar>(y, x)) continue;
+      contours.pixels[static_cast<size_t>(binAt(y, x))] += 1;
+      contours.ratio[static_cast<size_t>(binAt(y, x))] += light.ratio.at<float>(y, x);
+      if (x + 1 < known.cols) vote(y, x, y, x + 1);
+      if (y + 1 < known.rows) vote(y, x, y + 1, x);
+    }
+  contours.accumulate();
+
+  // The best of the levels that divide better than their neighbours.
+  const double leastEdge = kLeastEdge / std::max(referenceUnit(known), kSmallest);
+  std::array<double, kLevels> score{};
+  for (size_t i = 0; i < kLevels; ++i) {
+    const double above = 1 - contours.pixels[i] / contours.pixels[kLevels];
+    if (contours.length[i] < 1 || above < kLeastLit || above > 1 - .005) continue;
+    const double mean = contours.edge[i] / contours.length[i];
+    const double unshared = contours.edge[i] / std::max(contours.slope[i], 1e-9);
+    if (mean * unshared < leastEdge) continue;
+    // What is dark under every light alike is a dark surface, not this light's shadow.
+    const double below = contours.pixels[i];
+    const double all = contours.pixels[kLevels];
+    const double step = (contours.ratio[kLevels] - contours.ratio[i]) / (all - below) -
+                        contours.ratio[i] / std::max(below, 1.);
+    const double trust = std::clamp(step / kFullRatio, kLeastTrust, 1.);
+    const double level = low + (static_cast<double>(i) + 1) / scale - lit;
+    const double apart = level - std::log(kUsualLevel);
+    const double unusual = apart / (apart < 0 ? kSpreadBelow : kSpreadAbove);
+    score[i] = mean * unshared * trust * std::exp(-unusual * unusual / 2) *
+               std::pow(contours.length[i], kLengthBonus);
+  }
+  const auto smoothed = [&](size_t i) { return score[i - 1] + 2 * score[i] + score[i + 1]; };
+  const auto isPeak = [&](size_t i) {
+    const size_t end = std::min<size_t>(i + kPeakReach, kLevels - 2);
+    for (size_t j = std::max<size_t>(i, kPeakReach + 1) - kPeakReach; j <= end; ++j)
+      if (smoothed(j) > smoothed(i)) return false;
+    return true;
+  };
+  std::array<double, kLevels> value{};
+  for (size_t i = 1; i + 1 < kLevels; ++i)
+    if (isPeak(i))
+      value[i] = smoothed(i) * std::pow(1 - contours.pixels[i] / contours.pixels[kLevels], kAreaBonus);
+  // Of levels that divide alike the darkest: the lighter ones run through what is lit.
+  const double enough = kAlike * *std::max_element(value.begin(), value.end());
+  const auto best = std::find_if(value.begin(), value.end(), [&](double v) { return v >= enough; });
+  return enough > 0 ? low + (static_cast<float>(best - value.begin()) + 1) / scale : low - kOutside;
+}
+
+}  // namespace swaplight

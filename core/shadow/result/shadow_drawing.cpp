@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <array>
+#include <opencv2/imgproc.hpp>
+
+#include "core/color/srgb.h"
+#include "core/measure/difference.h"
+#include "core/plot/text_drawing.h"
+#include "core/shadow/result/label_mask.h"
+#include "core/shadow/result/shadow_file.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kDimming = .75f;
+const std::array<cv::Scalar, 6> kColors = {cv::Scalar(255, 200, 40),  cv::Scalar(70, 200, 255),
+                                           cv::Scalar(255, 90, 160),  cv::Scalar(120, 240, 120),
+                                           cv::Scalar(190, 140, 255), cv::Scalar(255, 140, 60)};
+
+cv::Mat displayed(const Image& linear) {
+  const float scale = displayScale(linear.view());
+  cv::Mat picture(linear.height(), linear.width(), CV_8UC3);
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const float code = kDimming * srgbFromLinear(std::clamp(scale * linear.view().at(c, x, y), 0.f, 1.f));
+        picture.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uchar>(code * 255);
+      }
+  return picture;
+}
+
+void outline(cv::Mat& picture, const LightShadows& shadows, ShadowLabel lightest, const cv::Scalar& color,
+             int thickness) {
+  std::vector<std::vector<cv::Point>> contours;
+  cv::findContours(labelMask(shadows.labels, picture.cols, lightest), contours, cv::RETR_LIST,
+                   cv::CHAIN_APPROX_NONE);
+  cv::drawContours(picture, contours, -1, color, thickness, cv::LINE_AA);
+}
+
+}  // namespace
+
+Image drawShadowOutlines(const SolvedSet& set, const std::vector<NamedShadows>& lights) {
+  cv::Mat picture = displayed(allWhite(set));
+  const int height = std::clamp(picture.rows / 26, 10, 60);
+  for (size_t i = 0; i < lights.size(); ++i) {
+    const cv::Scalar& color = kColors[i % kColors.size()];
+    outline(picture, *lights[i].shadows, ShadowLabel::Penumbra, color * .55, 1);
+    outline(picture, *lights[i].shadows, ShadowLabel::Umbra, color, std::max(1, picture.rows / 400));
+    drawText(picture, lights[i].light,
+             {height / 2, static_cast<int>(static_cast<double>(height) * 1.4 * static_cast<double>(i + 1))},
+             height, color);
+  }
+  Image image(ImageSpec{picture.cols, picture.rows, {"R", "G", "B"}, "srgb"});
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x)
+      for (int c = 0; c < 3; ++c)
+        image.span().at(c, x, y) = static_cast<float>(picture.at<cv::Vec3b>(y, x)[c]) / 255.f;
+  return image;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,54 @@
+#include "core/solve/auto/neighbourhood.h"
+
+#include <algorithm>
+#include <atomic>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/parallel.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kRadius = 3;
+constexpr int kBand = 48;
+constexpr float kTemper = 0.5F;
+
+}  // namespace
+
+void localOdds(ImageView misfit, float limit, ImageSpan odds) {
+  const int width = misfit.width;
+  const int height = misfit.height;
+  std::atomic<long> failed = 0;
+  parallelRows(height, 64, [&](int begin, int end) {
+    long count = 0;
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < width; ++x) count += misfit.row(0, y)[x] > limit;
+    failed += count;
+  });
+  const float mean = float(double(failed) / (double(width) * double(height)));
+  if (mean <= 0) {
+    for (int y = 0; y < height; ++y) std::fill_n(odds.row(0, y), width, 1.0F);
+    return;
+  }
+  const int bands = (height + kBand - 1) / kBand;
+  parallelRows(bands, 1, [&](int begin, int end) {
+    for (int band = begin; band < end; ++band) {
+      const int top = band * kBand;
+      const int bottom = std::min(top + kBand, height);
+      const int first = std::max(top - kRadius, 0);
+      const int last = std::min(bottom + kRadius, height);
+      cv::Mat fails(last - first, width, CV_32F);
+      for (int y = first; y < last; ++y)
+        for (int x = 0; x < width; ++x)
+          fails.at<float>(y - first, x) = misfit.row(0, y)[x] > limit ? 1.0F : 0.0F;
+      cv::Mat local;
+      cv::boxFilter(fails, local, CV_32F, {2 * kRadius + 1, 2 * kRadius + 1}, {-1, -1}, true,
+                    cv::BORDER_REPLICATE);
+      for (int y = top; y < bottom; ++y)
+        for (int x = 0; x < width; ++x)
+          odds.row(0, y)[x] = (local.at<float>(y - first, x) + kTemper * mean) / (mean * (1 + kTemper));
+    }
+  });
+}
+
+}  // namespace swaplight

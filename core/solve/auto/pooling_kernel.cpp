@@ -1,0 +1,84 @@
+#include "core/solve/auto/pooling_kernel.h"
+
+#include "core/simd/lanes.h"
+
+namespace swaplight::SWAPLIGHT_LEVEL {
+namespace {
+
+constexpr float kTiny = 1e-12F;
+
+/// Shares below zero become zero, the others give way.
+template <int kN>
+SWAPLIGHT_LANES void cutAtZero(int n, Lanes* share) {
+  Lanes sum = splat(kTiny);
+  for (int i = 0; i < n; ++i) {
+    share[i] = larger(share[i], splat(0));
+    sum += share[i];
+  }
+  const Lanes scale = 1 / sum;
+  for (int i = 0; i < n; ++i) share[i] *= scale;
+}
+
+template <int kN>
+[[gnu::always_inline]] inline void pool(const PoolBand& band, int row, int width, float* const* pooled,
+                                        float* left, int lights) {
+  const int n = lights;
+  const int tested = n == 2 ? 1 : n;  // of two shares, one says all
+  const float cut = 1 / (band.cut * float(tested));
+  const long first = long(row) * band.stride;
+  for (int x = 0; x < width; x += kLanes) {
+    const long at = first + x;
+    const Lanes guide = load(band.guide + at);
+    const Lanes variance = load(band.variance + at);
+    Lanes share[kN];
+    Lanes sum[kN];
+    for (int i = 0; i < n; ++i) {
+      share[i] = load(band.share[i] + at);
+      sum[i] = splat(0);
+    }
+    Lanes total = splat(0);
+    Lanes squares = splat(0);
+    for (int dy = -kPoolRadius; dy <= kPoolRadius; ++dy)
+      for (int dx = -kPoolRadius; dx <= kPoolRadius; ++dx) {
+        const long there = at + (long(dy) * band.stride + dx) * band.step;
+        const Lanes theirs = load(band.variance + there);
+        Lanes difference = splat(0);
+        for (int i = 0; i < tested; ++i) {
+          const Lanes d = load(band.share[i] + there) - share[i];
+          difference += d * d;
+        }
+        const Lanes step = load(band.guide + there) - guide;
+        const Lanes alike = larger(1 - difference * cut / (theirs + variance), splat(0));
+        const Lanes near = larger(1 - step * step * band.guideScale, splat(0));
+        const Lanes both = alike * near;
+        const Lanes weight = both * both * load(band.precision + there);
+        total += weight;
+        squares += weight * weight * theirs;
+        for (int i = 0; i < tested; ++i) sum[i] += weight * load(band.share[i] + there);
+      }
+    total = 1 / larger(total, splat(1e-30F));
+    for (int i = 0; i < tested; ++i) share[i] = sum[i] * total;
+    if (n == 2) share[1] = 1 - share[0];
+    if (band.cutAtZero) cutAtZero<kN>(n, share);
+    for (int i = 0; i < n; ++i) store(pooled[i] + x, share[i]);
+    const Lanes known = squares * total * total * band.overlap + band.doubt * variance;
+    store(left + x, smaller(known, variance));
+  }
+}
+
+}  // namespace
+
+void poolRow(const PoolBand& band, int row, int width, float* const* pooled, float* left) {
+  switch (band.lights) {
+    case 2:
+      return pool<2>(band, row, width, pooled, left, 2);
+    case 3:
+      return pool<3>(band, row, width, pooled, left, 3);
+    case 4:
+      return pool<4>(band, row, width, pooled, left, 4);
+    default:
+      return pool<kMaxLights>(band, row, width, pooled, left, band.lights);
+  }
+}
+
+}  // namespace swaplight::SWAPLIGHT_LEVEL

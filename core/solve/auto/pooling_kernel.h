@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "core/simd/simd.h"
+#include "core/solve/model/pixel_run.h"
+
+namespace swaplight {
+
+inline constexpr int kPoolRadius = 2;  // steps; the window is 5 x 5
+
+/// Planes of a band of rows, with a margin of kPoolRadius steps on every side (precision 0: not of the
+/// picture). Pointers are to the first pixel of the picture.
+struct PoolBand {
+  int lights = 0;
+  int stride = 0;     ///< floats from a row to the next
+  int step = 1;       ///< pixels between neighbours that are looked at
+  float cut = 9;      ///< (beta - beta')^2 over its variance, beyond which two pixels have nothing in common
+  float overlap = 1;  ///< of neighbours' errors: the variance of their mean over that of independent ones
+  float doubt = 0;    ///< fraction of the variance that differences too small to be seen may hide
+  bool cutAtZero = false;            ///< no share is below zero after this
+  float guideScale = 0;              ///< 1 / squared difference of guides, beyond which likewise
+  const float* share[kMaxLights]{};  ///< beta, signed
+  const float* variance = nullptr;   ///< of beta
+  const float* precision = nullptr;  ///< 1 / variance
+  const float* guide = nullptr;
+};
+
+/// Row `row` of the band: pooled shares and what is left of the variance. `width` is rounded up to kLanes.
+SWAPLIGHT_DECLARE_KERNEL(poolRow, const PoolBand& band, int row, int width, float* const* pooled, float* left)
+
+}  // namespace swaplight

@@ -1,0 +1,122 @@
+#include "core/solve/auto/share_pooling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/simd/lanes.h"
+#include "core/simd/simd.h"
+#include "core/solve/auto/pooling_kernel.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kBand = 32;           // rows
+constexpr float kCertain = 1e-12F;  // a variance below which beta is not touched
+
+SWAPLIGHT_SIMD void invert(const float* __restrict variance, float* __restrict raised,
+                           float* __restrict precision, int count) {
+  for (int x = 0; x < count; ++x) {
+    raised[x] = variance[x] > kCertain ? variance[x] : kCertain;
+    precision[x] = 1 / raised[x];
+  }
+}
+
+/// The memory of a band.
+class Band {
+ public:
+  Band(int lights, int width, const SharePooling& options)
+      : m_margin(kPoolRadius * options.step), m_width((width + kLanes - 1) / kLanes * kLanes) {
+    m_band.lights = lights;
+    m_band.stride = m_width + 2 * m_margin;
+    m_band.step = options.step;
+    m_band.cut = options.cut;
+    m_band.overlap = options.overlap;
+    m_band.doubt = options.doubt;
+    m_band.cutAtZero = options.cutAtZero;
+    m_band.guideScale = 1 / (options.guideStep * options.guideStep);
+    m_rows = kBand + 2 * m_margin;
+    m_data.resize(size_t(lights + 3) * size_t(m_rows) * size_t(m_band.stride), 0.0F);
+    m_row.resize(size_t(lights + 1) * size_t(m_width));
+    for (int i = 0; i < lights; ++i) m_band.share[i] = plane(i, 0);
+    m_band.variance = plane(lights, 0);
+    m_band.precision = plane(lights + 1, 0);
+    m_band.guide = plane(lights + 2, 0);
+    // Beyond the picture there is no weight, but a variance that can be divided by.
+    std::fill_n(plane(lights, -m_margin) - m_margin, size_t(m_rows) * size_t(m_band.stride), 1.0F);
+  }
+
+  void load(std::span<const ImageSpan> shares, ImageView variance, ImageView guide, int top) {
+    const int lights = m_band.lights;
+    for (int row = -m_margin; row < kBand + m_margin; ++row) {
+      const int y = top + row;
+      if (y < 0 || y >= variance.height) {
+        std::fill_n(plane(lights + 1, row), m_width, 0.0F);  // no weight beyond the picture
+        continue;
+      }
+      for (int i = 0; i < lights; ++i)
+        std::copy_n(shares[size_t(i)].row(0, y), variance.width, plane(i, row));
+      invert(variance.row(0, y), plane(lights, row), plane(lights + 1, row), variance.width);
+      std::copy_n(guide.row(0, y), variance.width, plane(lights + 2, row));
+    }
+  }
+
+  void pool(std::span<const ImageSpan> pooled, ImageSpan left, int top, int row) {
+    std::array<float*, kMaxLights> out{};
+    for (int i = 0; i < m_band.lights; ++i) out[size_t(i)] = m_row.data() + size_t(i) * size_t(m_width);
+    float* variance = m_row.data() + size_t(m_band.lights) * size_t(m_width);
+    SWAPLIGHT_KERNEL(poolRow)(m_band, row, m_width, out.data(), variance);
+    for (int i = 0; i < m_band.lights; ++i)
+      std::copy_n(out[size_t(i)], left.width, pooled[size_t(i)].row(0, top + row));
+    std::copy_n(variance, left.width, left.row(0, top + row));
+  }
+
+ private:
+  float* plane(int which, int row) {
+    return m_data.data() + (size_t(which) * size_t(m_rows) + size_t(row + m_margin)) * size_t(m_band.stride) +
+           m_margin;
+  }
+
+  PoolBand m_band;
+  int m_margin, m_width, m_rows = 0;
+  std::vector<float> m_data, m_row;
+};
+
+}  // namespace
+
+void poolShares(std::span<const ImageSpan> shares, ImageView variance, ImageView guide,
+                const SharePooling& options, std::span<const ImageSpan> pooled, ImageSpan left) {
+  const int bands = (variance.height + kBand - 1) / kBand;
+  parallelRows(bands, 4, [&](int begin, int end) {
+    Band band(int(shares.size()), variance.width, options);
+    for (int b = begin; b < end; ++b) {
+      const int top = b * kBand;
+      band.load(shares, variance, guide, top);
+      for (int row = 0; row < std::min(kBand, variance.height - top); ++row)
+        band.pool(pooled, left, top, row);
+    }
+  });
+}
+
+std::vector<ImageSpan> planesOf(Image& shares) {
+  std::vector<ImageSpan> planes;
+  planes.reserve(size_t(shares.channelCount()));
+  for (int i = 0; i < shares.channelCount(); ++i) planes.push_back(shares.span().channelRange(i, 1));
+  return planes;
+}
+
+float guideStep(ImageView guide, const NoiseModel& noise) {
+  constexpr float kStep = 0.1F;
+  std::vector<float> sample;
+  const size_t count = size_t(guide.width) * size_t(guide.height);
+  const size_t every = std::max<size_t>(1, count / 20000);
+  sample.reserve(count / every + 1);
+  for (size_t p = 0; p < count; p += every) sample.push_back(guide.row(0, 0)[p]);
+  const auto bright = sample.begin() + long(sample.size() * 95 / 100);
+  std::nth_element(sample.begin(), bright, sample.end());
+  return 2 * std::sqrt(kStep * kStep * *bright * *bright + noise.linear / 2);
+}
+
+}  // namespace swaplight

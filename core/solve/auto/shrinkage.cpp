@@ -1,0 +1,178 @@
+#include "core/solve/auto/shrinkage.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/solve/estimators/run_scratch.h"
+#include "core/solve/model/pixel_sample.h"
+#include "core/solve/model/shot_signal.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kWhiteness = 0.8F;
+/// tau over the brightness of the set; four of them lose nothing against seven.
+constexpr std::array<float, ShrinkagePrior::kScales> kRelativeScales = {0, 0.02F, 0.1F, 0.6F};
+constexpr size_t kSample = 20000;
+constexpr int kRounds = 15;
+
+}  // namespace
+
+Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) : m_matte(context) {
+  const int n = context.plan.lights;
+  const int k3 = 3 * context.plan.shots;
+  const int d = 3 * n;
+  m_plan.lights = n;
+  m_plan.shots = context.plan.shots;
+  m_plan.constant = context.noise.constant;
+  m_plan.linear = context.noise.linear;
+  m_plan.square = context.noise.square;
+  for (int k = 0; k < context.plan.shots; ++k)
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < n; ++i) m_plan.color.push_back(context.plan.color(k, i)[c]);
+
+  // The shape of the noise over shots and channels: that of the set's mean signal.
+  const std::vector<Rgb> mean = signal.meanSignal();
+  Eigen::VectorXd shape(k3);
+  for (int k = 0; k < context.plan.shots; ++k)
+    for (int c = 0; c < 3; ++c) shape[k * 3 + c] = double(context.noise.variance(mean[size_t(k)][c]));
+  shape /= shape.mean();
+  for (int m = 0; m < k3; ++m) m_plan.shape.push_back(float(1 / shape[m]));
+
+  // D^-1/2 A P^1/2 = U S W'.
+  Eigen::Matrix3d prior =
+      Eigen::Matrix3d::Constant(kWhiteness) + (1 - kWhiteness) * Eigen::Matrix3d::Identity();
+  // What no light shows is not led by the other channels: it stays dark.
+  for (int c = 0; c < 3; ++c)
+    if (context.plan.matrix(c).isZero()) {
+      m_plan.unseen[size_t(c)] = 1;
+      prior.row(c).setZero();
+      prior.col(c).setZero();
+      prior(c, c) = 1;
+    }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(prior);
+  const Eigen::Matrix3d root = eigen.operatorSqrt();
+  const Eigen::Matrix3d inverseRoot = eigen.operatorInverseSqrt();
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(k3, d);
+  for (int k = 0; k < context.plan.shots; ++k)
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < n; ++i)
+        for (int e = 0; e < 3; ++e)
+          a(k * 3 + c, i * 3 + e) =
+              double(context.plan.color(k, i)[c]) * root(c, e) / std::sqrt(shape[k * 3 + c]);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const int rank = int(svd.singularValues().size());
+  for (int m = 0; m < d; ++m) {
+    m_plan.singular.push_back(m < rank ? float(svd.singularValues()[m]) : 0.0F);
+    for (int j = 0; j < k3; ++j)
+      m_plan.toModes.push_back(m < rank ? float(svd.matrixU()(j, m) / std::sqrt(shape[j])) : 0.0F);
+    for (int j = 0; j < d; ++j) m_plan.modes.push_back(float(svd.matrixV()(j, m)));
+  }
+  for (int c = 0; c < 3; ++c)
+    for (int e = 0; e < 3; ++e) m_plan.whiten[size_t(c) * 3 + size_t(e)] = float(inverseRoot(c, e));
+  m_plan.greyPower.assign(size_t(d), 0.0F);
+  for (int i = 0; i < n; ++i) {
+    Eigen::RowVectorXd grey = Eigen::RowVectorXd::Zero(d);
+    for (int c = 0; c < 3; ++c) {
+      const Eigen::RowVectorXd row = root.row(c) * svd.matrixV().middleRows(i * 3, 3);
+      if (m_plan.unseen[size_t(c)] == 0) grey += row;
+      for (int m = 0; m < d; ++m) m_plan.fromModes.push_back(float(row[m]));
+    }
+    for (int m = 0; m < d; ++m) m_plan.greyPower[size_t(m)] += float(grey[m] * grey[m] / n);
+  }
+  const float freedom = float(std::max(m_matte.freedom(), 1));
+  m_gate = freedom + 1.5F * std::sqrt(2 * freedom);
+}
+
+void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
+  std::vector<size_t> index;
+  const PackedRun sample = pixelSample(signal, m_plan.shots, kSample, &index);
+  const int count = sample.run().count;
+  MatteScratch matte(m_plan.lights, count);
+  m_matte.fit(sample.run(), matte.run());
+  std::vector<float> brightness(size_t(count), 0.0F);
+  for (int p = 0; p < count; ++p)
+    for (int c = 0; c < 3; ++c) brightness[size_t(p)] += matte.run().reflectance[c][p] / 3;
+  const size_t bright = brightness.size() * 99 / 100;
+  std::nth_element(brightness.begin(), brightness.begin() + long(bright), brightness.end());
+  for (size_t j = 0; j < kRelativeScales.size(); ++j)
+    m_plan.prior.scale[j] = kRelativeScales[j] * std::max(brightness[bright], 1e-6F);
+  m_plan.prior.weight.fill(1.0F / ShrinkagePrior::kScales);
+  constexpr size_t kScales = ShrinkagePrior::kScales;
+  const size_t padded = (size_t(count) + kLanes - 1) / kLanes * kLanes;
+  std::vector<float> evidence(padded * kScales);
+  ShrinkageRun out;
+  for (size_t j = 0; j < kScales; ++j) out.logEvidence[j] = &evidence[j * padded];
+  std::vector<float> factor(padded, 1.0F);
+  if (noise)
+    for (size_t p = 0; p < index.size(); ++p) factor[p] = noise[index[p]];
+  SWAPLIGHT_KERNEL(shrinkRun)(m_plan, sample.run(), matte.run(), nullptr, factor.data(), out);
+  for (int round = 0; round < kRounds; ++round) {
+    std::array<double, kScales> responsibility{};
+    for (int p = 0; p < count; ++p) {
+      float best = evidence[size_t(p)];
+      for (size_t j = 1; j < kScales; ++j) best = std::max(best, evidence[j * padded + size_t(p)]);
+      std::array<double, kScales> weight;
+      double sum = 0;
+      for (size_t j = 0; j < kScales; ++j) {
+        weight[j] = m_plan.prior.weight[j] * std::exp(double(evidence[j * padded + size_t(p)] - best));
+        sum += weight[j];
+      }
+      for (size_t j = 0; j < kScales; ++j) responsibility[j] += weight[j] / sum;
+    }
+    for (size_t j = 0; j < kScales; ++j)
+      m_plan.prior.weight[j] = std::max(float(responsibility[j] / count), 1e-5F);
+  }
+}
+
+void Shrinkage::finish(const PixelRun& in, const MatteRun& matte, const Evidence& evidence,
+                       const SolvedRun& out, float* notMatte) const {
+  const int n = m_plan.lights;
+  std::vector<int> index;
+  index.reserve(size_t(in.count));
+  for (int p = 0; p < in.count; ++p)
+    if (evidence.misfit[p] > m_gate) index.push_back(p);
+  const auto gather = [&](const float* from, float* to) {
+    for (size_t j = 0; j < index.size(); ++j) to[j] = from[index[j]];
+  };
+  const size_t padded = (index.size() + kLanes - 1) / kLanes * kLanes;
+  std::vector<float> odds(padded, 1.0F);
+  if (evidence.odds) gather(evidence.odds, odds.data());
+  std::vector<float> noise(padded, 1.0F);
+  if (evidence.noise) gather(evidence.noise, noise.data());
+  writeContributions(matte, n, in.count, out);
+  writeQuality(matte, m_matte.freedom(), in.count, out);
+  if (notMatte) std::fill_n(notMatte, in.count, 0.0F);
+  if (index.empty()) return;
+
+  // Pixels that need more, packed together.
+  PackedRun packed(m_plan.shots, index.size());
+  MatteScratch fit(n, int(index.size()));
+  std::vector<float> room(padded * size_t(3 * n + 2));
+  float* next = room.data();
+  const auto take = [&] { return std::exchange(next, next + padded); };
+  SolvedRun solved;
+  for (int i = 0; i < n; ++i)
+    for (int c = 0; c < 3; ++c) solved.contribution[i][c] = take();
+  solved.sigma = take();
+  float* probability = take();
+  packed.add(in, index);
+  for (int i = 0; i < n; ++i) gather(matte.share[i], fit.run().share[i]);
+  for (int c = 0; c < 3; ++c) gather(matte.reflectance[c], fit.run().reflectance[c]);
+  gather(matte.variance, fit.run().variance);
+  ShrinkageRun to;
+  to.solved = &solved;
+  to.notMatte = probability;
+  SWAPLIGHT_KERNEL(shrinkRun)(m_plan, packed.run(), fit.run(), odds.data(), noise.data(), to);
+  const auto scatter = [&](const float* from, float* all) {
+    for (size_t j = 0; j < index.size(); ++j) all[index[j]] = from[j];
+  };
+  for (int i = 0; i < n; ++i)
+    for (int c = 0; c < 3; ++c) scatter(solved.contribution[i][c], out.contribution[i][c]);
+  if (out.sigma) scatter(solved.sigma, out.sigma);
+  if (notMatte) scatter(probability, notMatte);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,115 @@
+#include "core/solve/calibration/ambient_light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/solve/estimators/demultiplex.h"
+#include "core/solve/model/pixel_sample.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kSample = 20000;
+constexpr size_t kFewest = 200;  // pixels that see enough of the ambient light
+constexpr float kSeen = 5;       // ambient light over its standard error, in each channel
+constexpr float kLeast = .02F;   // part of the light that is of the lights, in each channel
+constexpr float kStrongest = 3;  // factor between its channels and their mean that is believed
+
+float medianOf(std::vector<float>& values) {
+  const auto middle = values.begin() + long(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+Capture withAmbientLight(const Capture& capture, const std::string& where) {
+  if (capture.ambient)
+    throw InputError(
+        "{}: has an ambient picture, so there is no ambient light to solve for; leave out --solve-ambient",
+        where);
+  if (capture.shotCount() <= capture.lightCount())
+    throw InputError(
+        "{}: to solve for ambient light takes more shots than lights, here {} of {}; photograph one more "
+        "(all "
+        "lights dimmed, or off), or leave out --solve-ambient",
+        where, capture.shotCount(), capture.lightCount());
+  Capture all = capture;
+  all.lights.push_back({kAmbientLight, Role::Other, Json::object()});
+  for (Shot& shot : all.shots) shot.lightColors.emplace_back(Rgb(1));
+  return all;
+}
+
+Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal) {
+  const int n = context.plan.lights;
+  const PackedRun sample = pixelSample(signal, context.plan.shots, kSample);
+  const size_t count = size_t(sample.run().count);
+  std::vector<float> room(count * size_t(3 * n + 2));
+  float* next = room.data();
+  const auto take = [&] {
+    float* plane = next;
+    next += count;
+    return plane;
+  };
+  SolvedRun out;
+  for (int i = 0; i < n; ++i)
+    for (int c = 0; c < 3; ++c) out.contribution[i][c] = take();
+  out.residual = take();
+  out.sigma = take();
+  const Demultiplex full(context, Demultiplex::Bound::Clamp);
+  full.estimate(sample.run(), out);
+  std::array<std::vector<float>, 3> ratios;
+  for (size_t p = 0; p < count; ++p) {
+    float total = 0;
+    for (int i = 0; i < n; ++i)
+      for (int c = 0; c < 3; ++c) total += out.contribution[i][c][p] / 3;
+    std::array<float, 3> ratio{};
+    float mean = 0;
+    bool seen = true;
+    for (size_t c = 0; c < 3; ++c) {
+      float others = 0;
+      for (int i = 0; i + 1 < n; ++i) others += out.contribution[i][c][p];
+      const float ambient = out.contribution[n - 1][c][p];
+      seen = seen && others > kLeast * total && ambient > kSeen * out.sigma[p] * total;
+      ratio[c] = ambient / std::max(others, kLeast * total + 1e-20F);
+      mean += ratio[c] / 3;
+    }
+    if (!seen) continue;
+    for (size_t c = 0; c < 3; ++c)
+      ratios[c].push_back(std::clamp(ratio[c] / mean, 1 / kStrongest, kStrongest));
+  }
+  if (ratios[0].size() < kFewest) return Rgb(1);
+  Rgb color;
+  for (size_t c = 0; c < 3; ++c) color[int(c)] = medianOf(ratios[c]);
+  return 3.0F * color / (color.r + color.g + color.b);
+}
+
+void colorAmbient(LightPlan& plan, const Rgb& color) {
+  for (int k = 0; k < plan.shots; ++k) plan.color(k, plan.lights - 1) *= color;
+}
+
+void takeAmbientOut(const Capture& capture, const Rgb& color, SolvedSet& set) {
+  set.capture = capture;
+  Image ambient = std::move(set.contributions.back());
+  set.contributions.pop_back();
+  for (int c = 0; c < 3; ++c)
+    for (size_t p = 0; p < ambient.pixelCount(); ++p) ambient.plane(c)[p] *= color[c];
+  set.ambient = std::move(ambient);
+
+  ImageSpec spec = set.beta.spec();
+  spec.channels.pop_back();
+  Image beta(spec);
+  const int lights = set.lightCount();
+  for (size_t p = 0; p < beta.pixelCount(); ++p) {
+    float sum = 0;
+    for (int i = 0; i < lights; ++i) sum += set.beta.plane(i)[p];
+    for (int i = 0; i < lights; ++i) beta.plane(i)[p] = sum > 0 ? set.beta.plane(i)[p] / sum : 0;
+  }
+  set.beta = std::move(beta);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,205 @@
+#include "core/solve/estimators/demultiplex.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/simd/lanes.h"
+#include "core/simd/simd.h"
+
+namespace swaplight {
+namespace {
+
+constexpr double kSingular = 1e-4;
+
+/// out[i] = sum over k of inverse[i][k] in[k], clamped to >= 0 or not; returns whether anything was negative
+/// before.
+template <int kLights, int kShots, bool kClamp>
+SWAPLIGHT_LANES bool demultiplexChannel(int count, const float* const* in, float* const* out,
+                                        const float* inverse, int lights, int shots) {
+  constexpr int kMostShots = kShots > 0 ? kShots : kMaxShots;
+  const int n = kLights > 0 ? kLights : lights;
+  const int m = kShots > 0 ? kShots : shots;
+  Lanes lowest = splat(0);
+  for (int at = 0; at < count; at += kLanes) {
+    Lanes y[kMostShots];
+    for (int k = 0; k < m; ++k) y[k] = load(in[k] + at);
+    for (int i = 0; i < n; ++i) {
+      Lanes sum = splat(0);
+      for (int k = 0; k < m; ++k) sum += inverse[i * m + k] * y[k];
+      // The last lanes of a run may lie beyond it: what is there does not count.
+      if (!kClamp && at + kLanes <= count) lowest = smaller(sum, lowest);
+      store(out[i] + at, kClamp ? larger(sum, splat(0)) : sum);
+    }
+  }
+  return kClamp || count % kLanes != 0 || any(lowest < 0);
+}
+
+#define SWAPLIGHT_DEMULTIPLEX(name, clamp)                                                                \
+  SWAPLIGHT_SIMD bool name(int count, const float* const* in, float* const* out, const float* inverse,    \
+                           int lights, int shots) {                                                       \
+    if (lights == 2 && shots == 2) return demultiplexChannel<2, 2, clamp>(count, in, out, inverse, 2, 2); \
+    if (lights == 3 && shots == 3) return demultiplexChannel<3, 3, clamp>(count, in, out, inverse, 3, 3); \
+    if (lights == 4 && shots == 4) return demultiplexChannel<4, 4, clamp>(count, in, out, inverse, 4, 4); \
+    if (lights == 8 && shots == 8) return demultiplexChannel<8, 8, clamp>(count, in, out, inverse, 8, 8); \
+    return demultiplexChannel<0, 0, clamp>(count, in, out, inverse, lights, shots);                       \
+  }
+SWAPLIGHT_DEMULTIPLEX(demultiplexClamped, true)
+SWAPLIGHT_DEMULTIPLEX(demultiplexFree, false)
+#undef SWAPLIGHT_DEMULTIPLEX
+
+}  // namespace
+
+Demultiplex::Demultiplex(const EstimatorContext& context, Bound bound)
+    : m_lights(context.plan.lights), m_shots(context.plan.shots), m_bound(bound), m_context(context) {
+  if (m_shots < m_lights)
+    throw InputError(
+        "{} lights cannot be demultiplexed from {} shots, one for each light is needed; use --model lambert",
+        m_lights, m_shots);
+  for (int c = 0; c < 3; ++c) {
+    Eigen::MatrixXd matrix = context.plan.matrix(c);
+    // The mean signal of a shot sets its mean noise: proportional to the light in it.
+    Eigen::VectorXd weight(m_shots);
+    for (int k = 0; k < m_shots; ++k)
+      weight[k] = 1 / std::sqrt(double(context.noise.variance(0.2F * float(matrix.row(k).sum() / m_lights))));
+    if (m_shots == m_lights) weight.setOnes();
+    const Eigen::MatrixXd weighted = weight.asDiagonal() * matrix;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(weighted, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::VectorXd& s = svd.singularValues();
+    Eigen::VectorXd inverse = Eigen::VectorXd::Zero(m_lights);
+    const bool usable = s[m_lights - 1] > kSingular * s[0];
+    for (int i = 0; i < m_lights; ++i)
+      if (s[i] > kSingular * s[0] && s[0] > 0) inverse[i] = 1 / s[i];
+    const Eigen::MatrixXd pseudo =
+        svd.matrixV() * inverse.asDiagonal() * svd.matrixU().transpose() * weight.asDiagonal();
+    const Eigen::MatrixXd gram =
+        weighted.transpose() * weighted +
+        (usable ? 0.0 : 1e-6 * s[0] * s[0] + 1e-12) * Eigen::MatrixXd::Identity(m_lights, m_lights);
+    const Eigen::MatrixXd adjoint = weighted.transpose() * weight.asDiagonal();
+    for (int i = 0; i < m_lights; ++i) {
+      for (int k = 0; k < m_shots; ++k) {
+        m_inverse[c].push_back(float(pseudo(i, k)));
+        m_adjoint[c].push_back(adjoint(i, k));
+      }
+      for (int j = 0; j < m_lights; ++j) m_gram[c].push_back(gram(i, j));
+    }
+  }
+}
+
+void Demultiplex::estimate(const PixelRun& in, const SolvedRun& out) const {
+  for (int c = 0; c < 3; ++c) {
+    std::array<const float*, kMaxShots> y;
+    std::array<float*, kMaxLights> t;
+    for (int k = 0; k < m_shots; ++k) y[size_t(k)] = in.signal[k][c];
+    for (int i = 0; i < m_lights; ++i) t[size_t(i)] = out.contribution[i][c];
+    if (m_bound == Bound::Clamp) {
+      demultiplexClamped(in.count, y.data(), t.data(), m_inverse[c].data(), m_lights, m_shots);
+      continue;
+    }
+    if (!demultiplexFree(in.count, y.data(), t.data(), m_inverse[c].data(), m_lights, m_shots)) continue;
+    for (int p = 0; p < in.count; ++p) {
+      float lowest = 0;
+      for (int i = 0; i < m_lights; ++i) lowest = std::min(lowest, t[size_t(i)][p]);
+      if (lowest >= 0) continue;
+      float pixel[kMaxShots];
+      float x[kMaxLights];
+      for (int k = 0; k < m_shots; ++k) pixel[k] = y[size_t(k)][p];
+      solveBounded(pixel, c, x);
+      for (int i = 0; i < m_lights; ++i) t[size_t(i)][p] = x[i];
+    }
+  }
+  assess(in, out);
+}
+
+void Demultiplex::assess(const PixelRun& in, const SolvedRun& out) const {
+  if (!out.residual && !out.sigma) return;
+  const LightPlan& plan = m_context.plan;
+  const float freedom = float(std::max(3 * (m_shots - m_lights), 1));
+  std::vector<float> squared[3];
+  for (int c = 0; c < 3; ++c)
+    for (int k = 0; k < m_shots; ++k) {
+      float sum = 0;
+      for (int i = 0; i < m_lights; ++i)
+        sum += m_inverse[c].data()[i * m_shots + k] * m_inverse[c].data()[i * m_shots + k];
+      squared[c].push_back(sum / float(m_lights));
+    }
+  for (int p = 0; p < in.count; ++p) {
+    float misfit = 0;
+    float variance = 0;
+    float total = 0;
+    for (int c = 0; c < 3; ++c) {
+      for (int i = 0; i < m_lights; ++i) total += out.contribution[i][c][p];
+      for (int k = 0; k < m_shots; ++k) {
+        float predicted = 0;
+        for (int i = 0; i < m_lights; ++i) predicted += plan.color(k, i)[c] * out.contribution[i][c][p];
+        const float noise = m_context.noise.variance(predicted);
+        const float residual = in.signal[k][c][p] - predicted;
+        misfit += residual * residual / noise;
+        variance += squared[c][size_t(k)] * noise;
+      }
+    }
+    if (out.residual) out.residual[p] = std::min(std::sqrt(misfit / freedom), 1e6F);
+    if (out.sigma) out.sigma[p] = std::min(std::sqrt(variance) / std::max(total, 1e-9F), 100.0F);
+  }
+}
+
+void Demultiplex::solveBounded(const float* y, int channel, float* x) const {
+  const int n = m_lights;
+  const double* gram = m_gram[channel].data();
+  double right[kMaxLights];
+  for (int i = 0; i < n; ++i) {
+    right[i] = 0;
+    for (int k = 0; k < m_shots; ++k) right[i] += m_adjoint[channel].data()[i * m_shots + k] * y[k];
+  }
+  // Lights are either free or held at zero; those on the wrong side change sides, all at once while that
+  // helps, then one by one (which cannot cycle).
+  bool held[kMaxLights] = {};
+  double value[kMaxLights];
+  double slope[kMaxLights];
+  int fewest = n + 1;
+  int patience = 3;
+  for (int round = 0; round < 8 * n; ++round) {
+    int index[kMaxLights];
+    int free = 0;
+    for (int i = 0; i < n; ++i)
+      if (!held[i]) index[free++] = i;
+    // Cholesky of the free part of the normal matrix.
+    double l[kMaxLights][kMaxLights];
+    double z[kMaxLights];
+    for (int a = 0; a < free; ++a) {
+      for (int b = 0; b <= a; ++b) {
+        double sum = gram[index[a] * n + index[b]];
+        for (int k = 0; k < b; ++k) sum -= l[a][k] * l[b][k];
+        l[a][b] = a == b ? std::sqrt(std::max(sum, 1e-300)) : sum / l[b][b];
+      }
+      double sum = right[index[a]];
+      for (int k = 0; k < a; ++k) sum -= l[a][k] * z[k];
+      z[a] = sum / l[a][a];
+    }
+    std::fill_n(value, n, 0.0);
+    for (int a = free - 1; a >= 0; --a) {
+      double sum = z[a];
+      for (int k = a + 1; k < free; ++k) sum -= l[k][a] * value[index[k]];
+      value[index[a]] = sum / l[a][a];
+    }
+    int wrong = 0;
+    int last = -1;
+    bool isWrong[kMaxLights];
+    for (int i = 0; i < n; ++i) {
+      slope[i] = -right[i];
+      for (int j = 0; j < n; ++j) slope[i] += gram[i * n + j] * value[j];
+      isWrong[i] = held[i] ? slope[i] < -1e-12 * gram[i * n + i] : value[i] < 0;
+      if (isWrong[i]) ++wrong, last = i;
+    }
+    if (wrong == 0) break;
+    const bool all = wrong < fewest || patience-- > 0;
+    fewest = std::min(fewest, wrong);
+    for (int i = 0; i < n; ++i)
+      if (isWrong[i] && (all || i == last)) held[i] = !held[i];
+  }
+  for (int i = 0; i < n; ++i) x[i] = float(std::max(value[i], 0.0));
+}
+
+}  // namespace swaplight

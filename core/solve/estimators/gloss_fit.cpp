@@ -1,0 +1,60 @@
+#include "core/solve/estimators/gloss_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/simd/lanes.h"
+#include "core/solve/estimators/run_scratch.h"
+
+namespace swaplight {
+
+GlossFit::GlossFit(const EstimatorContext& context) : m_matte(context) {
+  const LightPlan& plan = context.plan;
+  if (!fits(plan))
+    throw InputError(
+        "model gloss needs {} shots of {} lights, there are {}: photograph more, or use --model lambert, "
+        "transport or auto",
+        (2 * plan.lights + 4) / 3, plan.lights, plan.shots);
+  for (int c = 0; c < 3; ++c) m_seen[size_t(c)] = !plan.matrix(c).isZero();
+  m_plan.lights = plan.lights;
+  m_plan.shots = plan.shots;
+  m_plan.constant = context.noise.constant;
+  m_plan.linear = context.noise.linear;
+  m_plan.square = context.noise.square;
+  for (int k = 0; k < plan.shots; ++k)
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < plan.lights; ++i) m_plan.color.push_back(plan.color(k, i)[c]);
+}
+
+void GlossFit::estimate(const PixelRun& in, const SolvedRun& out) const {
+  const int n = m_plan.lights;
+  const MatteScratch matte(n, in.count);
+  m_matte.fit(in, matte.run());
+  const size_t padded = (size_t(in.count) + kLanes - 1) / kLanes * kLanes;
+  std::vector<float> room(padded * size_t(3 * n + 2));
+  float* next = room.data();
+  SolvedRun solved;
+  const auto take = [&] { return std::exchange(next, next + padded); };
+  for (int i = 0; i < n; ++i)
+    for (int c = 0; c < 3; ++c) solved.contribution[i][c] = take();
+  solved.residual = take();
+  solved.sigma = take();
+  SWAPLIGHT_KERNEL(fitGloss)(m_plan, in, matte.run(), solved);
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < n; ++i) {
+      if (m_seen[size_t(c)])
+        std::copy_n(solved.contribution[i][c], in.count, out.contribution[i][c]);
+      else
+        std::fill_n(out.contribution[i][c], in.count, 0.0F);  // no light shows it
+    }
+  const float freedom = float(std::max(3 * m_plan.shots - 2 * n - 2, 1));
+  for (int p = 0; p < in.count; ++p) {
+    if (out.residual) out.residual[p] = std::sqrt(solved.residual[p] / freedom);
+    if (out.sigma) out.sigma[p] = std::sqrt(std::min(solved.sigma[p], 1e4F));
+  }
+}
+
+}  // namespace swaplight

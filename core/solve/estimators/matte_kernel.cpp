@@ -1,0 +1,402 @@
+#include "core/solve/estimators/matte_kernel.h"
+
+#include "core/simd/lanes.h"
+#include "core/simd/lanes_cholesky.h"
+
+namespace swaplight::SWAPLIGHT_LEVEL {
+namespace {
+
+constexpr int kSteps = 5;          // Gauss-Newton steps; from the ridge guess, three are usually enough
+constexpr float kGain = 0.03F;     // of chi-square: a step that is to gain less is the last
+constexpr float kDamping = 1e-5F;  // relative to the mean curvature
+constexpr float kTiny = 1e-20F;
+constexpr float kWorst = 1e4F;  // a variance beyond which nothing is known at all
+
+/// A pixel's data, weighted: what Gauss-Newton needs of the shots.
+template <int kN>
+struct Normal {
+  Lanes p[3][kN];
+  Lanes q[3][kN * (kN + 1) / 2];
+  Lanes energy;  ///< sum of w y^2
+};
+
+template <int kN>
+SWAPLIGHT_LANES constexpr int packed(int i, int j) {
+  return i * (i + 1) / 2 + j;  // j <= i
+}
+
+/// Weighted normal equations of a block of pixels, given signal guesses g rho per channel.
+template <int kN>
+SWAPLIGHT_LANES void accumulate(const MattePlan& plan, const PixelRun& in, int at, int n, const Lanes* u,
+                                const Lanes* rho, Normal<kN>& out) {
+  out.energy = splat(0);
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < n; ++i) out.p[c][i] = splat(0);
+    for (int i = 0; i < n * (n + 1) / 2; ++i) out.q[c][i] = splat(0);
+    for (int k = 0; k < plan.shots; ++k) {
+      const float* color = plan.color.data() + (k * 3 + c) * n;
+      const float* product = plan.product.data() + (k * 3 + c) * (n * (n + 1) / 2);
+      const Lanes y = load(in.signal[k][c] + at);
+      Lanes g = splat(0);
+      for (int i = 0; i < n; ++i) g += color[i] * u[i];
+      const Lanes s = g * rho[c];
+      const LaneMask usable = y == y;
+      const Lanes w = select(usable, 1 / (plan.constant + s * (plan.linear + s * plan.square)), splat(0));
+      const Lanes wy = select(usable, w * y, splat(0));
+      out.energy += select(usable, wy * y, splat(0));
+      for (int i = 0; i < n; ++i) out.p[c][i] += wy * color[i];
+      for (int i = 0; i < n * (n + 1) / 2; ++i) out.q[c][i] += w * product[i];
+    }
+  }
+}
+
+/// rho, the explained energy, and the row Q u of each channel at u.
+template <int kN>
+struct At {
+  Lanes rho[3];
+  Lanes inverse[3];  ///< 1 / u'Qu
+  Lanes qu[3][kN];
+  Lanes explained;
+};
+
+template <int kN>
+SWAPLIGHT_LANES void evaluate(const Normal<kN>& normal, int n, const Lanes* u, At<kN>& at) {
+  at.explained = splat(0);
+  for (int c = 0; c < 3; ++c) {
+    Lanes s = splat(0);
+    Lanes a = splat(0);
+    for (int i = 0; i < n; ++i) {
+      Lanes sum = splat(0);
+      for (int j = 0; j < n; ++j) sum += normal.q[c][i >= j ? packed<kN>(i, j) : packed<kN>(j, i)] * u[j];
+      at.qu[c][i] = sum;
+      s += sum * u[i];
+      a += normal.p[c][i] * u[i];
+    }
+    a = larger(a, splat(0));
+    at.inverse[c] = 1 / larger(s, splat(kTiny));
+    at.rho[c] = a * at.inverse[c];
+    at.explained += a * at.rho[c];
+  }
+}
+
+/// The reflectance by plain least squares: a guess good enough to predict each value's noise.
+template <int kN>
+SWAPLIGHT_LANES void plainReflectance(const MattePlan& plan, const PixelRun& in, int at, int n,
+                                      const Lanes* u, Lanes* rho) {
+  for (int c = 0; c < 3; ++c) {
+    Lanes gg = splat(kTiny);
+    Lanes gy = splat(0);
+    for (int k = 0; k < plan.shots; ++k) {
+      const float* color = plan.color.data() + (k * 3 + c) * n;
+      const Lanes y = load(in.signal[k][c] + at);
+      Lanes g = splat(0);
+      for (int i = 0; i < n; ++i) g += color[i] * u[i];
+      const LaneMask usable = y == y;
+      gg += select(usable, g * g, splat(0));
+      gy += select(usable, g * y, splat(0));
+    }
+    rho[c] = larger(gy / gg, splat(0));
+  }
+}
+
+/// The first guess: ridge demultiplex, clamped; reflectance by plain least squares.
+template <int kN>
+SWAPLIGHT_LANES void firstGuess(const MattePlan& plan, const PixelRun& in, int at, int n, Lanes* u,
+                                Lanes* rho) {
+  for (int i = 0; i < n; ++i) u[i] = splat(0);
+  for (int k = 0; k < plan.shots; ++k)
+    for (int c = 0; c < 3; ++c) {
+      Lanes y = load(in.signal[k][c] + at);
+      y = select(y == y, y, splat(0));
+      for (int i = 0; i < n; ++i) u[i] += y * plan.guess.data()[(k * 3 + c) * n + i];
+    }
+  Lanes sum = splat(0);
+  for (int i = 0; i < n; ++i) {
+    u[i] = larger(u[i], splat(0));
+    sum += u[i];
+  }
+  const LaneMask dark = sum < kTiny;
+  sum = 0.96F / select(dark, splat(1), sum);
+  for (int i = 0; i < n; ++i) u[i] = select(dark, splat(1.0F / float(n)), u[i] * sum + 0.04F / float(n));
+  plainReflectance<kN>(plan, in, at, n, u, rho);
+}
+
+/// Kaufman's Hessian and the gradient at u, the gauge added, lights that stay at zero taken out.
+template <int kN>
+SWAPLIGHT_LANES void curvature(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u, bool hold,
+                               Lanes* h, Lanes* g) {
+  for (int i = 0; i < n; ++i) {
+    Lanes slope = splat(0);
+    for (int c = 0; c < 3; ++c) slope += at.rho[c] * (normal.p[c][i] - at.rho[c] * at.qu[c][i]);
+    g[i] = slope;
+  }
+  Lanes power[3];
+  Lanes across[3][kN];
+  for (int c = 0; c < 3; ++c) {
+    power[c] = at.rho[c] * at.rho[c];
+    const Lanes scale = power[c] * at.inverse[c];
+    for (int i = 0; i < n; ++i) across[c][i] = scale * at.qu[c][i];
+  }
+  Lanes trace = splat(kTiny);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j) {
+      Lanes sum = splat(0);
+      for (int c = 0; c < 3; ++c)
+        sum += power[c] * normal.q[c][packed<kN>(i, j)] - across[c][i] * at.qu[c][j];
+      h[packed<kN>(i, j)] = sum;
+      if (i == j) trace += sum;
+    }
+  trace *= 1.0F / float(n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j) h[packed<kN>(i, j)] += i == j ? trace * (1 + kDamping) : trace;
+  if (!hold) return;
+  for (int i = 0; i < n; ++i) {
+    const LaneMask held = (u[i] <= 0) & (g[i] <= 0);
+    g[i] = select(held, splat(0), g[i]);
+    for (int j = 0; j < n; ++j) {
+      Lanes& entry = h[i >= j ? packed<kN>(i, j) : packed<kN>(j, i)];
+      entry = select(held, i == j ? trace : splat(0), entry);
+    }
+  }
+}
+
+/// Two shares have one direction to go: what one gains the other loses. The slope and the curvature there.
+SWAPLIGHT_LANES void acrossTwo(const Normal<2>& normal, const At<2>& at, Lanes& slope, Lanes& bend) {
+  slope = splat(0);
+  bend = splat(kTiny);
+  for (int c = 0; c < 3; ++c) {
+    const Lanes along = at.qu[c][0] - at.qu[c][1];
+    slope += at.rho[c] * (normal.p[c][0] - normal.p[c][1] - at.rho[c] * along);
+    const Lanes power = at.rho[c] * at.rho[c];
+    bend += power * (normal.q[c][0] - 2 * normal.q[c][1] + normal.q[c][2] - at.inverse[c] * along * along);
+  }
+}
+
+/// The Newton step at u; with `hold`, lights that stay at zero are held there. Returns what it should gain.
+template <int kN>
+SWAPLIGHT_LANES Lanes newtonStep(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u, bool hold,
+                                 Lanes* step) {
+  if constexpr (kN == 2) {
+    Lanes slope;
+    Lanes bend;
+    acrossTwo(normal, at, slope, bend);
+    step[0] = slope / bend;
+    if (hold) {
+      const LaneMask held = ((u[0] <= 0) & (slope <= 0)) | ((u[1] <= 0) & (slope >= 0));
+      step[0] = select(held, splat(0), step[0]);
+    }
+    step[1] = -step[0];
+    return slope * step[0];
+  } else {
+    Lanes h[kN * (kN + 1) / 2];
+    Lanes slope[kN];
+    curvature<kN>(normal, at, n, u, hold, h, slope);
+    factorCholesky<kN>(n, h);
+    for (int i = 0; i < n; ++i) step[i] = slope[i];
+    solveCholesky<kN>(n, h, step);
+    Lanes gain = splat(0);
+    for (int i = 0; i < n; ++i) gain += slope[i] * step[i];
+    return gain;
+  }
+}
+
+/// The covariance of the shares at the maximum: the inverse curvature, without the gauge direction, which is
+/// u u' / trace there.
+template <int kN>
+SWAPLIGHT_LANES void shareCovariance(const Normal<kN>& normal, const At<kN>& at, int n, const Lanes* u,
+                                     Lanes (*covariance)[kN]) {
+  if constexpr (kN == 2) {
+    Lanes slope;
+    Lanes bend;
+    acrossTwo(normal, at, slope, bend);
+    // A share that is held at zero has its variance to itself.
+    const Lanes variance = 1 / larger(bend, splat(kTiny));
+    const LaneMask held[2] = {(u[0] <= 0) & (slope <= 0), (u[1] <= 0) & (slope >= 0)};
+    for (int i = 0; i < 2; ++i) {
+      const Lanes own = select(held[i], 2 * variance, select(held[1 - i], splat(0), variance));
+      covariance[i][i] = own;
+      covariance[i][1 - i] = -own;
+    }
+  } else {
+    Lanes h[kN * (kN + 1) / 2];
+    Lanes slope[kN];
+    curvature<kN>(normal, at, n, u, true, h, slope);
+    factorCholesky<kN>(n, h);
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) covariance[i][j] = splat(i == j ? 1 : 0);
+      solveCholesky<kN>(n, h, covariance[i]);
+      Lanes gauge = splat(0);
+      for (int j = 0; j < n; ++j) gauge += covariance[i][j];
+      for (int j = 0; j < n; ++j) covariance[i][j] -= gauge * u[j];
+    }
+  }
+}
+
+/// The variances of MatteRun at the maximum.
+template <int kN>
+SWAPLIGHT_LANES void variances(const MattePlan& plan, const Normal<kN>& normal, const At<kN>& at, int n,
+                               const Lanes* u, Lanes& contribution, Lanes& share) {
+  Lanes total = splat(0);
+  Lanes slope[kN];  // of R, the sum of rho, along u_j
+  Lanes rhoVariance = splat(0);
+  for (int c = 0; c < 3; ++c) {
+    total += at.rho[c];
+    rhoVariance += plan.seen[size_t(c)] * at.inverse[c];
+  }
+  for (int j = 0; j < n; ++j) {
+    slope[j] = splat(0);
+    for (int c = 0; c < 3; ++c) slope[j] += (normal.p[c][j] - 2 * at.rho[c] * at.qu[c][j]) * at.inverse[c];
+  }
+  Lanes covariance[kN][kN];
+  shareCovariance<kN>(normal, at, n, u, covariance);
+  contribution = splat(0);
+  share = splat(0);
+  for (int i = 0; i < n; ++i) {
+    share += larger(covariance[i][i], splat(0));
+    // t_i = u_i R has the derivative u_i slope + R e_i.
+    Lanes variance = u[i] * u[i] * rhoVariance;
+    for (int a = 0; a < n; ++a) {
+      Lanes row = splat(0);
+      for (int b = 0; b < n; ++b) row += covariance[a][b] * (u[i] * slope[b] + (b == i ? total : splat(0)));
+      variance += row * (u[i] * slope[a] + (a == i ? total : splat(0)));
+    }
+    contribution += larger(variance, splat(0));
+  }
+  contribution = smaller(contribution / (float(n) * larger(total * total, splat(kTiny))), splat(kWorst));
+  Lanes signal = splat(0);
+  for (int c = 0; c < 3; ++c) {
+    Lanes g = splat(0);
+    for (int i = 0; i < n; ++i) g += plan.mean.data()[c * n + i] * u[i];
+    signal += g * at.rho[c];
+  }
+  const Lanes own = plan.constant + plan.linear * signal;
+  share *= own / ((own + plan.square * signal * signal) * float(n));
+  share = smaller(share, splat(kWorst));
+}
+
+/// Writes what is known at the maximum, u.
+template <int kN>
+SWAPLIGHT_LANES void writeFit(const MattePlan& plan, const Normal<kN>& normal, const At<kN>& here, int n,
+                              const Lanes* u, const MatteRun& out, int at) {
+  for (int c = 0; c < 3; ++c) store(out.reflectance[c] + at, here.rho[c]);
+  store(out.misfit + at, larger(normal.energy - here.explained, splat(0)));
+  if (!out.variance) return;
+  Lanes variance;
+  Lanes shareVariance;
+  variances<kN>(plan, normal, here, n, u, variance, shareVariance);
+  store(out.variance + at, variance);
+  store(out.shareVariance + at, shareVariance);
+}
+
+/// The step that lights at zero would take if they could be negative.
+template <int kN>
+SWAPLIGHT_LANES void stepBelowZero(const Normal<kN>& normal, const At<kN>& here, int n, Lanes* u) {
+  LaneMask atZero = u[0] <= 0;
+  for (int i = 1; i < n; ++i) atZero |= u[i] <= 0;
+  if (!any(atZero)) return;
+  Lanes step[kN];
+  newtonStep<kN>(normal, here, n, u, false, step);
+  for (int i = 0; i < n; ++i)
+    u[i] = select(atZero, smaller(larger(u[i] + step[i], splat(-1)), splat(2)), u[i]);
+}
+
+/// Takes a step; lights >= 0, back to sum 1.
+template <int kN>
+SWAPLIGHT_LANES void moveShares(int n, const Lanes* u, const Lanes* step, Lanes* next) {
+  Lanes sum = splat(kTiny);
+  for (int i = 0; i < n; ++i) {
+    next[i] = larger(u[i] + step[i], splat(0));
+    sum += next[i];
+  }
+  sum = 1 / sum;
+  for (int i = 0; i < n; ++i) next[i] *= sum;
+}
+
+template <int kN>
+SWAPLIGHT_LANES void fitRun(const MattePlan& plan, const PixelRun& in, const MatteRun& out, int lights) {
+  const int n = lights;
+  for (int at = 0; at < in.count; at += kLanes) {
+    Lanes best[kN];
+    Lanes step[kN];
+    Lanes rho[3];
+    firstGuess<kN>(plan, in, at, n, best, rho);
+    Normal<kN> normal;
+    accumulate<kN>(plan, in, at, n, best, rho, normal);
+    for (int i = 0; i < n; ++i) step[i] = splat(0);
+    Lanes explained = splat(-1);
+    Lanes gain = splat(0);
+    for (int iteration = 0;; ++iteration) {
+      Lanes next[kN];
+      moveShares<kN>(n, best, step, next);
+      At<kN> there;
+      evaluate<kN>(normal, n, next, there);
+      const LaneMask better = there.explained >= explained;
+      explained = select(better, there.explained, explained);
+      // The next step; a shorter one where this did not help.
+      Lanes newton[kN];
+      const Lanes expected = newtonStep<kN>(normal, there, n, next, true, newton);
+      gain = select(better, expected, 0.25F * gain);
+      for (int i = 0; i < n; ++i) {
+        best[i] = select(better, next[i], best[i]);
+        step[i] = select(better, newton[i], 0.25F * step[i]);
+      }
+      if (iteration == kSteps || !any(gain > kGain)) break;
+    }
+    // A last step, too small to ask whether it helps.
+    const LaneMask small = gain <= kGain;
+    for (int i = 0; i < n; ++i) step[i] = select(small, step[i], splat(0));
+    moveShares<kN>(n, best, step, best);
+    At<kN> here;
+    evaluate<kN>(normal, n, best, here);
+    writeFit<kN>(plan, normal, here, n, best, out, at);
+    if (out.signedShares) stepBelowZero<kN>(normal, here, n, best);
+    for (int i = 0; i < n; ++i) store(out.share[i] + at, best[i]);
+  }
+}
+
+/// Everything but the shares, at shares that are given.
+template <int kN>
+SWAPLIGHT_LANES void assessRun(const MattePlan& plan, const PixelRun& in, const MatteRun& out, int lights) {
+  const int n = lights;
+  for (int at = 0; at < in.count; at += kLanes) {
+    Lanes u[kN];
+    Lanes rho[3];
+    for (int i = 0; i < n; ++i) u[i] = load(out.share[i] + at);
+    plainReflectance<kN>(plan, in, at, n, u, rho);
+    Normal<kN> normal;
+    accumulate<kN>(plan, in, at, n, u, rho, normal);
+    At<kN> here;
+    evaluate<kN>(normal, n, u, here);
+    writeFit<kN>(plan, normal, here, n, u, out, at);
+  }
+}
+
+}  // namespace
+
+void fitMatte(const MattePlan& plan, const PixelRun& in, const MatteRun& out) {
+  switch (plan.lights) {
+    case 2:
+      return fitRun<2>(plan, in, out, 2);
+    case 3:
+      return fitRun<3>(plan, in, out, 3);
+    case 4:
+      return fitRun<4>(plan, in, out, 4);
+    default:
+      return fitRun<kMaxLights>(plan, in, out, plan.lights);
+  }
+}
+
+void assessMatte(const MattePlan& plan, const PixelRun& in, const MatteRun& inOut) {
+  switch (plan.lights) {
+    case 2:
+      return assessRun<2>(plan, in, inOut, 2);
+    case 3:
+      return assessRun<3>(plan, in, inOut, 3);
+    case 4:
+      return assessRun<4>(plan, in, inOut, 4);
+    default:
+      return assessRun<kMaxLights>(plan, in, inOut, plan.lights);
+  }
+}
+
+}  // namespace swaplight::SWAPLIGHT_LEVEL

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/capture/capture.h"
+#include "core/color/rgb.h"
+#include "core/solve/model/pixel_run.h"
+
+namespace swaplight {
+
+/// The colours that the lights had in each shot, exposure included: shot[k][c] = sum_i color(k,i)[c] T[i][c].
+/// Everything about a capture's conditioning can be read off it, before a photograph is taken.
+struct LightPlan {
+  int shots = 0;
+  int lights = 0;
+  std::vector<std::string> names;  ///< of the lights, for messages
+  std::vector<Rgb> colors;         ///< [shot * lights + light], linear, >= 0
+
+  [[nodiscard]] const Rgb& color(int shot, int light) const {
+    return colors[size_t(shot) * size_t(lights) + size_t(light)];
+  }
+  Rgb& color(int shot, int light) { return colors[size_t(shot) * size_t(lights) + size_t(light)]; }
+  /// The shots x lights matrix of a channel.
+  [[nodiscard]] Eigen::MatrixXd matrix(int channel) const;
+};
+
+/// The plan of a capture. Unknown colours (null) are given the mean of the light's known ones in other shots,
+/// or white, and listed in `unknown` as shot * lights + light.
+[[nodiscard]] LightPlan planFromCapture(const Capture& capture, std::vector<int>* unknown = nullptr);
+
+/// How well a plan tells its lights apart.
+struct Conditioning {
+  /// Singular values of each channel's matrix, largest first. For N rotated colours they are the magnitudes
+  /// of the DFT of the colours.
+  std::array<std::vector<double>, 3> singularValues;
+  /// largest / smallest; infinity where the channel cannot tell the lights apart.
+  std::array<double, 3> condition{};
+  /// Standard error of a contribution over that of a shot, solved channel by channel: RMS over the lights of
+  /// the rows of the pseudo-inverse. Infinite in a singular channel.
+  std::array<double, 3> amplification{};
+  /// The same for the matte model, which pools the channels, on a neutral surface. Infinite where some
+  /// mixture of lights is seen by no channel of any shot.
+  double matteAmplification = 0;
+  std::vector<std::string> advice;  ///< what is degenerate and what to do, in words
+};
+
+[[nodiscard]] Conditioning conditioningOf(const LightPlan& plan);
+
+/// Throws InputError where no model can tell the lights apart: fewer shots x channels than the matte model
+/// has unknowns, two lights with the same colour in every shot (both named), a light that is never on.
+void checkSolvable(const LightPlan& plan, const std::string& where);
+
+}  // namespace swaplight

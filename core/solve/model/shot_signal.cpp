@@ -1,0 +1,143 @@
+#include "core/solve/model/shot_signal.h"
+
+#include <atomic>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/set/solved_set.h"
+#include "core/simd/lanes.h"
+#include "core/simd/simd.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kChunk = 1 << 14;
+
+/// Whether every value lies in lowest <= y < clip (false for NaN).
+SWAPLIGHT_SIMD bool allWithin(const float* y, size_t count, float lowest, float clip) {
+  int outside = 0;
+  for (size_t p = 0; p < count; ++p) outside |= !(y[p] >= lowest) | !(y[p] < clip);
+  return outside == 0;
+}
+
+void flagOutside(const float* y, size_t count, float lowest, float clip, uint8_t* flags) {
+  for (size_t p = 0; p < count; ++p) {
+    if (!std::isfinite(y[p]) || y[p] < lowest)
+      flags[p] |= kNotFinite;
+    else if (y[p] >= clip)
+      flags[p] |= kClipped;
+  }
+}
+
+}  // namespace
+
+ShotSignal::ShotSignal(const CapturePixels& pixels, const LightPlan& plan, const NoiseModel& noise,
+                       const std::vector<float>& exposure)
+    : m_pixels(&pixels),
+      m_needed(plan.lights + 2),
+      m_lowest(-std::max(6 * std::sqrt(noise.constant), 2e-3F)),
+      m_exposure(exposure),
+      m_pixelCount(pixels.shots.front().pixelCount()) {
+  const int chunks = int((m_pixelCount + kChunk - 1) / kChunk);
+  std::vector<uint8_t> dirty(size_t(chunks), 0);
+  const auto eachPlane = [&](int chunk, auto&& look) {
+    const size_t first = size_t(chunk) * kChunk;
+    const size_t count = std::min(kChunk, m_pixelCount - first);
+    for (size_t k = 0; k < pixels.shots.size(); ++k)
+      for (int c = 0; c < 3; ++c) look(pixels.shots[k].plane(c) + first, count, pixels.clipLevel[k], first);
+  };
+  std::atomic<bool> anyDirty = false;
+  parallelRows(chunks, 4, [&](int begin, int end) {
+    for (int chunk = begin; chunk < end; ++chunk)
+      eachPlane(chunk, [&](const float* y, size_t count, float clip, size_t) {
+        // Infinity is outside too: clip may be infinite, and y < infinity fails for it.
+        if (!dirty[size_t(chunk)] && !allWithin(y, count, m_lowest, clip))
+          dirty[size_t(chunk)] = 1, anyDirty = true;
+      });
+  });
+  if (!anyDirty) return;
+  m_flags.resize(m_pixelCount, 0);
+  parallelRows(chunks, 4, [&](int begin, int end) {
+    for (int chunk = begin; chunk < end; ++chunk)
+      if (dirty[size_t(chunk)])
+        eachPlane(chunk, [&](const float* y, size_t count, float clip, size_t first) {
+          flagOutside(y, count, m_lowest, clip, m_flags.data() + first);
+        });
+  });
+}
+
+bool ShotSignal::flagged(size_t first, int count) const {
+  if (m_flags.empty()) return false;
+  for (int p = 0; p < count; ++p)
+    if (m_flags[first + size_t(p)]) return true;
+  return false;
+}
+
+std::vector<Rgb> ShotSignal::meanSignal() const {
+  std::vector<Rgb> mean;
+  const size_t step = std::max<size_t>(1, m_pixelCount / 50000);
+  for (size_t k = 0; k < m_pixels->shots.size(); ++k) {
+    double sum[3] = {};
+    size_t count = 0;
+    for (size_t p = 0; p < m_pixelCount; p += step) {
+      if (!m_flags.empty() && m_flags[p]) continue;
+      for (int c = 0; c < 3; ++c) sum[c] += m_pixels->shots[k].plane(c)[p];
+      ++count;
+    }
+    const double scale = count ? 1 / double(count) : 0;
+    mean.emplace_back(float(sum[0] * scale), float(sum[1] * scale), float(sum[2] * scale));
+  }
+  return mean;
+}
+
+void ShotSignal::run(size_t first, int count, bool mask, std::vector<float>& scratch, PixelRun& run) const {
+  const auto& shots = m_pixels->shots;
+  const bool bad = flagged(first, count);
+  run.count = count;
+  if (!bad && !m_pixels->ambient) {
+    for (size_t k = 0; k < shots.size(); ++k)
+      for (int c = 0; c < 3; ++c) run.signal[k][c] = shots[k].plane(c) + first;
+    return;
+  }
+  const size_t padded = (size_t(count) + kLanes - 1) / kLanes * kLanes;
+  scratch.assign(padded * shots.size() * 3, 0.0F);
+  float* next = scratch.data();
+  for (size_t k = 0; k < shots.size(); ++k)
+    for (int c = 0; c < 3; ++c, next += padded) {
+      run.signal[k][c] = next;
+      const float* y = shots[k].plane(c) + first;
+      if (m_pixels->ambient) {
+        const float* ambient = m_pixels->ambient->plane(c) + first;
+        const float scale = m_exposure[k];
+        for (int p = 0; p < count; ++p) next[p] = y[p] - scale * ambient[p];
+      } else {
+        std::copy_n(y, count, next);
+      }
+    }
+  if (!bad) return;
+  for (int p = 0; p < count; ++p) {
+    if (!m_flags[first + size_t(p)]) continue;
+    // How many good values the pixel has, and each channel.
+    int good = 0;
+    int inChannel[3] = {};
+    for (size_t k = 0; k < shots.size(); ++k)
+      for (int c = 0; c < 3; ++c) {
+        const float y = shots[k].plane(c)[first + size_t(p)];
+        if (std::isfinite(y) && y >= m_lowest && y < m_pixels->clipLevel[k]) ++good, ++inChannel[c];
+      }
+    const bool dropClipped =
+        mask && good >= m_needed && inChannel[0] > 0 && inChannel[1] > 0 && inChannel[2] > 0;
+    for (size_t k = 0; k < shots.size(); ++k)
+      for (int c = 0; c < 3; ++c) {
+        const float y = shots[k].plane(c)[first + size_t(p)];
+        const bool broken = !std::isfinite(y) || y < m_lowest;
+        const bool clipped = !broken && y >= m_pixels->clipLevel[k];
+        if (broken || (clipped && dropClipped))
+          const_cast<float*>(run.signal[k][c])[p] = mask ? NAN : 0.0F;  // NOLINT: our own scratch
+        else if (m_pixels->ambient && !std::isfinite(run.signal[k][c][p]))
+          const_cast<float*>(run.signal[k][c])[p] = y;  // NOLINT: the ambient picture is broken there
+      }
+  }
+}
+
+}  // namespace swaplight

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/capture/capture_pixels.h"
+#include "core/solve/model/estimator.h"
+
+namespace swaplight {
+
+/// Which values of a capture's shots can be used, and the light in them that the controlled lights explain.
+/// Looks at every value once; where all are good and there is no ambient picture, runs point straight into
+/// the shots, and nothing is copied.
+class ShotSignal {
+ public:
+  ShotSignal(const CapturePixels& pixels, const LightPlan& plan, const NoiseModel& noise,
+             const std::vector<float>& exposure);
+
+  /// PixelFlag bits of every pixel; empty where no pixel has any.
+  [[nodiscard]] const std::vector<uint8_t>& flags() const { return m_flags; }
+  /// Whether a run has pixels with flags.
+  [[nodiscard]] bool flagged(size_t first, int count) const;
+
+  /// Fills `run` with the signal of pixels first .. first + count; `scratch` gives it room. With `mask`,
+  /// values that are clipped or broken become NaN (a clipped value stays where too few would be left without
+  /// it); otherwise broken ones become 0.
+  void run(size_t first, int count, bool mask, std::vector<float>& scratch, PixelRun& run) const;
+
+  /// The mean signal of each shot, over an even sample of usable pixels.
+  [[nodiscard]] std::vector<Rgb> meanSignal() const;
+
+  /// The shots as photographed.
+  [[nodiscard]] const CapturePixels& pixels() const { return *m_pixels; }
+  [[nodiscard]] size_t pixelCount() const { return m_pixelCount; }
+
+ private:
+  const CapturePixels* m_pixels;
+  int m_needed;  ///< usable values that a pixel must keep
+  float m_lowest;
+  std::vector<float> m_exposure;
+  size_t m_pixelCount;
+  std::vector<uint8_t> m_flags;
+};
+
+}  // namespace swaplight

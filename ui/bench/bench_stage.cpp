@@ -1,0 +1,93 @@
+#include "ui/bench/bench_stage.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/base/error.h"
+#include "core/bench/tiled_set.h"
+#include "core/session/open_source.h"
+#include "render/screen.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+std::unique_ptr<Screen> openScreen(const StudioOptions& options, std::string& where) {
+  try {
+    where = "window";
+    return openWindow("Swaplight", options.width, options.height);
+  } catch (const ResourceError&) {
+    where = "memory";
+    return openOffscreen(options.width, options.height);
+  }
+}
+
+}  // namespace
+
+double milliseconds(BenchClock::duration time) {
+  return std::chrono::duration<double, std::milli>(time).count();
+}
+
+Json statisticsOf(std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  const auto at = [&](double part) {
+    return times[std::min(times.size() - 1, static_cast<size_t>(part * static_cast<double>(times.size())))];
+  };
+  return Json{{"median", at(0.5)}, {"p95", at(0.95)}, {"worst", times.back()}};
+}
+
+Json loadAverage() {
+  double load[3] = {0, 0, 0};
+  getloadavg(load, 3);
+  return {load[0], load[1], load[2]};
+}
+
+TemporaryHome::TemporaryHome()
+    : m_folder(fs::temp_directory_path() / fmt::format("swaplight-bench-{}", getpid())) {
+  for (const char* name : {"XDG_STATE_HOME", "XDG_CONFIG_HOME"}) setenv(name, m_folder.c_str(), 1);
+}
+
+TemporaryHome::~TemporaryHome() {
+  std::error_code ignored;
+  fs::remove_all(m_folder, ignored);
+}
+
+BenchStage::BenchStage(const StudioOptions& options)
+    : m_source(options.file.empty() ? options.samplesFolder / "film_set" / "capture.json" : options.file),
+      m_small(openSource(m_source, {})),
+      m_screen(openScreen(options, m_where)) {
+  applyTheme(options.scale > 0 ? options.scale : m_screen->contentScale());
+  rememberLayout();
+  m_studio = std::make_unique<StudioWindow>(*m_screen, options);
+}
+
+void BenchStage::openLarge(int width, int height) {
+  OpenSet set;
+  set.source = m_source;
+  set.solved = std::make_shared<SolvedSet>(tiledSet(m_small, width, height));
+  set.original = set.found = set.solved;
+  set.pictures = std::make_shared<ViewPictures>(set.solved);
+  m_studio->context().session.openSet(std::move(set));
+}
+
+void BenchStage::drawFrame() {
+  m_screen->wait(0);
+  m_studio->update();
+  m_screen->requestFrames(1);
+  m_studio->frame();
+  finishScreen();
+}
+
+Json BenchStage::circumstances() const {
+  return Json{{"window", {m_screen->width(), m_screen->height()}},
+              {"in", m_where},
+              {"lights", m_small.lightCount()},
+              {"engine", m_studio->context().pictures.words()},
+              {"load_before", loadAverage()}};
+}
+
+}  // namespace swaplight

@@ -1,0 +1,178 @@
+#include "ui/bench/bench_tools.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "core/edit/mask/drag_shape.h"
+#include "core/edit/mask/selection.h"
+#include "ui/bench/bench_stage.h"
+#include "ui/control/look_edit.h"
+#include "ui/tools/brush_tool.h"
+#include "ui/tools/selection_tool.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kWidth = 3840, kHeight = 2160;
+constexpr int kMoves = 24;       // of the mouse, a drag
+constexpr int kQuietFrames = 4;  // in which nothing changed: all is shown
+
+/// What one thing takes.
+class Stopwatch {
+ public:
+  Stopwatch(BenchStage& stage, Json& results) : m_stage(stage), m_results(results) {}
+
+  void time(const char* what, const std::function<void(StudioContext&)>& begin) {
+    const auto start = BenchClock::now();
+    begin(m_stage.studio().context());
+    double longest = frame(start), until = longest;
+    const EditController& edits = m_stage.studio().context().edits;
+    for (int quiet = 0; quiet < kQuietFrames;) {
+      const uint64_t before = edits.revision();
+      longest = std::max(longest, frame(BenchClock::now()));
+      const bool changed = m_stage.studio().busy() || edits.revision() != before;
+      quiet = changed ? 0 : quiet + 1;
+      if (changed) until = milliseconds(BenchClock::now() - start);
+    }
+    m_results.push_back({{"what", what}, {"longest_frame_ms", longest}, {"until_shown_ms", until}});
+  }
+
+  /// A shape dragged over the picture; the drag is a gesture.
+  void drag(const char* what, const ShapeKind& kind) {
+    StudioContext& context = m_stage.studio().context();
+    Document begun = context.document();
+    Edit edit = brushEdit(context);
+    edit.mask = {draggedShape(kind, {400, 900}, {1800, 1300}, false)};
+    begun.edits.append(edit);
+    context.editor.edit(what, begun);
+    settle();
+    std::vector<double> frames;
+    for (int move = 1; move <= kMoves; ++move) {
+      const auto start = BenchClock::now();
+      edit.mask.front() =
+          movedShape(begun.edits.edits.back()->mask.front(), 20.F * static_cast<float>(move), 7);
+      Document next = begun;
+      next.edits.replace(next.edits.edits.size() - 1, edit);
+      context.editor.preview(what, std::move(next));
+      frames.push_back(frame(start));
+    }
+    const Json all = statisticsOf(frames);
+    const auto released = BenchClock::now();
+    settle();
+    m_results.push_back({{"what", what},
+                         {"median_frame_ms", all["median"]},
+                         {"longest_frame_ms", all["worst"]},
+                         {"until_shown_ms", milliseconds(BenchClock::now() - released)}});
+    context.editor.undo();
+    context.editor.undo();
+    settle();
+  }
+
+  void settle() {
+    const EditController& edits = m_stage.studio().context().edits;
+    for (int quiet = 0; quiet < kQuietFrames;) {
+      const uint64_t before = edits.revision();
+      m_stage.drawFrame();
+      quiet = m_stage.studio().busy() || edits.revision() != before ? 0 : quiet + 1;
+    }
+  }
+
+ private:
+  double frame(BenchClock::time_point since) {
+    m_stage.drawFrame();
+    return milliseconds(BenchClock::now() - since);
+  }
+
+  BenchStage& m_stage;
+  Json& m_results;
+};
+
+Mask alike(SimilarShape::By by) {
+  return selectionWith({}, {SimilarShape{by, kWidth / 2, kHeight / 3, 0.1F, true}, false},
+                       SelectHow::Replace);
+}
+
+void addEverywhere(StudioContext& context, const char* name, const Operation& operation) {
+  Document next = context.document();
+  Edit edit = brushEdit(context);
+  edit.operation = operation;
+  next.edits.append(std::move(edit));
+  context.editor.edit(name, std::move(next));
+}
+
+void timeViews(Stopwatch& watch) {
+  using Kind = ViewSubject::Kind;
+  const auto look = [&](const char* what, Kind kind) {
+    watch.time(what, [&](StudioContext& context) { context.view.subject = {kind, 0}; });
+  };
+  look("beta shown", Kind::Beta);
+  look("reflectance shown", Kind::Reflectance);
+  look("residual shown", Kind::Residual);
+  look("relit again", Kind::Relit);
+  const auto open = [&](const char* what, bool PanelLayout::*panel) {
+    watch.time(what, [&](StudioContext& context) { context.layout.*panel = true; });
+  };
+  open("key, fill and back shown", &PanelLayout::threePoint);
+  watch.time("a look of ten applied",
+             [](StudioContext& context) { applyPreset(context, presetLooks().front()); });
+  open("the gallery opened", &PanelLayout::gallery);
+  open("the scopes opened", &PanelLayout::scopes);
+}
+
+void timeSelections(Stopwatch& watch) {
+  watch.time("what is alike in colour selected", [](StudioContext& context) {
+    changeSelection(context, "Select", alike(SimilarShape::By::Color));
+  });
+  watch.time("its edge softened", [](StudioContext& context) {
+    changeSelection(context, "Soften", featheredSelection(context.document().selection, 80));
+  });
+  watch.time("what is alike in shares selected", [](StudioContext& context) {
+    changeSelection(context, "Select", alike(SimilarShape::By::Share));
+  });
+  watch.time("an edit inside of it", [](StudioContext& context) {
+    Document next = context.document();
+    Edit edit = brushEdit(context);
+    edit.mask = maskWithin({}, next.selection);
+    next.edits.append(std::move(edit));
+    context.editor.edit("Edit", std::move(next));
+  });
+  watch.time("nothing selected",
+             [](StudioContext& context) { changeSelection(context, "Select nothing", {}); });
+}
+
+}  // namespace
+
+Json benchTools(const StudioOptions& options) {
+  BenchStage stage(options);
+  stage.openLarge(kWidth, kHeight);
+  Json result = stage.circumstances();
+  Json steps = Json::array();
+  Stopwatch watch(stage, steps);
+  watch.settle();
+  const auto run = [&](const char* what, const char* action) {
+    watch.time(what, [&](StudioContext& context) { context.actions.run(action); });
+  };
+  run("the brush taken", "brush.take");
+  run("a new light", "brush.new_light");
+  run("the new light undone", "edit.undo");
+  timeSelections(watch);
+  ShapeKind kind;
+  kind.kind = ShapeKind::Kind::Linear;
+  watch.drag("a gradient dragged", kind);
+  kind.kind = ShapeKind::Kind::Radial;
+  watch.drag("a round gradient dragged", kind);
+  kind.kind = ShapeKind::Kind::Text;
+  watch.drag("words dragged", kind);
+  watch.time("a blur over all of it",
+             [](StudioContext& context) { addEverywhere(context, "Blur", BlurOperation{64}); });
+  watch.time("a curve over all of it", [](StudioContext& context) {
+    addEverywhere(context, "Curve", CurveOperation{{{0, 0}, {0.5F, 0.3F}, {1, 1}}});
+    context.editing.chosen = static_cast<int>(context.document().edits.edits.size()) - 1;
+    context.editing.open = true;
+  });
+  timeViews(watch);
+  result["steps"] = std::move(steps);
+  return result;
+}
+
+}  // namespace swaplight

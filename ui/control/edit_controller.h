@@ -1,0 +1,124 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/edit/apply/edited_set.h"
+#include "ui/control/beta_reader.h"
+#include "ui/jobs/job.h"
+#include "ui/pictures/view_pictures.h"
+
+namespace swaplight {
+
+struct StudioContext;
+
+/// Sees to it that the studio shows the set with the document's edits. What is seen is computed at once, the
+/// rest a little in each frame; what takes long (room for the edited set, finding shadows, drawing
+/// selections) goes on in threads, and the picture follows when it is there. Until then it may lack lights
+/// that the rig has, or have one more.
+class EditController {
+ public:
+  explicit EditController(std::function<void()> wake) : m_wake(std::move(wake)), m_files(m_wake) {}
+
+  /// To be called at the beginning of each frame: turns to the set that is open, takes what threads have
+  /// made.
+  void beginFrame(StudioContext& studio);
+  /// To be called in each frame when nothing more is edited in it, before the picture is drawn. `visible`:
+  /// the part of it that is seen.
+  void show(StudioContext& studio, const PixelRect& visible);
+  /// Makes room for edits before the first one is there, so that a stroke need not wait.
+  void prepare(StudioContext& studio);
+
+  /// A light's shadows, of the set as solved; begins to look for them where nobody has yet: nullptr until
+  /// they are there. For the document's thresholds, or still for those before.
+  std::shared_ptr<const LightShadows> shadows(StudioContext& studio, const std::string& light);
+  /// A shape of a mask as pixels; nullptr while there is no room for edits, the shadows are being looked
+  /// for or the shape is being drawn, and for shapes that are formulas. Throws InputError as MaskGround does.
+  std::shared_ptr<const MaskRaster> raster(StudioContext& studio, const MaskShape& shape);
+  /// Whether shadows() are for the document's thresholds.
+  [[nodiscard]] bool shadowsCurrent(const StudioContext& studio) const;
+  [[nodiscard]] bool findingShadows() const { return m_finding.running(); }
+  [[nodiscard]] float findingFraction() const { return m_finding.fraction(); }
+  /// Stops looking for shadows until somebody asks again.
+  void stopFindingShadows();
+  [[nodiscard]] bool stoppedFindingShadows() const { return m_stopped && !m_finding.running(); }
+  void findShadowsAgain() { m_stopped = false; }
+  /// The beta maps that edits take from files.
+  [[nodiscard]] BetaReader& files() { return m_files; }
+  [[nodiscard]] const BetaReader& files() const { return m_files; }
+  /// Reads the files of the document's edits again: somebody has changed them.
+  void readFilesAgain();
+  /// Something goes on after which the picture changes.
+  [[nodiscard]] bool busy() const {
+    return m_making.running() || m_finding.running() || m_drawing.running() || m_files.reading();
+  }
+  /// Counts up whenever pixels have changed.
+  [[nodiscard]] uint64_t revision() const { return m_revision; }
+
+ private:
+  /// An edited set, and what the viewer needs of it.
+  struct Room {
+    std::shared_ptr<EditedSet> edited;
+    std::shared_ptr<ViewPictures> pictures;
+  };
+  using Found = std::map<std::string, std::shared_ptr<const LightShadows>>;
+  using Thresholds = std::map<std::string, float>;
+  struct FoundOf {
+    std::shared_ptr<const SolvedSet> set;
+    Thresholds thresholds;
+    Found found;
+  };
+
+  void follow(StudioContext& studio);
+  void takeJobs(StudioContext& studio);
+  void takeDrawn();
+  [[nodiscard]] static Room makeRoom(std::shared_ptr<const SolvedSet> set, std::shared_ptr<Found> found);
+  void adopt(StudioContext& studio, Room room);
+  /// Looks for shadows where somebody needs them and there are none for the thresholds of now.
+  void seekShadows(StudioContext& studio);
+  /// What of the document can be shown now.
+  [[nodiscard]] EditStack usable(const EditStack& wanted);
+  /// Whether the shape is drawn, or is drawn at once where it is asked for; else begins to draw it.
+  bool isDrawn(const MaskShape& shape);
+  /// Whether all that the stack needs is drawn and read; else begins to.
+  bool isReady(const EditStack& stack);
+  void setStack(StudioContext& studio, const EditStack& stack);
+  /// As much of the stack as can be applied.
+  void applyStack(StudioContext& studio, const EditStack& stack);
+  void update(StudioContext& studio, const PixelRect& visible);
+  void refresh(StudioContext& studio, const std::vector<PixelRect>& changed);
+
+  /// A selection that was drawn in a thread.
+  struct Drawn {
+    MaskShape shape;
+    std::shared_ptr<const MaskRaster> raster;  ///< nullptr: it cannot be drawn
+  };
+
+  std::function<void()> m_wake;
+  std::shared_ptr<const SolvedSet> m_set;  ///< as solved
+  Room m_room;
+  EditStack m_wanted;  ///< the document's when it was looked at last
+  bool m_followed = false;
+  std::shared_ptr<Found> m_found = std::make_shared<Found>();
+  Thresholds m_foundFor;        ///< thresholds of what was found
+  Thresholds m_findingFor;      ///< thresholds of what is looked for
+  bool m_needsShadows = false;  ///< somebody has asked for them
+  bool m_stopped = false;       ///< the person has stopped the search
+  bool m_filesStale = false;    ///< files of edits have to be read again
+  std::string m_complaint;      ///< about the edits, said already
+  uint64_t m_revision = 0;
+  int m_part = 0;             ///< of the picture that is computed next
+  std::deque<Drawn> m_drawn;  ///< the last ones: kept until somebody uses them
+  MaskShape m_drawingShape;
+  bool m_drawingStale = false;  ///< the set or its shadows have changed since
+  Job<std::shared_ptr<const MaskRaster>> m_drawing;
+  Job<Room> m_making;
+  Job<FoundOf> m_finding;
+  BetaReader m_files;
+};
+
+}  // namespace swaplight

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/control/studio_context.h"
+
+namespace swaplight {
+
+// How the panels change lights. What is touched on a light that is one of several chosen ones changes on all
+// of them.
+
+/// The lights that a change of `light` is for.
+[[nodiscard]] std::vector<size_t> lightsFor(const StudioContext& studio, size_t light);
+/// The light whose colour is shown; the rig has at least one.
+[[nodiscard]] size_t shownLight(const StudioContext& studio);
+
+using LightChange = std::function<void(LightSetting&)>;
+/// Shows lights changed while a gesture goes on; `what` names the step, as "colour".
+void previewLights(StudioContext& studio, size_t light, const std::string& what, const LightChange& change);
+/// Changes lights as one step.
+void editLights(StudioContext& studio, size_t light, const std::string& what, const LightChange& change);
+/// Shows lights brighter by stops, also those that are locked to them.
+void previewStops(StudioContext& studio, size_t light, float stops);
+/// Another rig as one step.
+void editRig(StudioContext& studio, const std::string& step, const Rig& rig);
+
+/// Solo on one light: `alone` switches the others' off.
+void toggleSolo(StudioContext& studio, size_t light, bool alone);
+
+/// The display codes of a light's hue at full brightness, for chips.
+[[nodiscard]] Rgb chipColor(const LightColor& color);
+/// A light's colour in a few words, as a person gave it: "3200 K", "#ff8040", "white, L201".
+[[nodiscard]] std::string colorWords(const LightColor& color);
+/// sRGB codes 0..1 as "#rrggbb".
+[[nodiscard]] std::string hexText(const Rgb& codes);
+/// A colour given by its sRGB codes.
+[[nodiscard]] LightColor hexColor(const Rgb& codes);
+
+}  // namespace swaplight

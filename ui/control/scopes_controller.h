@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/view/scopes/scope_pictures.h"
+#include "ui/control/studio_context.h"
+#include "ui/jobs/job.h"
+
+namespace swaplight {
+
+/// Counts the scopes of what is lit now, in a thread; while a gesture goes on, of fewer pixels.
+class ScopesController {
+ public:
+  explicit ScopesController(std::function<void()> wake) : m_wake(std::move(wake)) {}
+
+  /// To be called in every frame that shows scopes.
+  void update(StudioContext& studio);
+  /// What was counted last; nullptr before.
+  [[nodiscard]] const ScopePictures* pictures() const { return m_pictures ? &*m_pictures : nullptr; }
+  /// Counts up with every result.
+  [[nodiscard]] uint64_t revision() const { return m_revision; }
+
+ private:
+  /// What the scopes are of.
+  struct Request {
+    std::vector<Rgb> factors;
+    float ambient = 1;
+    PictureRegion region;
+    DisplayChoice display;
+    int pixels = 0;
+    uint64_t set = 0;
+    uint64_t edits = 0;
+    bool operator==(const Request&) const = default;
+  };
+  [[nodiscard]] static Request requestOf(const StudioContext& studio);
+
+  std::function<void()> m_wake;
+  std::optional<Request> m_counted;
+  std::optional<ScopePictures> m_pictures;
+  uint64_t m_revision = 0;
+  Job<ScopePictures> m_job;
+};
+
+}  // namespace swaplight

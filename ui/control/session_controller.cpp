@@ -1,0 +1,300 @@
+#include "ui/control/session_controller.h"
+
+#include "core/base/error.h"
+#include "core/ocio/color_config.h"
+#include "core/session/open_source.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::chrono::seconds kAutosaveInterval{2};
+constexpr uint64_t kNothingAutosaved = ~uint64_t{0};  // no revision: the recovery file has to be looked after
+
+std::string shortName(const fs::path& file) {
+  // Every capture's file is called capture.json; its folder says more.
+  return file.filename() == "capture.json" ? file.parent_path().filename().string()
+                                           : file.filename().string();
+}
+
+}  // namespace
+
+SessionController::SessionController(DocumentEditor& editor, ViewState& view, SetController& sets,
+                                     Messages& messages, ColorChoice& colors, const fs::path& stateFolder,
+                                     std::function<void()> wake)
+    : m_editor(editor),
+      m_view(view),
+      m_sets(sets),
+      m_messages(messages),
+      m_colors(colors),
+      m_wake(std::move(wake)),
+      m_recent(stateFolder / "recent.json"),
+      m_recovered(findRecovered(stateFolder / "recovery")) {
+  try {
+    m_slot = std::make_unique<RecoverySlot>(stateFolder / "recovery");
+  } catch (const std::exception& error) {
+    m_messages.warn(error.what());
+  }
+}
+
+SessionController::Pending SessionController::pendingFor(const fs::path& path) const {
+  Pending pending;
+  if (sourceKind(path) == SourceKind::Session) {
+    pending.session = readSession(path);
+    pending.file = fs::absolute(path).lexically_normal();
+  } else {
+    if (!fs::exists(path)) throw InputError("{}: there is no such file", path.string());
+    pending.session.document.source = sourceFile(path);
+  }
+  return pending;
+}
+
+void SessionController::open(const fs::path& path, const SolveOptions& solve) {
+  try {
+    Pending pending = pendingFor(path);
+    if (pending.file.empty()) pending.session.document.solve = solve;
+    begin(std::move(pending));
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+  }
+}
+
+void SessionController::openWithoutPictures(const fs::path& path) {
+  try {
+    adopt(pendingFor(path), std::nullopt);
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+  }
+}
+
+void SessionController::openSet(OpenSet set) {
+  Pending pending;
+  pending.session.document.source = set.source;
+  adopt(std::move(pending), std::move(set));
+}
+
+void SessionController::recover(const Recovered& recovered) {
+  try {
+    Pending pending{readSession(recovered.session), recovered.savedAs, true};
+    pending.session.unknown.erase("recovery_of");
+    pending.session.warnings.clear();
+    begin(std::move(pending));
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+  }
+}
+
+void SessionController::loadPictures() {
+  if (!hasDocument()) return;
+  Pending pending{currentSession(), m_file, !m_editor.saved()};
+  begin(std::move(pending));
+}
+
+void SessionController::begin(Pending pending) {
+  if (pending.session.document.source.empty()) {
+    adopt(std::move(pending), std::nullopt);
+    return;
+  }
+  m_colors.follow(pending.session.document.colorConfig, m_messages);  // pictures may be in its colour spaces
+  if (m_slot) m_slot->opening(pending.file.empty() ? pending.session.document.source : pending.file);
+  m_sets.load(pending.session.document.source, pending.session.document.solve,
+              pending.session.document.workingSpace);
+  m_pending = std::move(pending);
+}
+
+void SessionController::takeSet() {
+  try {
+    std::optional<OpenSet> set = m_sets.take();
+    if (!set) return;
+    if (m_pending) {
+      adopt(*std::exchange(m_pending, std::nullopt), std::move(set));
+    } else {
+      m_set = std::move(set);
+      ++m_setRevision;
+    }
+  } catch (const Stopped&) {
+    m_messages.info("Cancelled.");
+    notTaken();
+  } catch (const std::bad_alloc&) {
+    m_messages.error("There is not enough memory for these pictures.");
+    notTaken();
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+    notTaken();
+  }
+  if (m_slot) m_slot->opened();
+}
+
+void SessionController::notTaken() {
+  if (!m_pending && m_set) {
+    Document next = m_editor.document();
+    next.workingSpace = m_set->original == m_set->found ? "" : m_set->original->colorSpace();
+    m_editor.edit("Working space: as before", std::move(next));
+  }
+  m_pending.reset();
+}
+
+void SessionController::followWorkingSpace() {
+  if (!m_set || m_pending || m_sets.busy() || m_editor.inGesture()) return;
+  const std::string& wanted = m_editor.document().workingSpace;
+  if (m_set->original->colorSpace() == (wanted.empty() ? m_set->found->colorSpace() : wanted)) return;
+  m_sets.convert(*m_set, wanted);
+}
+
+void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
+  Document& document = pending.session.document;
+  if (set) {
+    document.edits = fitEdits(document.edits, set->solved->width(), set->solved->height());
+    document.rig = fitRig(document.rig, withNewLights(set->solved->capture, document.edits));
+    for (const std::string& warning : set->solved->capture.warnings) m_messages.warn(warning);
+  }
+  for (const std::string& warning : pending.session.warnings) m_messages.warn(warning);
+  m_colors.follow(document.colorConfig, m_messages);
+  checkDisplay(document);
+  m_editor.reset(document, "Open " + shortName(document.source));
+  if (pending.unsaved) m_editor.markUnsaved();
+  m_view = viewStateFromJson(pending.session.studio);
+  ++m_opened;
+  m_file = pending.file;
+  m_base = std::move(pending.session);
+  m_set = std::move(set);
+  ++m_setRevision;
+  m_autosaved = m_editor.revision();
+  if (pending.unsaved) m_autosaved = kNothingAutosaved;
+  m_recent.add(m_file.empty() ? m_editor.document().source : m_file);
+}
+
+void SessionController::checkDisplay(Document& document) {
+  const ColorConfig& config = ColorConfig::current();
+  const DisplayChoice shown = displayWithin(config, document.display);
+  if (shown != document.display)
+    m_messages.warn(displayWords(document.display) + " is not in the colour configuration " + config.title() +
+                    ": shown through " + displayWords(namedDisplay(config, shown)) + ".");
+  try {
+    if (!document.display.empty()) config.checkView(shown);
+  } catch (const InputError& error) {
+    m_messages.error(error.what());
+    document.display = {};
+  }
+}
+
+void SessionController::showEdited(std::shared_ptr<const SolvedSet> solved,
+                                   std::shared_ptr<const ViewPictures> pictures) {
+  m_set->solved = std::move(solved);
+  m_set->pictures = std::move(pictures);
+}
+
+void SessionController::close() {
+  m_sets.cancel();
+  m_editor.reset({}, "Start");
+  m_view = {};
+  m_set.reset();
+  ++m_setRevision;
+  ++m_opened;
+  m_file.clear();
+  m_base = {};
+  if (m_slot) m_slot->forget();
+}
+
+Session SessionController::currentSession() const {
+  Session session = m_base;
+  session.document = m_editor.document();
+  session.studio = jsonFromViewState(m_view);
+  return session;
+}
+
+void SessionController::saveAs(const fs::path& file, std::function<void()> then) {
+  m_editor.commit();
+  Saving saving{currentSession(), fs::absolute(file).lexically_normal(), m_editor.history().stepId(),
+                m_opened, std::move(then)};
+  if (m_saving.running())
+    m_toBeSaved.push_back(std::move(saving));
+  else
+    beginSaving(std::move(saving));
+}
+
+void SessionController::afterSaving(const std::function<void()>& then) {
+  std::function<void()>& last = m_toBeSaved.empty() ? m_beingSaved.then : m_toBeSaved.back().then;
+  last = [first = std::move(last), then] {
+    if (first) first();
+    then();
+  };
+}
+
+void SessionController::beginSaving(Saving saving) {
+  m_beingSaved = std::move(saving);
+  m_saving.start(
+      [session = m_beingSaved.session, file = m_beingSaved.file](const Progress&) {
+        writeSession(session, file);
+        return true;
+      },
+      m_wake);
+}
+
+void SessionController::takeSaved() {
+  std::function<void()> then;
+  try {
+    if (!m_saving.take()) return;
+    if (m_beingSaved.opened == m_opened) {
+      m_file = m_beingSaved.file;
+      m_editor.markSaved(m_beingSaved.step);
+      m_autosaved = kNothingAutosaved;
+    }
+    m_recent.add(m_beingSaved.file);
+    m_messages.info("Saved " + m_beingSaved.file.filename().string());
+    then = std::move(m_beingSaved.then);
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+  }
+  m_beingSaved = {};
+  if (!m_toBeSaved.empty()) {
+    Saving next = std::move(m_toBeSaved.front());
+    m_toBeSaved.pop_front();
+    beginSaving(std::move(next));
+  }
+  if (then) then();
+}
+
+void SessionController::update() {
+  takeSet();
+  followWorkingSpace();
+  takeSaved();
+  autosave();
+}
+
+void SessionController::autosave() {
+  if (!m_slot) return;
+  try {
+    m_autosave.take();
+  } catch (const std::exception& error) {
+    m_messages.warn(error.what());
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (m_autosave.running() || now - m_lastAutosave < kAutosaveInterval) return;
+  if (m_autosaved == m_editor.revision()) return;
+  m_lastAutosave = now;
+  m_autosaved = m_editor.revision();
+  if (m_editor.saved()) {
+    m_slot->forget();
+    return;
+  }
+  m_autosave.start(
+      [slot = m_slot.get(), session = currentSession(), file = m_file](const Progress&) {
+        slot->save(session, file);
+        return true;
+      },
+      [] {});
+}
+
+void SessionController::discardRecoveredFiles() {
+  for (const Recovered& recovered : m_recovered) discardRecovered(recovered);
+  m_recovered.clear();
+}
+
+std::string SessionController::title() const {
+  if (!hasDocument()) return "Swaplight";
+  const std::string name = shortName(m_file.empty() ? m_editor.document().source : m_file);
+  return name + (m_editor.saved() ? "" : " (edited)") + " – Swaplight";
+}
+
+}  // namespace swaplight

@@ -1,0 +1,43 @@
+#include "ui/control/set_controller.h"
+
+#include "core/session/open_source.h"
+#include "core/set/set_color_space.h"
+
+namespace swaplight {
+
+namespace {
+
+/// Makes what is shown out of what was found.
+OpenSet prepared(OpenSet open, const std::string& workingSpace, const Progress& progress) {
+  const bool own = workingSpace.empty() || workingSpace == open.found->colorSpace();
+  open.original =
+      own ? open.found : std::make_shared<SolvedSet>(copyInColorSpace(*open.found, workingSpace, progress));
+  open.solved = open.original;
+  progress.update(1, "preparing the view");
+  open.pictures = std::make_shared<ViewPictures>(open.solved);
+  return open;
+}
+
+}  // namespace
+
+void SetController::load(const std::filesystem::path& source, const SolveOptions& options,
+                         const std::string& workingSpace) {
+  m_task = "Opening " + source.filename().string();
+  m_job.start(
+      [source, options, workingSpace](const Progress& progress) {
+        OpenSet open;
+        open.source = source;
+        open.found = std::make_shared<SolvedSet>(openSource(source, options, progress));
+        return prepared(std::move(open), workingSpace, progress);
+      },
+      m_wake);
+}
+
+void SetController::convert(const OpenSet& open, const std::string& workingSpace) {
+  m_task = "Changing the working space";
+  m_job.start(
+      [open, workingSpace](const Progress& progress) { return prepared(open, workingSpace, progress); },
+      m_wake);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/set/solved_set.h"
+#include "core/solve/model/solve_options.h"
+#include "ui/jobs/job.h"
+#include "ui/pictures/view_pictures.h"
+
+namespace swaplight {
+
+/// A set that is open, and what the viewer needs to show it quickly.
+struct OpenSet {
+  std::filesystem::path source;
+  std::shared_ptr<const SolvedSet> solved;       ///< with the document's edits, where there are any
+  std::shared_ptr<const ViewPictures> pictures;  ///< of `solved`
+  std::shared_ptr<const SolvedSet> original;     ///< without edits
+  std::shared_ptr<const SolvedSet> found;        ///< without edits, in the source's own primaries
+};
+
+/// Reads or solves the set that the person has chosen, in a thread. The set that was open stays until the new
+/// one is there.
+class SetController {
+ public:
+  explicit SetController(std::function<void()> wake) : m_wake(std::move(wake)) {}
+
+  /// `workingSpace`: of the set that is shown; empty: the source's own.
+  void load(const std::filesystem::path& source, const SolveOptions& options,
+            const std::string& workingSpace);
+  /// The set that is open in another working space, without edits.
+  void convert(const OpenSet& open, const std::string& workingSpace);
+  void cancel() { m_job.cancel(); }
+  [[nodiscard]] bool busy() const { return m_job.running(); }
+  [[nodiscard]] bool cancelling() const { return m_job.cancelling(); }
+  /// What goes on, in words.
+  [[nodiscard]] const std::string& task() const { return m_task; }
+  [[nodiscard]] float fraction() const { return m_job.fraction(); }
+  [[nodiscard]] std::string what() const { return m_job.what(); }
+
+  /// The result of load() or convert(), once, when it is there. Throws what went wrong, Stopped where it was
+  /// cancelled.
+  std::optional<OpenSet> take() { return m_job.take(); }
+
+ private:
+  std::function<void()> m_wake;
+  std::string m_task;
+  Job<OpenSet> m_job;
+};
+
+}  // namespace swaplight

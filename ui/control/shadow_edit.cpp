@@ -1,0 +1,98 @@
+#include "ui/control/shadow_edit.h"
+
+#include <algorithm>
+
+#include "core/edit/mask/selection.h"
+#include "ui/control/light_edit.h"
+
+namespace swaplight {
+namespace {
+
+/// Where the page's edits of a light act: on the chosen shadow, or everywhere.
+Mask chosenMask(const StudioContext& studio, const std::string& light) {
+  const ShadowState& state = studio.editing.shadow;
+  Mask mask;
+  if (state.chosen && state.light == light)
+    mask = {{ShadowShape{light, true, state.chosen->x, state.chosen->y}, false}};
+  return maskWithin(mask, studio.document().selection);
+}
+
+}  // namespace
+
+bool shadowsShown(const StudioContext& studio) {
+  const bool ownPanel =
+      studio.tool == Tool::Brush || studio.tool == Tool::Stencil || studio.tool == Tool::Select;
+  return studio.layout.shadows && studio.layout.edits && !studio.layout.hidden && !ownPanel && studio.set() &&
+         !studio.document().rig.lights.empty();
+}
+
+int shadowLight(const StudioContext& studio) {
+  const std::string& name = studio.document().rig.lights[shownLight(studio)].light;
+  return studio.set()->original->capture.lightIndex(name);
+}
+
+std::optional<float> shadowThresholdOf(const Document& document, const std::string& light) {
+  const auto given = document.edits.shadowThresholds.find(light);
+  return given == document.edits.shadowThresholds.end() ? std::nullopt : std::optional(given->second);
+}
+
+void previewShadowThreshold(StudioContext& studio, const std::string& light, float threshold) {
+  Document next = studio.document();
+  next.edits.shadowThresholds[light] = threshold;
+  studio.editor.preview("Where shadows of " + light + " begin", std::move(next));
+}
+
+void resetShadowThreshold(StudioContext& studio, const std::string& light) {
+  Document next = studio.document();
+  next.edits.shadowThresholds.erase(light);
+  studio.editor.edit("Shadows of " + light + " found by themselves", std::move(next));
+}
+
+int shadowEdit(const StudioContext& studio, const std::string& light, const ShadowKinds& kinds) {
+  const Mask mask = chosenMask(studio, light);
+  const auto& edits = studio.document().edits.edits;
+  const auto isIt = [&](const std::shared_ptr<const Edit>& edit) {
+    const auto* shadow = std::get_if<ShadowOperation>(&edit->operation);
+    return shadow && edit->on && std::find(kinds.begin(), kinds.end(), shadow->kind) != kinds.end() &&
+           edit->lights == std::vector{light} && edit->mask == mask;
+  };
+  const auto found = std::find_if(edits.begin(), edits.end(), isIt);
+  return found == edits.end() ? -1 : static_cast<int>(found - edits.begin());
+}
+
+ShadowOperation shadowOperation(const StudioContext& studio, const std::string& light,
+                                const ShadowKinds& kinds) {
+  const int place = shadowEdit(studio, light, kinds);
+  if (place >= 0)
+    return std::get<ShadowOperation>(studio.document().edits.edits[static_cast<size_t>(place)]->operation);
+  ShadowOperation none;
+  none.kind = *kinds.begin();
+  none.amount = 0;
+  return none;
+}
+
+Document withShadowOperation(const StudioContext& studio, const std::string& light, const ShadowKinds& kinds,
+                             const ShadowOperation& operation) {
+  Document next = studio.document();
+  const int place = shadowEdit(studio, light, kinds);
+  if (place >= 0) {
+    Edit edit = *next.edits.edits[static_cast<size_t>(place)];
+    edit.operation = operation;
+    if (operation.amount > 0)
+      next.edits.replace(static_cast<size_t>(place), std::move(edit));
+    else
+      next.edits.edits.erase(next.edits.edits.begin() + place);
+  } else if (operation.amount > 0) {
+    Edit edit;
+    edit.mask = chosenMask(studio, light);
+    const bool one = studio.editing.shadow.chosen && studio.editing.shadow.light == light;
+    edit.name = (one ? "A shadow of " : "Shadows of ") + light;
+    edit.lights = {light};
+    edit.meaning = Meaning::Add;
+    edit.operation = operation;
+    next.edits.append(std::move(edit));
+  }
+  return next;
+}
+
+}  // namespace swaplight

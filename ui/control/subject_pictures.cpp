@@ -1,0 +1,91 @@
+#include "ui/control/subject_pictures.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/capture/capture_pixels.h"
+#include "core/view/subject_image.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kKept = 2;
+
+Image readPhotograph(Capture capture, int shot, const Image& like, const Progress& progress) {
+  capture.shots = {capture.shots.at(static_cast<size_t>(shot))};
+  capture.ambient.reset();
+  CapturePixels pixels = loadCapturePixels(capture, progress);
+  Image& image = pixels.shots.front();
+  if (image.width() != like.width() || image.height() != like.height())
+    throw InputError("{}: the photograph is {} x {}, the set {} x {}", capture.shots.front().image,
+                     image.width(), image.height(), like.width(), like.height());
+  return std::move(image);
+}
+
+}  // namespace
+
+const SubjectPictures::Shown* SubjectPictures::picture(const OpenSet& set, const ViewSubject& subject) {
+  const auto found = std::find_if(m_shown.begin(), m_shown.end(),
+                                  [&](const Shown& shown) { return shown.subject == subject; });
+  if (found != m_shown.end()) {
+    m_shown.splice(m_shown.end(), m_shown, found);
+    return &m_shown.back();
+  }
+  // The quality is that of the solve: edits have none.
+  const bool edited =
+      subject.kind == ViewSubject::Kind::Beta || subject.kind == ViewSubject::Kind::Reflectance;
+  if (subject.kind != ViewSubject::Kind::Photograph)
+    return &keep(subject, subjectImage(edited ? *set.solved : *set.original, subject));
+  const bool failed = std::find(m_failed.begin(), m_failed.end(), subject) != m_failed.end();
+  if (failed || m_job.running()) return nullptr;
+  m_reading = subject;
+  m_stale = false;
+  m_job.start(
+      [solved = set.original, shot = subject.index](const Progress& progress) {
+        return readPhotograph(solved->capture, shot, solved->contributions.front(), progress);
+      },
+      m_wake);
+  return nullptr;
+}
+
+void SubjectPictures::update(Messages& messages) {
+  try {
+    auto image = m_job.take();
+    if (image && !m_stale) keep(m_reading, std::move(*image));
+  } catch (const Stopped&) {
+    return;
+  } catch (const std::exception& error) {
+    m_failed.push_back(m_reading);
+    messages.error(error.what());
+  }
+}
+
+bool SubjectPictures::editsChanged() {
+  const size_t before = m_shown.size();
+  m_shown.remove_if([](const Shown& shown) {
+    return shown.subject.kind == ViewSubject::Kind::Beta ||
+           shown.subject.kind == ViewSubject::Kind::Reflectance;
+  });
+  return m_shown.size() != before;
+}
+
+void SubjectPictures::forget() {
+  m_job.cancel();
+  m_stale = m_job.running();
+  m_shown.clear();
+  m_failed.clear();
+  ++m_revision;
+}
+
+const SubjectPictures::Shown& SubjectPictures::keep(const ViewSubject& subject, Image image) {
+  if (m_shown.size() == kKept) {
+    m_shown.pop_front();
+    ++m_revision;
+  }
+  Shown shown{subject, std::move(image), nullptr};
+  shown.pyramid = std::make_unique<Pyramid>(shown.image.view());
+  m_shown.push_back(std::move(shown));
+  return m_shown.back();
+}
+
+}  // namespace swaplight

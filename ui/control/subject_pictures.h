@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <list>
+#include <memory>
+#include <vector>
+
+#include "ui/control/set_controller.h"
+#include "ui/jobs/job.h"
+#include "ui/jobs/messages.h"
+
+namespace swaplight {
+
+/// The pictures of the subjects that are no sum of contributions: made, or read in a thread, when they are
+/// first looked at. Keeps the last two, so that a comparison has both.
+class SubjectPictures {
+ public:
+  struct Shown {
+    ViewSubject subject;
+    Image image;
+    std::unique_ptr<Pyramid> pyramid;  ///< of the image
+  };
+
+  explicit SubjectPictures(std::function<void()> wake) : m_wake(std::move(wake)) {}
+
+  /// nullptr while a photograph is being read, or where it could not be.
+  const Shown* picture(const OpenSet& set, const ViewSubject& subject);
+  /// To be called often: takes what was read.
+  void update(Messages& messages);
+  /// Pixels of the set have changed: forgets what was made of them. True where there was any.
+  bool editsChanged();
+  /// Another set is open.
+  void forget();
+  [[nodiscard]] bool busy() const { return m_job.running(); }
+  /// Counts up when pictures have gone.
+  [[nodiscard]] uint64_t revision() const { return m_revision; }
+
+ private:
+  const Shown& keep(const ViewSubject& subject, Image image);
+
+  std::function<void()> m_wake;
+  std::list<Shown> m_shown;  ///< the one looked at last at the end
+  Job<Image> m_job;
+  ViewSubject m_reading;
+  bool m_stale = false;  ///< what is being read belongs to a set that has gone
+  std::vector<ViewSubject> m_failed;
+  uint64_t m_revision = 0;
+};
+
+}  // namespace swaplight

@@ -1,0 +1,100 @@
+#include "ui/control/viewer_request.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "core/relight/rig.h"
+#include "core/view/subject_image.h"
+
+namespace swaplight {
+namespace {
+
+/// Display codes that a map is made of are shown as they are; pictures go through the view.
+std::optional<LayeredPicture> sidePicture(StudioContext& studio, ViewSubject subject, const Rig& rig) {
+  const OpenSet& set = *studio.set();
+  subject = subjectWithin(*set.solved, subject);
+  const std::string& colorSpace = set.solved->colorSpace();
+  if (subject.kind == ViewSubject::Kind::Relit || subject.kind == ViewSubject::Kind::Contribution)
+    return LayeredPicture{set.pictures->layers(subject, rigFactors(rig, colorSpace), rig.ambient),
+                          colorSpace};
+  if (subject.kind == ViewSubject::Kind::Visibility) {
+    const Pyramid* visibility = studio.shadows.visibility(studio, subject.index);
+    return visibility ? std::optional(LayeredPicture{{{visibility, Rgb(1)}}, ""}) : std::nullopt;
+  }
+  const SubjectPictures::Shown* shown = studio.subjects.picture(set, subject);
+  if (!shown) return std::nullopt;
+  return LayeredPicture{{{shown->pyramid.get(), Rgb(1)}}, shown->image.spec().colorSpace};
+}
+
+std::string lightTitle(const StudioContext& studio, int index) {
+  const std::vector<LightSetting>& lights = studio.document().rig.lights;
+  return index >= 0 && static_cast<size_t>(index) < lights.size() ? lights[static_cast<size_t>(index)].title()
+                                                                  : "";
+}
+
+}  // namespace
+
+ViewerPictures viewerPictures(StudioContext& studio) {
+  const CompareState& compare = studio.view.compare;
+  ViewerPictures pictures;
+  pictures.a = sidePicture(studio, studio.view.subject, studio.document().rig);
+  if (!compare.isOn()) return pictures;
+  const Rig other = compare.rig ? fitRig(*compare.rig, studio.set()->solved->capture)
+                                : defaultRig(studio.set()->solved->capture);
+  pictures.b = sidePicture(studio, compare.subject, other);
+  return pictures;
+}
+
+Comparison wipeIn(const CompareState& state, int pictureWidth, int pictureHeight) {
+  return {Comparison::Mode::Wipe, state.x * pictureWidth, state.y * pictureHeight, state.angleDegrees};
+}
+
+PixelRect visiblePart(const ViewWindow& window) {
+  if (window.zoom <= 0) return {};
+  const auto low = [](double at) { return static_cast<int>(std::floor(at)) - 2; };
+  const int left = low(window.left), top = low(window.top);
+  return {left, top, static_cast<int>(std::ceil(window.width / window.zoom)) + 5,
+          static_cast<int>(std::ceil(window.height / window.zoom)) + 5};
+}
+
+ViewSettings viewerSettings(const StudioContext& studio) {
+  ViewSettings settings = studio.view.settings;
+  settings.display = displayWithin(ColorConfig::current(), studio.document().display);
+  return settings;
+}
+
+std::string subjectWords(const StudioContext& studio, const ViewSubject& subject) {
+  switch (subject.kind) {
+    case ViewSubject::Kind::Relit:
+      return "Relit";
+    case ViewSubject::Kind::Contribution:
+      return "Light: " + lightTitle(studio, subject.index);
+    case ViewSubject::Kind::Beta:
+      return "\u03b2 of " + lightTitle(studio, subject.index);
+    case ViewSubject::Kind::Visibility:
+      return "Reach of " + lightTitle(studio, subject.index);
+    case ViewSubject::Kind::Reflectance:
+      return "Reflectance";
+    case ViewSubject::Kind::Residual:
+      return "Residual";
+    case ViewSubject::Kind::Sigma:
+      return "\u03c3, the error";
+    case ViewSubject::Kind::Flags:
+      return "Flags";
+    case ViewSubject::Kind::Photograph:
+      return fmt::format("Photograph {}", subject.index + 1);
+  }
+  return {};
+}
+
+std::string sideBWords(const StudioContext& studio) {
+  const CompareState& compare = studio.view.compare;
+  if (compare.subject.kind != ViewSubject::Kind::Relit) return subjectWords(studio, compare.subject);
+  if (!compare.rig) return "All white";
+  for (const SavedLook& look : studio.document().looks)
+    if (look.rig == compare.rig) return look.name;
+  return "Kept lighting";
+}
+
+}  // namespace swaplight

@@ -1,0 +1,300 @@
+#include "ui/dialogs/capture_wizard.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/capture/light_name.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kTitle = "New capture from photographs";
+constexpr int kThumbnailWidth = 480, kThumbnailHeight = 270;  // in pixels, for the largest screens
+constexpr size_t kMostLights = 8;
+constexpr const char* kUsualNames[kMostLights] = {"key",    "fill",   "back",   "practical",
+                                                  "kicker", "light6", "light7", "light8"};
+constexpr float kFooterButton = 110, kFooterGap = 10;
+constexpr const char* kFooterWords =
+    "Writes capture.json beside the photographs, then tells the lights apart.";
+
+/// From the window's edge to the buttons below.
+float footerWidth() {
+  return ImGui::GetContentRegionMax().x - 2 * px(kFooterButton) - ImGui::GetStyle().ItemSpacing.x;
+}
+
+/// Of the last line, which takes as many as its words need.
+float footerHeight(const std::string& words) {
+  ImGui::PushFont(fonts().small);
+  const float width = footerWidth() - px(kFooterGap) - ImGui::GetCursorStartPos().x;
+  const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y;
+  ImGui::PopFont();
+  return std::max(height + ImGui::GetStyle().FramePadding.y, ImGui::GetFrameHeight()) +
+         ImGui::GetStyle().ItemSpacing.y;
+}
+
+}  // namespace
+
+void CaptureWizard::start(const fs::path& folder) {
+  close();
+  m_folder = folder;
+  m_reading.start(
+      [folder](const Progress& progress) {
+        Photographs found;
+        found.folder = scanShotFolder(folder);
+        // Any name does for looking at the pictures; the person gives the lights theirs.
+        const CaptureDraft draft = draftOf(found.folder, {"light"});
+        found.pixels = std::make_shared<const CapturePixels>(
+            loadCapturePixels(captureOf(draft), progress.part(0, 0.7F)));
+        progress.update(0.7F, "looking for what is wrong");
+        found.thumbnails = shotThumbnails(*found.pixels, kThumbnailWidth, kThumbnailHeight);
+        found.warnings = found.folder.notes;
+        for (std::string& warning : pictureWarnings(draft, *found.pixels))
+          found.warnings.push_back(std::move(warning));
+        return found;
+      },
+      m_wake);
+}
+
+void CaptureWizard::close() {
+  m_reading.cancel();
+  m_guessing.cancel();
+  m_folder.reset();
+  m_found.reset();
+  m_textures.clear();
+  m_lights.clear();
+  m_cells.clear();
+  m_guess.clear();
+  m_picking.reset();
+  m_frame = {};
+  m_cropping.reset();
+  m_replace = false;
+  m_solve = {};
+}
+
+void CaptureWizard::update(Messages& messages) {
+  try {
+    if (auto found = m_reading.take(); found && m_folder) {
+      m_found = std::move(found);
+      m_cells.resize(m_found->folder.shots.size());
+      setLights(std::clamp<size_t>(m_found->folder.shots.size(), 2, 4));
+      for (const ShotThumbnail& thumbnail : m_found->thumbnails)
+        m_textures.emplace_back().update(thumbnail.width, thumbnail.height, thumbnail.rgba.data());
+    }
+    if (auto guessed = m_guessing.take(); guessed && m_found) {
+      const CaptureDraft placed = withRotation(draft(), ring(), guessed->steps);
+      for (size_t k = 1; k < m_cells.size(); ++k)
+        for (size_t i = 0; i < m_lights.size(); ++i) m_cells[k][i] = {placed.colors[k][i].text, true};
+      m_guess = guessed->words;
+    }
+  } catch (const Stopped&) {
+    return;
+  } catch (const std::exception& error) {
+    messages.error(error.what());
+    if (!m_found) close();
+  }
+}
+
+void CaptureWizard::setLights(size_t count) {
+  while (m_lights.size() < count) m_lights.emplace_back(kUsualNames[m_lights.size()]);
+  m_lights.resize(count);
+  for (std::vector<Cell>& row : m_cells) row.resize(count);
+}
+
+/// What has to be put right before it can be solved; empty where nothing has.
+std::string CaptureWizard::mistake() const {
+  try {
+    checkLightNames(m_lights, "the lights");
+    for (size_t k = 0; k < m_cells.size(); ++k)
+      for (size_t i = 0; i < m_lights.size(); ++i) {
+        if (m_cells[k][i].text.empty())
+          return fmt::format("Say which colour {} had in {}; \"unknown\" is an answer.", m_lights[i],
+                             m_found->folder.shots[k].file);
+        static_cast<void>(shotColorFromText(m_cells[k][i].text));
+      }
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+CaptureDraft CaptureWizard::draft() const {
+  CaptureDraft draft = draftOf(m_found->folder, m_lights);
+  draft.frame = m_frame;
+  for (size_t k = 0; k < m_cells.size(); ++k)
+    for (size_t i = 0; i < m_lights.size(); ++i) draft.colors[k][i] = shotColorFromText(m_cells[k][i].text);
+  return draft;
+}
+
+std::vector<ShotColor> CaptureWizard::ring() const {
+  std::vector<ShotColor> ring;
+  for (const Cell& cell : m_cells.front()) ring.push_back(shotColorFromText(cell.text));
+  return ring;
+}
+
+void CaptureWizard::guess() {
+  m_guessing.start([draft = draftOf(m_found->folder, m_lights), pixels = m_found->pixels,
+                    ring = ring()](const Progress&) { return guessRotation(draft, *pixels, ring); },
+                   m_wake);
+}
+
+void CaptureWizard::drawReading() {
+  ImGui::TextUnformatted("Reading the photographs …");
+  ImGui::ProgressBar(m_reading.fraction(), ImVec2(-1, px(8)), "");
+  if (ImGui::Button("Cancel", ImVec2(px(110), 0))) close();
+  markItem("wizard.cancel");
+}
+
+void CaptureWizard::drawLights() {
+  const ShotFolder& folder = m_found->folder;
+  hint(folder.folder.string());
+  hint(fmt::format("{} photographs of {} x {} pixels, in the order of {}", folder.shots.size(),
+                   m_found->pixels->width(), m_found->pixels->height(),
+                   folder.timed ? "the time they were taken at" : "their names"));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Lights");
+  ImGui::SameLine(0, px(10));
+  const float side = ImGui::GetFrameHeight();
+  ImGui::BeginDisabled(m_lights.size() <= 1);
+  const bool fewer = ImGui::Button("\u2212", ImVec2(side, side));
+  ImGui::EndDisabled();
+  markItem("wizard.fewer");
+  ImGui::SameLine(0, px(4));
+  ImGui::BeginDisabled(m_lights.size() >= kMostLights);
+  const bool more = ImGui::Button("+", ImVec2(side, side));
+  ImGui::EndDisabled();
+  markItem("wizard.more");
+  if (fewer) setLights(m_lights.size() - 1);
+  if (more) setLights(m_lights.size() + 1);
+  ImGui::SameLine(0, px(16));
+  hint("A colour: a gel's number, linear r/g/b, #rrggbb, 3200K, off, unknown, or picked from a white card.");
+  const float align = ImGui::CalcTextSize("Align the shots").x + 2 * side;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - align);
+  ImGui::Checkbox("Align the shots", &m_solve.align);
+  markItem("wizard.align");
+  tooltip("Where the camera moved between the shots: they are put onto the first before they are solved.");
+}
+
+void CaptureWizard::drawGuess() {
+  const bool first = std::all_of(m_cells.front().begin(), m_cells.front().end(), [](const Cell& cell) {
+    try {
+      return !cell.text.empty() && shotColorFromText(cell.text).color.has_value();
+    } catch (const InputError&) {
+      return false;
+    }
+  });
+  ImGui::BeginDisabled(!first || m_guessing.running() || m_cells.size() < 2);
+  if (ImGui::Button(m_guessing.running() ? "Guessing …" : "Guess the other shots")) guess();
+  ImGui::EndDisabled();
+  markItem("wizard.guess");
+  tooltip(
+      "How the first shot's colours moved on from light to light is found from the pictures. All of the "
+      "first "
+      "shot's colours have to be known.");
+  ImGui::SameLine(0, px(10));
+  ImGui::AlignTextToFramePadding();
+  if (m_guess.empty())
+    ImGui::TextDisabled("Give the first shot's colours, and the pictures tell the others.");
+  else
+    ImGui::TextUnformatted(("The other shots are " + m_guess).c_str());
+  if (!m_guess.empty()) markState("wizard.guess_words", m_guess);
+}
+
+std::vector<std::string> CaptureWizard::warnings() const {
+  std::vector<std::string> warnings = m_found->warnings;
+  if (mistake().empty())
+    for (std::string& warning : colorWarnings(draft())) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
+void CaptureWizard::drawWarnings(const std::vector<std::string>& warnings, float height) {
+  ImGui::BeginChild("##warnings", ImVec2(0, height));
+  if (warnings.empty()) ImGui::TextDisabled("Nothing is wrong with the pictures.");
+  ImGui::PushTextWrapPos(0);
+  for (const std::string& warning : warnings) {
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kChanged), "%s", kIconWarning);
+    ImGui::SameLine(0, px(6));
+    ImGui::TextUnformatted(warning.c_str());
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::EndChild();
+  markState("wizard.warnings", fmt::format("{}", warnings.size()));
+}
+
+void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, const Solve& solve) {
+  const bool exists = fs::exists(m_found->folder.folder / "capture.json");
+  const float button = px(kFooterButton);
+  const float buttons = footerWidth();
+  if (exists && wrong.empty()) {
+    ImGui::Checkbox("Replace the capture.json that is there", &m_replace);
+    markItem("wizard.replace");
+  } else {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushTextWrapPos(buttons - px(kFooterGap));
+    hint(wrong.empty() ? kFooterWords : wrong);
+    ImGui::PopTextWrapPos();
+    markItem("wizard.footer");
+  }
+  ImGui::SameLine(buttons);
+  ImGui::BeginDisabled(!wrong.empty() || busy() || (exists && !m_replace));
+  const bool go = ImGui::Button("Solve", ImVec2(button, 0));
+  ImGui::EndDisabled();
+  markItem("wizard.solve");
+  ImGui::SameLine();
+  const bool cancelled = ImGui::Button("Cancel", ImVec2(button, 0));
+  markItem("wizard.cancel");
+  if (cancelled) close();
+  if (!go) return;
+  try {
+    const fs::path written = writeDraft(draft(), m_replace);
+    const SolveOptions options = m_solve;
+    close();
+    solve(written, options);
+  } catch (const std::exception& error) {
+    messages.error(error.what());
+  }
+}
+
+void CaptureWizard::draw(Messages& messages, const Solve& solve) {
+  if (!m_folder) return;
+  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSize(
+      m_found ? ImVec2(std::min(px(1180), screen.x - px(40)), std::min(px(820), screen.y - px(40)))
+              : ImVec2(px(460), 0));
+  if (!ImGui::BeginPopupModal(
+          kTitle, nullptr,
+          ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
+    return;
+  if (!m_found) {
+    drawReading();
+  } else {
+    drawLights();
+    const float line = ImGui::GetFrameHeightWithSpacing();
+    const std::vector<std::string> warned = warnings();
+    const float lines =
+        std::max(1.F, static_cast<float>(warned.size())) * ImGui::GetTextLineHeightWithSpacing();
+    const float room = std::min({px(96), 0.18F * ImGui::GetWindowHeight(), lines + px(6)});
+    const std::string wrong = mistake();
+    drawTable(ImGui::GetContentRegionAvail().y - 2 * line - footerHeight(wrong) - room - px(24));
+    drawGuess();
+    drawFrame();
+    ImGui::Separator();
+    drawWarnings(warned, room);
+    ImGui::Separator();
+    drawFooter(wrong, messages, solve);
+  }
+  if (!m_folder) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace swaplight

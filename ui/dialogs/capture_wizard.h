@@ -1,0 +1,90 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/intake/capture_draft.h"
+#include "core/intake/rotation_guess.h"
+#include "core/intake/shot_thumbnail.h"
+#include "core/solve/model/solve_options.h"
+#include "render/screen.h"
+#include "ui/jobs/job.h"
+#include "ui/jobs/messages.h"
+
+namespace swaplight {
+
+/// Brings in a folder of photographs: shows them in order of time, asks for the lights and which colour each
+/// had when, guesses how the colours moved, warns at once, and writes capture.json.
+class CaptureWizard {
+ public:
+  explicit CaptureWizard(std::function<void()> wake) : m_wake(std::move(wake)) {}
+
+  /// Looks at the folder in a thread.
+  void start(const std::filesystem::path& folder);
+  [[nodiscard]] bool isOpen() const { return m_folder.has_value(); }
+  [[nodiscard]] bool busy() const { return m_reading.running() || m_guessing.running(); }
+  /// To be called often: takes what the threads have finished.
+  void update(Messages& messages);
+  /// Opens the capture that was written.
+  using Solve = std::function<void(const std::filesystem::path&, const SolveOptions&)>;
+  /// Draws the dialog.
+  void draw(Messages& messages, const Solve& solve);
+
+ private:
+  /// What was found in the folder.
+  struct Photographs {
+    ShotFolder folder;
+    std::shared_ptr<const CapturePixels> pixels;
+    std::vector<ShotThumbnail> thumbnails;
+    std::vector<std::string> warnings;
+  };
+  /// A light's colour in a shot, as it is being typed.
+  struct Cell {
+    std::string text;
+    bool guessed = false;
+  };
+
+  void close();
+  void setLights(size_t count);
+  [[nodiscard]] std::string mistake() const;
+  [[nodiscard]] CaptureDraft draft() const;
+  [[nodiscard]] std::vector<ShotColor> ring() const;
+  void guess();
+  void drawReading();
+  void drawLights();
+  void drawTable(float height);
+  void drawShot(size_t shot);
+  void drawThumbnail(size_t shot);
+  void cropOnThumbnail(ImVec2 at, ImVec2 size);
+  void drawFrame();
+  void drawCell(size_t shot, size_t light);
+  void drawGuess();
+  /// What is to be said about the pictures and the colours.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+  void drawWarnings(const std::vector<std::string>& warnings, float height);
+  void drawFooter(const std::string& wrong, Messages& messages, const Solve& solve);
+
+  std::function<void()> m_wake;
+  std::optional<std::filesystem::path> m_folder;
+  Job<Photographs> m_reading;
+  Job<RotationGuess> m_guessing;
+  std::optional<Photographs> m_found;
+  std::vector<ScreenTexture> m_textures;
+  std::vector<std::string> m_lights;
+  std::vector<std::vector<Cell>> m_cells;              ///< [shot][light]
+  std::string m_guess;                                 ///< in words
+  std::string m_filter;                                ///< typed into the list of gels
+  std::optional<std::pair<size_t, size_t>> m_picking;  ///< the cell whose colour a click takes from its shot
+  CaptureFrame m_frame;
+  std::optional<std::pair<float, float>> m_cropping;  ///< where a drag over a thumbnail began, 0..1
+  bool m_replace = false;
+  SolveOptions m_solve;
+};
+
+}  // namespace swaplight

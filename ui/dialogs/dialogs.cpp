@@ -1,0 +1,91 @@
+#include "ui/dialogs/dialogs.h"
+
+#include <imgui.h>
+
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+
+namespace swaplight {
+namespace {
+
+bool beginDialog(const char* title, float width) {
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y * 0.4F), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSize(ImVec2(px(width), 0));
+  return ImGui::BeginPopupModal(
+      title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+}
+
+bool button(const char* text, const char* mark) {
+  const bool clicked = ImGui::Button(text, ImVec2(px(130), 0));
+  markItem(mark);
+  if (clicked) ImGui::CloseCurrentPopup();
+  return clicked;
+}
+
+}  // namespace
+
+void UnsavedDialog::draw() {
+  if (!m_question || !beginDialog("Unsaved work", 460)) return;
+  ImGui::TextWrapped("%s has changes that are not in its file.", m_question->name.c_str());
+  ImGui::Dummy(ImVec2(0, px(8)));
+  std::function<void()> answer;
+  bool answered = false;
+  if (button("Save", "unsaved.save")) {
+    answer = m_question->save;
+    answered = true;
+  }
+  ImGui::SameLine();
+  if (button("Discard", "unsaved.discard")) {
+    answer = m_question->goOn;
+    answered = true;
+  }
+  ImGui::SameLine();
+  if (button("Cancel", "unsaved.cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    ImGui::CloseCurrentPopup();
+    answered = true;
+  }
+  ImGui::EndPopup();
+  if (answered) m_question.reset();
+  if (answer) answer();
+}
+
+void RecoveryDialog::draw(SessionController& session) {
+  if (m_dismissed || session.recovered().empty()) return;
+  const Recovered& newest = session.recovered().front();
+  if (!beginDialog("Swaplight ended unexpectedly", 560)) return;
+  const std::filesystem::path file = !newest.opening.empty() ? newest.opening : newest.savedAs;
+  const std::string name = file.empty() ? "a session without a name" : file.string();
+  const bool hasWork = !newest.session.empty();
+  if (hasWork)
+    ImGui::TextWrapped(
+        "There is unsaved work from %s. It is at most a few seconds older than what you saw last.",
+        name.c_str());
+  else
+    ImGui::TextWrapped("It was opening %s. That may be what stopped it.", name.c_str());
+  ImGui::Dummy(ImVec2(0, px(8)));
+  bool done = false;
+  if (hasWork) {
+    if (button("Recover", "recovery.recover")) {
+      session.recover(Recovered(newest));
+      done = true;
+    }
+    ImGui::SameLine();
+  }
+  if (!newest.opening.empty()) {
+    if (button("Open safely", "recovery.safe")) {
+      session.openWithoutPictures(std::filesystem::path(newest.opening));
+      done = true;
+    }
+    ImGui::SameLine();
+  }
+  if (button("Discard", "recovery.discard")) done = true;
+  ImGui::EndPopup();
+  if (done) {
+    session.discardRecoveredFiles();
+    m_dismissed = true;
+  }
+}
+
+}  // namespace swaplight

@@ -1,0 +1,287 @@
+#include "ui/dialogs/export_dialog.h"
+
+#include <fmt/ranges.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/error.h"
+#include "core/ocio/color_config.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kTitle = "Export";
+constexpr float kLabel = 130;
+constexpr float kField = 250;
+
+struct KindWords {
+  const char* name;
+  const char* mark;
+  const char* words;
+  const char* ending;  ///< of the suggested name
+};
+constexpr std::array<KindWords, 5> kKinds = {
+    {{"Frame", "frame", "The relit picture.", ""},
+     {"Lights as layers", "layers",
+      "Every light as it shines now, a layer each, for Nuke, Resolve or Blender. They add up to the frame.",
+      "_lights"},
+     {"Beta maps", "beta", "Each light's share of every pixel, to be edited in an image editor.", "_beta"},
+     {"Look", "look",
+      "Only what is the same for every pixel: one gain a channel, and the view. What each light does on its "
+      "own "
+      "is in no table.",
+      "_look"},
+     {"Report", "report", "A page about the set and its lighting that prints.", "_report"}}};
+
+struct Choice {
+  const char* value;
+  const char* words;
+};
+
+void label(const char* words) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(words);
+  ImGui::SameLine(px(kLabel));
+}
+
+/// A list with a label; the chosen one's value is kept.
+template <size_t N>
+void list(const char* words, const char* mark, const std::array<Choice, N>& choices, std::string& value,
+          const char* tip) {
+  label(words);
+  const auto chosen =
+      std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return value == c.value; });
+  ImGui::SetNextItemWidth(px(kField));
+  const std::string id = std::string("##") + mark;
+  const bool open = ImGui::BeginCombo(id.c_str(), chosen == choices.end() ? value.c_str() : chosen->words);
+  markItem(std::string("export.") + mark);
+  if (!open) {
+    tooltip(tip);
+    return;
+  }
+  for (const Choice& choice : choices) {
+    if (ImGui::Selectable(choice.words, value == choice.value)) value = choice.value;
+    markItem(fmt::format("export.{}.{}", mark, choice.value));
+  }
+  ImGui::EndCombo();
+}
+
+void check(const char* words, const char* mark, bool* value, const char* tip) {
+  ImGui::Dummy(ImVec2(0, 0));
+  ImGui::SameLine(px(kLabel));
+  ImGui::Checkbox(words, value);
+  markItem(std::string("export.") + mark);
+  tooltip(tip);
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(fs::path memory)
+    : m_memory(std::move(memory)), m_choices(readExportChoices(m_memory)) {}
+
+void ExportDialog::open(const std::string& name, const fs::path& folder, std::optional<ExportKind> kind) {
+  m_open = true;
+  m_focus = true;
+  m_name = name;
+  if (kind) m_choices.kind = *kind;
+  std::error_code error;
+  if (m_choices.folder.empty() || !fs::is_directory(m_choices.folder, error)) m_choices.folder = folder;
+  suggest();
+}
+
+void ExportDialog::setFile(const fs::path& file) {
+  take(file.string());
+  m_focus = true;
+}
+
+void ExportDialog::suggest() {
+  const KindWords& kind = kKinds.at(static_cast<size_t>(m_choices.kind));
+  m_file = (m_choices.folder / (m_name + kind.ending + m_choices.format())).string();
+}
+
+/// A file's name as typed; its extension chooses the format.
+void ExportDialog::take(const std::string& file) {
+  m_file = file;
+  const std::vector<std::string>& known = formatsOf(m_choices.kind);
+  const std::string extension = fs::path(file).extension().string();
+  if (std::find(known.begin(), known.end(), extension) != known.end()) m_choices.format() = extension;
+}
+
+std::string ExportDialog::mistake() const {
+  const fs::path file = m_file;
+  std::error_code error;
+  if (!file.has_filename()) return "Give the file a name.";
+  if (!fs::is_directory(file.has_parent_path() ? file.parent_path() : fs::path("."), error))
+    return "There is no folder " + file.parent_path().string();
+  const std::vector<std::string>& known = formatsOf(m_choices.kind);
+  if (std::find(known.begin(), known.end(), file.extension().string()) == known.end())
+    return "Its name has to end in " + fmt::format("{}", fmt::join(known, ", ")) + ".";
+  return {};
+}
+
+void ExportDialog::drawKinds() {
+  for (size_t i = 0; i < kKinds.size(); ++i) {
+    const auto kind = static_cast<ExportKind>(i);
+    const bool chosen = m_choices.kind == kind;
+    if (i > 0) ImGui::SameLine(0, px(4));
+    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+    const bool clicked = ImGui::Button(kKinds.at(i).name);
+    if (chosen) ImGui::PopStyleColor();
+    markItem(std::string("export.kind.") + kKinds.at(i).mark);
+    if (clicked && !chosen) {
+      m_choices.kind = kind;
+      suggest();
+    }
+  }
+  ImGui::PushTextWrapPos(0);
+  hint(kKinds.at(static_cast<size_t>(m_choices.kind)).words);
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy(ImVec2(0, px(6)));
+}
+
+void ExportDialog::drawFormats() {
+  const std::vector<std::string>& formats = formatsOf(m_choices.kind);
+  if (formats.size() < 2) return;
+  label("Format");
+  for (const std::string& format : formats) {
+    if (&format != formats.data()) ImGui::SameLine(0, px(12));
+    if (ImGui::RadioButton(format.substr(1).c_str(), m_choices.format() == format)) {
+      m_choices.format() = format;
+      m_file = fs::path(m_file).replace_extension(format).string();
+    }
+    markItem("export.format" + format);
+  }
+}
+
+void ExportDialog::drawColorSpaces() {
+  static constexpr std::array<Choice, 4> kSpaces = {{{"", "as the set's"},
+                                                     {"lin_rec709", "linear Rec.709"},
+                                                     {"acescg", "ACEScg"},
+                                                     {"aces2065_1", "ACES2065-1"}}};
+  list("Primaries", "space", kSpaces, m_choices.colorSpace,
+       "Scene-linear light in these primaries; white stays white (Bradford adaptation).");
+}
+
+void ExportDialog::drawFrame(const Document& document) {
+  drawFormats();
+  const std::string& format = m_choices.format();
+  if (format == ".exr")
+    check("32-bit float", "float", &m_choices.floatFrame,
+          "Instead of half float, which light up to 65504 fits into.");
+  if (format == ".png" || format == ".tif")
+    check("16 bits", "sixteen", &m_choices.sixteenBits, "Instead of 8 a channel.");
+  if (isSceneLinear("frame" + format)) {
+    drawColorSpaces();
+    return;
+  }
+  static constexpr std::array<Choice, 4> kTones = {{{"", "the view"},
+                                                    {"drago", "Drago: adaptive logarithm"},
+                                                    {"mantiuk", "Mantiuk: contrast"},
+                                                    {"reinhard", "Reinhard: as the eye adapts"}}};
+  list("Seen through", "tone", kTones, m_choices.tone,
+       "The display and view that the viewer shows, or a tone mapping of the whole picture (plain sRGB).");
+  if (m_choices.tone.empty()) {
+    const ColorConfig& config = ColorConfig::current();
+    const DisplayChoice seen = namedDisplay(config, displayWithin(config, document.display));
+    ImGui::Dummy(ImVec2(0, 0));
+    ImGui::SameLine(px(kLabel));
+    hint(displayWords(seen));
+  }
+}
+
+void ExportDialog::drawLayers() {
+  static constexpr std::array<Choice, 3> kNaming = {
+      {{"one", "Layers in one part"}, {"multi", "A part a light"}, {"blender", "Blender's light groups"}}};
+  static constexpr std::array<Choice, 6> kCompressions = {{{"zip", "ZIP, 16 lines"},
+                                                           {"zips", "ZIP, a line"},
+                                                           {"piz", "PIZ"},
+                                                           {"dwaa", "DWAA (lossy)"},
+                                                           {"dwab", "DWAB (lossy)"},
+                                                           {"none", "none"}}};
+  list("Written as", "naming", kNaming, m_choices.naming,
+       "One part is read by everything; a part a light is quicker where one light is read alone.");
+  list("Compression", "compression", kCompressions, m_choices.compression, "ZIP loses nothing.");
+  drawColorSpaces();
+  check("32-bit float", "float_layers", &m_choices.floatLayers,
+        "The layers then add up to the frame to the last bit, in half to half a step.");
+  check("Proportions too (beta)", "beta", &m_choices.beta, "Each light's share of the pixel, in float.");
+  check("Quality too", "quality", &m_choices.quality, "The solver's residual, standard error and flags.");
+}
+
+void ExportDialog::drawFile(const Answers& answers) {
+  ImGui::Dummy(ImVec2(0, px(4)));
+  label("File");
+  const float more = px(34);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - more - ImGui::GetStyle().ItemSpacing.x);
+  if (m_focus) ImGui::SetKeyboardFocusHere();
+  m_focus = false;
+  std::string typed = m_file;
+  const bool entered = ImGui::InputText(
+      "##file", &typed, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  markItem("export.file");
+  if (typed != m_file) take(typed);
+  ImGui::SameLine();
+  if (ImGui::Button("\u2026", ImVec2(more, 0))) answers.choose();
+  markItem("export.choose");
+  tooltip("Choose the folder and the name.");
+  if (entered && mistake().empty()) accept(answers);
+}
+
+void ExportDialog::drawFooter(const Answers& answers) {
+  const std::string wrong = mistake();
+  std::error_code error;
+  const bool exists = wrong.empty() && fs::exists(m_file, error);
+  ImGui::Dummy(ImVec2(0, px(4)));
+  ImGui::AlignTextToFramePadding();
+  hint(!wrong.empty() ? wrong : exists ? "The file is there: it will be replaced." : "");
+  const float button = px(110);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::BeginDisabled(!wrong.empty());
+  const bool go = ImGui::Button(exists ? "Replace" : "Export", ImVec2(button, 0));
+  ImGui::EndDisabled();
+  markItem("export.accept");
+  ImGui::SameLine();
+  const bool cancelled = ImGui::Button("Cancel", ImVec2(button, 0));
+  markItem("export.cancel");
+  if (go) accept(answers);
+  if (cancelled || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) m_open = false;
+}
+
+void ExportDialog::accept(const Answers& answers) {
+  m_open = false;
+  m_choices.folder = fs::absolute(m_file).parent_path();
+  writeExportChoices(m_choices, m_memory);
+  answers.accept(requestOf(m_choices, m_file));
+}
+
+void ExportDialog::draw(const Document& document, const Answers& answers) {
+  if (!m_open) return;
+  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y * 0.45F), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSize(ImVec2(std::min(px(640), screen.x - px(40)), 0));
+  if (!ImGui::BeginPopupModal(
+          kTitle, nullptr,
+          ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
+    return;
+  drawKinds();
+  if (m_choices.kind == ExportKind::Frame)
+    drawFrame(document);
+  else if (m_choices.kind == ExportKind::Layers)
+    drawLayers();
+  else
+    drawFormats();
+  drawFile(answers);
+  drawFooter(answers);
+  if (!m_open) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace swaplight

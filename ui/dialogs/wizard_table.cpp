@@ -1,0 +1,235 @@
+#include <fmt/core.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/color/srgb.h"
+#include "core/image/pixel_rect.h"
+#include "ui/dialogs/capture_wizard.h"
+#include "ui/kit/gel_list.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kThumbnailColumn = 176;
+constexpr float kThumbnailHeight = 92;
+
+/// What a cell's text says: a colour, unknown, or nonsense.
+struct Reading {
+  std::optional<Rgb> color;
+  std::string mistake;
+};
+Reading readingOf(const std::string& text) {
+  try {
+    return {text.empty() ? std::nullopt : shotColorFromText(text).color, ""};
+  } catch (const InputError& error) {
+    return {{}, error.what()};
+  }
+}
+
+/// The colour as it is seen; black for off.
+Rgb chipOf(const Rgb& color) {
+  const float brightest = std::max({color.r, color.g, color.b});
+  return brightest > 0 ? srgbFromLinear(color / brightest) : Rgb(0);
+}
+
+/// What is cropped away, darker.
+void drawCrop(const CaptureFrame& frame, const CapturePixels& pixels, ImVec2 at, ImVec2 size) {
+  if (!frame.crop) return;
+  const auto x = [&](int place) {
+    return at.x + size.x * static_cast<float>(place) / static_cast<float>(pixels.width());
+  };
+  const auto y = [&](int place) {
+    return at.y + size.y * static_cast<float>(place) / static_cast<float>(pixels.height());
+  };
+  const ImVec2 low(x(frame.crop->x), y(frame.crop->y)), high(x(frame.crop->right()), y(frame.crop->bottom()));
+  const ImVec2 end(at.x + size.x, at.y + size.y);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  constexpr ImU32 kAway = IM_COL32(0, 0, 0, 170);
+  draw->AddRectFilled(at, ImVec2(end.x, low.y), kAway);
+  draw->AddRectFilled(ImVec2(at.x, high.y), end, kAway);
+  draw->AddRectFilled(ImVec2(at.x, low.y), ImVec2(low.x, high.y), kAway);
+  draw->AddRectFilled(ImVec2(high.x, low.y), ImVec2(end.x, high.y), kAway);
+  draw->AddRect(low, high, kText);
+}
+
+}  // namespace
+
+void CaptureWizard::cropOnThumbnail(ImVec2 at, ImVec2 size) {
+  constexpr float kLeast = 0.03F;  // of the picture: less is a click
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const std::pair place(std::clamp((mouse.x - at.x) / size.x, 0.0F, 1.0F),
+                        std::clamp((mouse.y - at.y) / size.y, 0.0F, 1.0F));
+  if (ImGui::IsItemActivated()) m_cropping = place;
+  if (!ImGui::IsItemActive() || !m_cropping) return;
+  const float x = std::min(place.first, m_cropping->first), y = std::min(place.second, m_cropping->second);
+  const float width = std::abs(place.first - m_cropping->first);
+  const float height = std::abs(place.second - m_cropping->second);
+  if (width < kLeast || height < kLeast) return;
+  const auto pixels = [](float part, int count) {
+    return static_cast<int>(std::lround(part * static_cast<float>(count)));
+  };
+  const int across = m_found->pixels->width(), down = m_found->pixels->height();
+  m_frame.crop =
+      intersection({pixels(x, across), pixels(y, down), pixels(width, across), pixels(height, down)},
+                   {0, 0, across, down});
+}
+
+void CaptureWizard::drawFrame() {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Use");
+  ImGui::SameLine(0, px(10));
+  constexpr double kScales[] = {1, 0.5, 0.25, 0.125};
+  const auto* shown = std::find(std::begin(kScales), std::end(kScales), m_frame.scale);
+  int scale = static_cast<int>(shown - std::begin(kScales));
+  ImGui::SetNextItemWidth(px(120));
+  if (ImGui::Combo("##scale", &scale, "full size\0half size\0a quarter\0an eighth\0"))
+    m_frame.scale = kScales[scale];
+  markItem("wizard.scale");
+  tooltip("Smaller pictures are solved faster; the photographs stay as they are.");
+  ImGui::SameLine(0, px(10));
+  const int across = m_found->pixels->width(), down = m_found->pixels->height();
+  if (!m_frame.crop) {
+    ImGui::TextDisabled("of all of the photographs: drag over one of them to crop");
+    return;
+  }
+  int numbers[4] = {m_frame.crop->x, m_frame.crop->y, m_frame.crop->width, m_frame.crop->height};
+  ImGui::SetNextItemWidth(px(320));
+  if (ImGui::InputInt4("##crop", numbers)) {
+    const PixelRect crop =
+        intersection({numbers[0], numbers[1], numbers[2], numbers[3]}, {0, 0, across, down});
+    if (!crop.empty()) m_frame.crop = crop;
+  }
+  markItem("wizard.crop");
+  tooltip("Left, top, width and height of what is used, in pixels of the photographs.");
+  ImGui::SameLine(0, px(10));
+  if (ImGui::Button("All of them")) m_frame.crop.reset();
+  markItem("wizard.uncrop");
+}
+
+void CaptureWizard::drawThumbnail(size_t shot) {
+  const ShotThumbnail& picture = m_found->thumbnails[shot];
+  const float scale = std::min(px(kThumbnailColumn - 10) / static_cast<float>(picture.width),
+                               px(kThumbnailHeight) / static_cast<float>(picture.height));
+  const ImVec2 size(std::floor(scale * static_cast<float>(picture.width)),
+                    std::floor(scale * static_cast<float>(picture.height)));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool clicked = ImGui::InvisibleButton("##picture", size);
+  markItem(fmt::format("wizard.picture.{}", shot));
+  const bool picking = m_picking && m_picking->first == shot;
+  if (!picking) cropOnThumbnail(at, size);
+  drawTexture(m_textures[shot].id(), at, ImVec2(at.x + size.x, at.y + size.y));
+  if (picking)
+    ImGui::GetWindowDrawList()->AddRect(at, ImVec2(at.x + size.x, at.y + size.y), kAccent, 0, 0, px(2));
+  drawCrop(m_frame, *m_found->pixels, at, size);
+  if (!picking || !clicked) return;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const auto pixel = [](float place, float length, int count) {
+    return std::clamp(static_cast<int>(place / length * static_cast<float>(count)), 0, count - 1);
+  };
+  const Image& pixels = m_found->pixels->shots[shot];
+  Cell& cell = m_cells[shot][m_picking->second];
+  try {
+    cell = {colorOfCard(pixels, pixel(mouse.x - at.x, size.x, pixels.width()),
+                        pixel(mouse.y - at.y, size.y, pixels.height()))
+                .text,
+            false};
+    m_picking.reset();
+  } catch (const InputError&) {
+    return;  // black: the next click may hit the card
+  }
+}
+
+void CaptureWizard::drawCell(size_t shot, size_t light) {
+  Cell& cell = m_cells[shot][light];
+  const Reading reading = readingOf(cell.text);
+  const std::string mark = fmt::format("wizard.cell.{}.{}", shot, light);
+  const float side = ImGui::GetFrameHeight();
+  ImGui::PushID(static_cast<int>(light));
+  ImGui::Dummy(ImVec2(0, (px(kThumbnailHeight) - 2 * side) / 2));
+  if (reading.color)
+    colorChip("##chip", chipOf(*reading.color), ImVec2(side, side), cell.text.c_str());
+  else
+    ImGui::Dummy(ImVec2(side, side));
+  ImGui::SameLine(0, px(4));
+  ImGui::SetNextItemWidth(std::max(px(60), ImGui::GetContentRegionAvail().x - 2 * side - px(12)));
+  const bool wrong = !reading.mistake.empty();
+  if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kMute);
+  if (!wrong && cell.guessed) ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
+  if (ImGui::InputTextWithHint("##colour", shot == 0 ? "gel or colour" : "to be guessed", &cell.text))
+    cell.guessed = false;
+  if (wrong || cell.guessed) ImGui::PopStyleColor();
+  markItem(mark);
+  tooltip(wrong ? reading.mistake.c_str() : cell.guessed ? "Guessed from the pictures" : nullptr);
+  ImGui::SameLine(0, px(4));
+  const bool picking = m_picking == std::pair(shot, light);
+  if (toggleButton(kIconPicker, picking, kAccent, side,
+                   "Then click on a white card in this shot that only this light shines on"))
+    m_picking = picking ? std::nullopt : std::optional(std::pair(shot, light));
+  markItem(mark + ".pick");
+  ImGui::SameLine(0, px(4));
+  if (toggleButton(kIconDown, false, kAccent, side, "Gels, white, off, unknown")) ImGui::OpenPopup("##gels");
+  markItem(mark + ".list");
+  if (ImGui::BeginPopup("##gels")) {
+    for (const char* word : {"white", "off", "unknown"}) {
+      if (ImGui::Selectable(fmt::format("      {}", word).c_str(), cell.text == word)) cell = {word, false};
+      markItem(std::string("wizard.choose.") + word);
+    }
+    ImGui::Separator();
+    ImGui::BeginChild("##list", ImVec2(px(346), px(260)));
+    if (const auto chosen = gelChoices(cell.text, m_filter)) {
+      cell = {*chosen, false};
+      ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndChild();
+    ImGui::EndPopup();
+  }
+  ImGui::PopID();
+}
+
+void CaptureWizard::drawShot(size_t shot) {
+  ImGui::PushID(static_cast<int>(shot));
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  drawThumbnail(shot);
+  hint(fmt::format("{}  {}", shot + 1, m_found->folder.shots[shot].file));
+  for (size_t i = 0; i < m_lights.size(); ++i) {
+    ImGui::TableNextColumn();
+    drawCell(shot, i);
+  }
+  ImGui::PopID();
+}
+
+void CaptureWizard::drawTable(float height) {
+  constexpr ImGuiTableFlags flags =
+      ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
+  const auto columns = static_cast<int>(m_lights.size());
+  if (!ImGui::BeginTable("##shots", columns + 1, flags, ImVec2(0, height))) return;
+  ImGui::TableSetupScrollFreeze(1, 1);
+  ImGui::TableSetupColumn("shot", ImGuiTableColumnFlags_WidthFixed, px(kThumbnailColumn));
+  for (int i = 0; i < columns; ++i)
+    ImGui::TableSetupColumn("light", ImGuiTableColumnFlags_WidthFixed, px(232));
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  hint("The lights are called");
+  for (size_t i = 0; i < m_lights.size(); ++i) {
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::SetNextItemWidth(px(216));
+    ImGui::InputText("##name", &m_lights[i]);
+    ImGui::PopID();
+    markItem(fmt::format("wizard.light.{}", i));
+  }
+  for (size_t k = 0; k < m_cells.size(); ++k) drawShot(k);
+  ImGui::EndTable();
+}
+
+}  // namespace swaplight

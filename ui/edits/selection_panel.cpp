@@ -1,0 +1,112 @@
+#include "ui/edits/selection_panel.h"
+
+#include <imgui.h>
+
+#include <cmath>
+
+#include "ui/control/light_edit.h"
+#include "ui/edits/edit_list.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/paint_controls.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+#include "ui/shell/menu_bar.h"
+#include "ui/tools/selection_tool.h"
+
+namespace swaplight {
+namespace {
+
+using Kind = SelectionState::Kind;
+
+constexpr float kMostFeather = 400;
+
+void kinds(SelectionState& state, const std::string& light) {
+  struct Choice {
+    Kind kind;
+    const char* words;
+    const char* mark;
+    std::string tip;
+  };
+  const Choice choices[] = {
+      {Kind::Lasso, "Lasso", "select.lasso", "Draw around it."},
+      {Kind::Rectangle, "Rectangle", "select.rectangle", "Drag from corner to corner."},
+      {Kind::Ellipse, "Ellipse", "select.ellipse", "Drag from corner to corner of its box."},
+      {Kind::Similar, "Alike", "select.similar", "Click: what looks like the place under the mouse."},
+      {Kind::Shadow, "Shadow", "select.shadow", "Click into a shadow of " + light + ": this shadow."}};
+  const float gap = px(4);
+  const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
+  int column = 0;
+  for (const Choice& one : choices) {
+    if (column++ % 2 == 1) ImGui::SameLine(0, gap);
+    if (choiceButton(one.words, state.kind == one.kind, width, one.mark, one.tip.c_str()))
+      state.kind = one.kind;
+  }
+}
+
+void similar(SelectionState& state) {
+  using By = SimilarShape::By;
+  const float gap = px(4);
+  const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
+  if (choiceButton("in colour", state.by == By::Color, width, "select.by_color",
+                   "Alike in the picture as it is under white lights."))
+    state.by = By::Color;
+  ImGui::SameLine(0, gap);
+  if (choiceButton("in lighting", state.by == By::Share, width, "select.by_share",
+                   "Alike in how much of its light comes from each lamp, whatever its colour."))
+    state.by = By::Share;
+  percentSlider("Tolerance", "select.tolerance", &state.tolerance, 60, "How much it may differ.");
+  ImGui::Checkbox("Only what is connected", &state.connected);
+  markItem("select.connected");
+}
+
+}  // namespace
+
+void drawSelectionPanel(StudioContext& studio) {
+  SelectionState& state = studio.editing.selection;
+  const LightSetting& light = studio.document().rig.lights[shownLight(studio)];
+  ImGui::PushFont(fonts().strong);
+  ImGui::TextUnformatted("Select");
+  ImGui::PopFont();
+  tooltip("What is selected restricts the brush, stencils and gradients, and every new edit.");
+  kinds(state, light.title());
+  if (state.kind == Kind::Similar) similar(state);
+  if (state.kind == Kind::Shadow) {
+    if (ImGui::Button(("All shadows of " + light.title()).c_str(),
+                      ImVec2(ImGui::GetContentRegionAvail().x, 0)))
+      selectShadows(studio, light.light);
+    markItem("select.all_shadows");
+    if (studio.edits.findingShadows()) hint("Looking for the shadows \u2026");
+  }
+  hint("Shift adds, Alt takes away");
+}
+
+void drawSelectionBar(StudioContext& studio) {
+  const Mask& selection = studio.document().selection;
+  if (selection.empty()) return;
+  hint("Only inside the selection");
+  float feather = featherOf(selection);
+  if (labelledSlider("Soft edge", "select.feather", &feather, 0, kMostFeather, "%.0f px",
+                     "Over how many pixels of the picture it falls off.", kLogarithmic)) {
+    Document next = studio.document();
+    next.selection = featheredSelection(selection, std::round(feather));
+    studio.editor.preview("Soft edge of the selection", std::move(next));
+  }
+  const float gap = px(4);
+  const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
+  actionTextButton(studio.actions, "select.invert", "Invert", width);
+  ImGui::SameLine(0, gap);
+  actionTextButton(studio.actions, "select.clear", "Clear", width);
+  const int chosen = studio.editing.chosen;
+  const auto& edits = studio.document().edits.edits;
+  if (chosen < 0 || chosen >= static_cast<int>(edits.size())) return;
+  const Edit& edit = *edits[static_cast<size_t>(chosen)];
+  if (selectionOf(edit.mask) == studio.document().selection) return;
+  if (ImGui::Button("Restrict the chosen edit to it", ImVec2(ImGui::GetContentRegionAvail().x, 0))) {
+    Edit restricted = edit;
+    restricted.mask = maskWithin(edit.mask, studio.document().selection);
+    editEdit(studio, static_cast<size_t>(chosen), "Restrict to the selection", std::move(restricted));
+  }
+  markItem("select.restrict");
+}
+
+}  // namespace swaplight

@@ -1,0 +1,165 @@
+#include "ui/kit/curve_widget.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/edit/stack/curve.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kReach = 9;           ///< of a point, pixels at scale 1
+constexpr float kOutside = 26;        ///< beyond the field a point is let go
+constexpr float kLeastApart = .005F;  // in x
+constexpr int kSteps = 96;
+constexpr size_t kFewest = 2;
+
+/// The field on the screen; beta 1 is at the top.
+struct Field {
+  ImVec2 low, high;
+  float most = 1;  ///< the largest beta shown
+  [[nodiscard]] ImVec2 at(float x, float y) const {
+    return {low.x + x * (high.x - low.x), high.y - y / most * (high.y - low.y)};
+  }
+  [[nodiscard]] std::array<float, 2> valueAt(ImVec2 p) const {
+    return {std::clamp((p.x - low.x) / (high.x - low.x), 0.F, 1.F),
+            std::clamp((high.y - p.y) / (high.y - low.y), 0.F, 1.F) * most};
+  }
+  [[nodiscard]] bool farOutside(ImVec2 p) const {
+    const float air = px(kOutside);
+    return p.x < low.x - air || p.x > high.x + air || p.y < low.y - air || p.y > high.y + air;
+  }
+};
+
+int pointAt(const CurvePoints& points, const Field& field, ImVec2 mouse) {
+  for (size_t i = 0; i < points.size(); ++i) {
+    const ImVec2 at = field.at(points[i][0], points[i][1]);
+    if (std::hypot(at.x - mouse.x, at.y - mouse.y) < px(kReach)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+/// Where a new point would go; the place of the first point right of it.
+int insertPoint(CurvePoints& points, const std::array<float, 2>& value) {
+  const auto right =
+      std::find_if(points.begin(), points.end(), [&](const auto& point) { return point[0] > value[0]; });
+  const bool apart = (right == points.end() || right->at(0) - value[0] > kLeastApart) &&
+                     (right == points.begin() || value[0] - std::prev(right)->at(0) > kLeastApart);
+  if (!apart) return -1;
+  const auto place = static_cast<int>(right - points.begin());
+  points.insert(right, value);
+  return place;
+}
+
+/// The points with the held one at the mouse, between its neighbours; without it where the mouse is far away.
+CurvePoints dragged(const CurveGrab& grab, const Field& field, ImVec2 mouse) {
+  CurvePoints points = grab.before;
+  const auto held = static_cast<size_t>(grab.held);
+  if (field.farOutside(mouse) && points.size() > kFewest) {
+    points.erase(points.begin() + grab.held);
+    return points;
+  }
+  std::array<float, 2> value = field.valueAt(mouse);
+  const float least = held > 0 ? points[held - 1][0] + kLeastApart : 0;
+  const float most = held + 1 < points.size() ? points[held + 1][0] - kLeastApart : 1;
+  value[0] = std::clamp(value[0], std::min(least, most), std::max(least, most));
+  points[held] = value;
+  return points;
+}
+
+void drawField(const Field& field, std::span<const float> histogram) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(field.low, field.high, kViewerGround);
+  const float width =
+      (field.high.x - field.low.x) / static_cast<float>(std::max<size_t>(1, histogram.size()));
+  for (size_t i = 0; i < histogram.size(); ++i) {
+    const float x = field.low.x + static_cast<float>(i) * width;
+    draw->AddRectFilled(ImVec2(x, field.high.y - histogram[i] * (field.high.y - field.low.y)),
+                        ImVec2(x + width, field.high.y), IM_COL32(110, 110, 110, 130));
+  }
+  for (const float part : {0.25F, 0.5F, 0.75F}) {
+    draw->AddLine(field.at(part, 0), field.at(part, field.most), IM_COL32(255, 255, 255, 22));
+    draw->AddLine(field.at(0, part * field.most), field.at(1, part * field.most),
+                  IM_COL32(255, 255, 255, 22));
+  }
+  draw->AddLine(field.at(0, 0), field.at(1, 1), IM_COL32(255, 255, 255, 46));
+  draw->AddRect(field.low, field.high, kOutline);
+}
+
+void drawCurve(const CurvePoints& points, const Field& field, int lit) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  std::vector<ImVec2> line;
+  try {
+    const std::vector<float> table = curveTable(points, kSteps + 1);
+    for (int i = 0; i <= kSteps; ++i)
+      line.push_back(
+          field.at(static_cast<float>(i) / kSteps, std::min(table[static_cast<size_t>(i)], field.most)));
+  } catch (const InputError&) {
+    line.clear();  // a file's points may be anything
+  }
+  draw->PushClipRect(field.low, field.high, true);
+  draw->AddPolyline(line.data(), static_cast<int>(line.size()), kAccent, ImDrawFlags_None, px(2));
+  draw->PopClipRect();
+  for (size_t i = 0; i < points.size(); ++i) {
+    const ImVec2 at = field.at(points[i][0], std::min(points[i][1], field.most));
+    const bool big = static_cast<int>(i) == lit;
+    draw->AddCircleFilled(at, px(big ? 5.5F : 4.F), big ? kAccent : kText);
+    draw->AddCircle(at, px(big ? 5.5F : 4.F), IM_COL32(0, 0, 0, 200), 0, px(1));
+    markRect(fmt::format("curve.point.{}", i), at.x - px(4), at.y - px(4), at.x + px(4), at.y + px(4));
+  }
+}
+
+}  // namespace
+
+bool curveWidget(CurvePoints& points, CurveGrab& grab, std::span<const float> histogram, ImVec2 size) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("##curve", size);
+  markItem("curve");
+  // Points on the border can be taken hold of as well.
+  const float air = px(5);
+  Field field{ImVec2(corner.x + air, corner.y + air),
+              ImVec2(corner.x + size.x - air, corner.y + size.y - air)};
+  for (const auto& point : points) field.most = std::max(field.most, point[1]);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const int under = ImGui::IsItemHovered() || ImGui::IsItemActive() ? pointAt(points, field, mouse) : -1;
+
+  bool changed = false;
+  if (ImGui::IsItemActivated()) {
+    grab.before = points;
+    grab.held = under;
+    const bool removes = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under >= 0;
+    if (removes && points.size() > kFewest) {
+      points.erase(points.begin() + under);
+      grab.held = -1;
+      changed = true;
+    } else if (removes) {
+      grab.held = -1;
+    } else if (under < 0) {
+      grab.held = insertPoint(grab.before, field.valueAt(mouse));
+    }
+  }
+  const bool isNew = grab.held >= 0 && grab.before.size() > points.size() && !ImGui::GetIO().MouseReleased[0];
+  const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, px(2));
+  if (ImGui::IsItemActive() && grab.held >= 0 && (isNew || moved.x != 0 || moved.y != 0)) {
+    const CurvePoints next = dragged(grab, field, mouse);
+    changed = changed || next != points;
+    points = next;
+  }
+  if (!ImGui::IsItemActive()) grab.held = -1;
+  drawField(field, histogram);
+  drawCurve(points, field, ImGui::IsItemActive() ? grab.held : under);
+  if (!ImGui::IsItemActive())
+    tooltip(
+        "Across: the light's part of the picture as it is; up: what it becomes. Click to add a point, drag "
+        "it, "
+        "double-click it or drag it out to remove it. Behind it: how much of the picture has which part.");
+  return changed;
+}
+
+}  // namespace swaplight

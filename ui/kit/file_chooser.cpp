@@ -1,0 +1,205 @@
+#include "ui/kit/file_chooser.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/file/user_folders.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool listed(const fs::path& file, const std::vector<std::string>& extensions) {
+  return extensions.empty() || std::find(extensions.begin(), extensions.end(),
+                                         lower(file.extension().string())) != extensions.end();
+}
+
+std::string sizeText(uintmax_t bytes) {
+  if (bytes < 1000) return fmt::format("{} B", bytes);
+  if (bytes < 1000 * 1000) return fmt::format("{:.0f} kB", static_cast<double>(bytes) / 1e3);
+  return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
+
+}  // namespace
+
+void FileChooser::ask(Question question) {
+  m_question = std::move(question);
+  m_opened = false;
+  m_name = m_question->name;
+  m_confirm.clear();
+  const fs::path begin = !m_question->folder.empty() ? m_question->folder : m_folder;
+  std::error_code error;
+  goTo(!begin.empty() && fs::is_directory(begin, error) ? begin : homeFolder());
+}
+
+void FileChooser::goTo(const fs::path& folder) {
+  m_folder = folder.lexically_normal();
+  m_entries.clear();
+  m_error.clear();
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, error)) {
+    const std::string name = entry.path().filename().string();
+    std::error_code ignored;
+    const bool isFolder = entry.is_directory(ignored);
+    if (name.starts_with(".") || (!isFolder && !listed(entry.path(), m_question->extensions))) continue;
+    m_entries.push_back({name, isFolder, isFolder ? 0 : entry.file_size(ignored)});
+  }
+  if (error) m_error = "This folder cannot be read: " + error.message();
+  std::sort(m_entries.begin(), m_entries.end(), [](const Entry& a, const Entry& b) {
+    return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+  });
+}
+
+void FileChooser::drawPlaces() {
+  const auto place = [&](const char* icon, const char* name, const fs::path& folder) {
+    if (ImGui::Button(fmt::format("{}  {}", icon, name).c_str())) goTo(folder);
+    ImGui::SameLine();
+  };
+  place(kIconHome, "Home", homeFolder());
+  place(kIconFolder, "Computer", "/");
+  place(kIconParent, "Up", m_folder.parent_path());
+  ImGui::NewLine();
+}
+
+// Every part of the path is a button that goes there.
+void FileChooser::drawPath() {
+  fs::path so_far;
+  fs::path chosen;
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+  int id = 0;
+  for (const fs::path& part : m_folder) {
+    if (part.empty()) continue;
+    so_far /= part;
+    const float width = ImGui::CalcTextSize(part.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (id > 0) {
+      ImGui::SameLine(0, 0);
+      if (ImGui::GetContentRegionAvail().x < width + px(20)) ImGui::NewLine();
+    }
+    ImGui::PushID(id++);
+    if (ImGui::Button((part.string() + (part == "/" ? "" : " /")).c_str())) chosen = so_far;
+    ImGui::PopID();
+  }
+  ImGui::PopStyleColor();
+  if (!chosen.empty()) goTo(chosen);
+}
+
+bool FileChooser::drawEntries(float height) {
+  bool done = false;
+  fs::path enter;
+  ImGui::BeginChild("##entries", ImVec2(0, height), true);
+  if (!m_error.empty()) ImGui::TextWrapped("%s", m_error.c_str());
+  if (m_error.empty() && m_entries.empty()) ImGui::TextDisabled("Nothing here that can be opened.");
+  for (const Entry& entry : m_entries) {
+    const std::string label = fmt::format("{}  {}", entry.folder ? kIconFolder : kIconFile, entry.name);
+    if (ImGui::Selectable(label.c_str(), !entry.folder && entry.name == m_name,
+                          ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
+      if (entry.folder) {
+        if (ImGui::IsMouseDoubleClicked(0) || !m_question->saving) enter = m_folder / entry.name;
+      } else {
+        m_name = entry.name;
+        done = ImGui::IsMouseDoubleClicked(0);
+      }
+    }
+    markItem("chooser." + entry.name);
+    if (!entry.folder) {
+      const std::string size = sizeText(entry.bytes);
+      ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(size.c_str()).x);
+      ImGui::TextDisabled("%s", size.c_str());
+    }
+  }
+  ImGui::EndChild();
+  if (!enter.empty()) goTo(enter);
+  return done;
+}
+
+const char* FileChooser::fieldHint(const Question& question) {
+  if (question.forFolder) return "The folder above, or type another";
+  return question.saving ? "File name" : "File name or path";
+}
+
+void FileChooser::choose() {
+  const fs::path typed = m_name;
+  fs::path file = typed.is_absolute() ? typed : m_folder / typed;
+  std::error_code ignored;
+  if (m_question->forFolder && !fs::is_directory(file, ignored)) file = m_folder;
+  if (!m_question->forFolder && fs::is_directory(file, ignored)) {
+    m_name.clear();
+    goTo(file);
+    return;
+  }
+  if (m_question->saving) {
+    if (!m_question->extensions.empty() && !listed(file, m_question->extensions))
+      file += m_question->extensions.front();
+    if (fs::exists(file, ignored) && m_confirm != file) {
+      m_confirm = file;
+      return;
+    }
+  }
+  const auto answer = std::move(m_question->answer);
+  m_question.reset();
+  ImGui::CloseCurrentPopup();
+  answer(file);
+}
+
+void FileChooser::draw() {
+  if (!m_question) return;
+  const std::string window = m_question->title + "###chooser";
+  if (!m_opened) ImGui::OpenPopup(window.c_str());
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 size(std::min(px(820), screen.x - px(60)), std::min(px(580), screen.y - px(60)));
+  ImGui::SetNextWindowSize(size);
+  ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  bool open = true;
+  if (!ImGui::BeginPopupModal(
+          window.c_str(), &open,
+          ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+    m_question.reset();
+    return;
+  }
+  drawPlaces();
+  drawPath();
+  const float footer = ImGui::GetFrameHeightWithSpacing() * (m_confirm.empty() ? 1.0F : 2.0F) + px(8);
+  bool done = drawEntries(ImGui::GetContentRegionAvail().y - footer);
+  if (!m_confirm.empty())
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kChanged),
+                       "%s is there already. Press %s again to replace it.",
+                       fs::path(m_confirm).filename().c_str(), m_question->button.c_str());
+  const float button = px(110);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button + ImGui::GetStyle().ItemSpacing.x));
+  if (!m_opened) ImGui::SetKeyboardFocusHere();
+  if (ImGui::InputTextWithHint("##name", fieldHint(*m_question), &m_name,
+                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll))
+    done = true;
+  markItem("chooser.name");
+  m_opened = true;
+  ImGui::SameLine();
+  const bool complete = m_question->forFolder || !m_name.empty();
+  ImGui::BeginDisabled(!complete);
+  if (ImGui::Button(m_question->button.c_str(), ImVec2(button, 0))) done = true;
+  ImGui::EndDisabled();
+  markItem("chooser.accept");
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", ImVec2(button, 0)) ||
+      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    m_question.reset();
+    ImGui::CloseCurrentPopup();
+  } else if (done && complete) {
+    choose();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace swaplight

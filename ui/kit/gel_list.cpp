@@ -1,0 +1,86 @@
+#include "ui/kit/gel_list.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "core/base/error.h"
+#include "core/lamp/gel.h"
+#include "ui/control/light_edit.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+#include "ui/shell/menu_bar.h"
+
+namespace swaplight {
+namespace {
+
+bool matches(const Gel& gel, const std::string& filter) {
+  return matchesWords(gel.id + " " + gel.name, filter);
+}
+
+/// White light through the gel.
+Rgb gelChip(const Gel& gel) {
+  LightColor color;
+  color.gel = gel.id;
+  return chipColor(color);
+}
+
+std::string gelWords(const std::string& id) {
+  if (id.empty()) return "none";
+  try {
+    return id + "  " + findGel(id).name;
+  } catch (const InputError&) {
+    return id + "  (unknown here)";
+  }
+}
+
+bool gelLine(const Gel& gel, bool current) {
+  const std::string label =
+      fmt::format("      {}  {}{}", gel.id, gel.name, gel.approximate ? "  (approximate)" : "");
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool clicked = ImGui::Selectable(label.c_str(), current);
+  const float side = ImGui::GetTextLineHeight();
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      ImVec2(at.x + px(2), at.y), ImVec2(at.x + px(2) + side, at.y + side), colorU32(gelChip(gel)), px(3));
+  markItem("gel." + gel.id);
+  return clicked;
+}
+
+}  // namespace
+
+std::optional<std::string> gelChoices(const std::string& current, std::string& filter) {
+  std::optional<std::string> chosen;
+  if (ImGui::IsWindowAppearing()) {
+    filter.clear();
+    ImGui::SetKeyboardFocusHere();
+  }
+  ImGui::SetNextItemWidth(px(330));
+  const bool entered = ImGui::InputTextWithHint("##filter", "Maker's letter and number, or name", &filter,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  markItem("gel.filter");
+  try {
+    for (const Gel& gel : allGels()) {
+      if (!matches(gel, filter)) continue;
+      if (gelLine(gel, gel.id == current) || (entered && !chosen)) chosen = gel.id;
+    }
+  } catch (const InputError& error) {
+    ImGui::TextWrapped("%s", error.what());
+  }
+  return chosen;
+}
+
+std::optional<std::string> gelCombo(const char* id, const std::string& current, std::string& filter,
+                                    const ActionTable& actions) {
+  if (!ImGui::BeginCombo(id, gelWords(current).c_str(), ImGuiComboFlags_HeightLarge)) return std::nullopt;
+  std::optional<std::string> chosen;
+  if (ImGui::Selectable("      none", current.empty())) chosen = "";
+  if (const auto gel = gelChoices(current, filter)) chosen = gel;
+  ImGui::Separator();
+  actionMenuItem(actions, "mixer.import_gels");
+  if (chosen) ImGui::CloseCurrentPopup();
+  ImGui::EndCombo();
+  return chosen;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/control/studio_context.h"
+
+namespace swaplight {
+
+// What the panels at the left are made of.
+
+/// Behind a label, where what it names begins. Pixels at scale 1.
+inline constexpr float kLabelWidth = 70;
+inline constexpr ImGuiSliderFlags kLogarithmic = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic;
+
+/// One of several choices as a button. True when clicked.
+bool choiceButton(const char* words, bool chosen, float width, const char* mark, const char* tip);
+/// A slider behind its name.
+bool labelledSlider(const char* label, const char* mark, float* value, float low, float high,
+                    const char* format, const char* tip,
+                    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp);
+/// The same for a part of 1, in percent up to `most`.
+bool percentSlider(const char* label, const char* mark, float* part, float most, const char* tip);
+
+/// Which light is laid on, what happens to it, how much, and what becomes of the other lights: for the brush
+/// as for stencils.
+void drawPaintModes(StudioContext& studio);
+
+}  // namespace swaplight

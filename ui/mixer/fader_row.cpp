@@ -1,0 +1,104 @@
+#include "ui/mixer/fader_row.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/control/light_edit.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/widgets.h"
+#include "ui/mixer/light_menu.h"
+#include "ui/mixer/mixer_card.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kHeight = 48;
+constexpr float kNameWidth = 94;
+constexpr float kGap = 6;
+
+void editGroup(StudioContext& studio, size_t index, const std::string& what, float stops, bool on) {
+  Rig rig = studio.document().rig;
+  rig.groups[index].stops = stops;
+  rig.groups[index].on = on;
+  editRig(studio, rig.groups[index].name + ": " + what, rig);
+}
+
+void groupName(StudioContext& studio, const LightGroup& group, const MixerCard& card) {
+  const ImVec2 clip = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(clip, ImVec2(clip.x + px(kNameWidth), clip.y + card.size().y), true);
+  ImGui::PushFont(fonts().strong);
+  ImGui::Text("%s  %s", kIconLayers, group.name.c_str());
+  ImGui::PopFont();
+  ImGui::PopClipRect();
+  markItem("mixer.group." + group.name);
+  tooltip("A group of lights. Right-click: dissolve it.");
+  if (!ImGui::BeginPopupContextItem("##group menu")) return;
+  if (ImGui::MenuItem("Dissolve the group"))
+    editRig(studio, group.name + ": dissolve", withoutGroup(studio.document().rig, group.name));
+  markItem("group_menu.dissolve");
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void drawGroupRow(StudioContext& studio, size_t index) {
+  const LightGroup group = studio.document().rig.groups[index];
+  const MixerCard card(kHeight);
+  const float side = px(kSwitchSide);
+  const float gap = px(kGap);
+  const std::string mark = "mixer.group." + group.name;
+  ImGui::PushID(group.name.c_str());
+  card.toMiddleLine();
+  groupName(studio, group, card);
+  ImGui::SameLine(card.at(px(kNameWidth), 0).x);
+  float stops = group.stops;
+  const float rest = px(kNumberWidth) + side + px(kDotWidth) + 3 * gap;
+  bool changed = stopsSlider("##stops", &stops, kStopsRange, card.innerWidth() - px(kNameWidth) - rest);
+  markItem(mark + ".stops");
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(px(kNumberWidth));
+  changed |= ImGui::DragFloat("##number", &stops, 0.02F, -kMostStops, kMostStops, "%+.2f st");
+  if (changed) {
+    Document next = studio.document();
+    next.rig.groups[index].stops = stops;
+    studio.editor.preview(group.name + ": fader", std::move(next));
+  }
+  ImGui::SameLine(0, gap);
+  if (toggleButton(kIconPower, group.on, kLitPower, side, "The whole group on or off"))
+    editGroup(studio, index, group.on ? "off" : "on", group.stops, !group.on);
+  markItem(mark + ".on");
+  ImGui::SameLine(0, gap);
+  if (changedDot("##reset", group.stops != 0 || !group.on, "Differs from the capture. Click to reset."))
+    editGroup(studio, index, "reset", 0, true);
+  markItem(mark + ".reset");
+  ImGui::PopID();
+  card.end();
+}
+
+void drawAmbientRow(StudioContext& studio) {
+  const float ambient = studio.document().rig.ambient;
+  const auto withAmbient = [&](float factor) {
+    Document next = studio.document();
+    next.rig.ambient = factor;
+    return next;
+  };
+  const MixerCard card(kHeight);
+  card.toMiddleLine();
+  ImGui::TextUnformatted("Ambient");
+  tooltip("The light that no lamp of the capture explains.");
+  ImGui::SameLine(card.at(px(kNameWidth), 0).x);
+  float percent = 100 * ambient;
+  ImGui::SetNextItemWidth(card.innerWidth() - px(kNameWidth) - px(kDotWidth) - px(kGap));
+  if (ImGui::SliderFloat("##ambient", &percent, 0, 200, "%.0f %%"))
+    studio.editor.preview("Ambient", withAmbient(std::max(0.0F, percent / 100)));
+  markItem("mixer.ambient");
+  ImGui::SameLine(0, px(kGap));
+  if (changedDot("##reset ambient", ambient != 1, "Differs from the capture. Click to reset."))
+    studio.editor.edit("Ambient: reset", withAmbient(1));
+  markItem("mixer.ambient.reset");
+  card.end();
+}
+
+}  // namespace swaplight

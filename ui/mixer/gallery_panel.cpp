@@ -1,0 +1,236 @@
+#include "ui/mixer/gallery_panel.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "core/look/rig_blend.h"
+#include "core/view/window_pixels.h"
+#include "ui/control/look_edit.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+#include "ui/shell/menu_bar.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kFaderWidth = 214;
+constexpr float kGap = 6;
+constexpr float kNameHeight = 20;
+
+float aspectOf(const StudioContext& studio) {
+  const ViewPictures& pictures = *studio.set()->pictures;
+  return static_cast<float>(pictures.width()) / static_cast<float>(pictures.height());
+}
+
+float cardWidth(const StudioContext& studio, float height) {
+  return std::floor(std::clamp(height * aspectOf(studio), height / 2, 2.5F * height));
+}
+
+void lookMenu(StudioContext& studio, size_t index) {
+  const std::vector<SavedLook>& looks = studio.document().looks;
+  LookState& state = studio.looks;
+  if (ImGui::IsWindowAppearing()) {
+    state.edited = index;
+    state.name = looks[index].name;
+    state.note = looks[index].note;
+  }
+  const auto changed = [&](const std::string& step, const auto& change) {
+    std::vector<SavedLook> next = looks;
+    change(next[index]);
+    editLooks(studio, looks[index].name + ": " + step, std::move(next));
+  };
+  ImGui::SetNextItemWidth(px(220));
+  if (ImGui::InputTextWithHint("##name", "Name", &state.name, ImGuiInputTextFlags_EnterReturnsTrue) &&
+      !state.name.empty()) {
+    const SavedLook* other = findSavedLook(looks, state.name);
+    if (other && other != &looks[index])
+      studio.messages.warn("There is a look \"" + other->name + "\" already.");
+    else
+      changed("rename", [&](SavedLook& look) { look.name = state.name; });
+    ImGui::CloseCurrentPopup();
+  }
+  markItem("gallery.name");
+  ImGui::SetNextItemWidth(px(220));
+  if (ImGui::InputTextWithHint("##note", "Note", &state.note, ImGuiInputTextFlags_EnterReturnsTrue)) {
+    changed("note", [&](SavedLook& look) { look.note = state.note; });
+    ImGui::CloseCurrentPopup();
+  }
+  markItem("gallery.note");
+  ImGui::Separator();
+  if (ImGui::MenuItem("Replace by the lighting of now"))
+    changed("replace", [&](SavedLook& look) { look.rig = studio.document().rig; });
+  markItem("gallery.replace");
+  if (ImGui::MenuItem("A of the crossfade")) state.sideA = index;
+  if (ImGui::MenuItem("B of the crossfade")) state.sideB = index;
+  ImGui::Separator();
+  if (ImGui::MenuItem("Remove")) {
+    std::vector<SavedLook> next = looks;
+    next.erase(next.begin() + static_cast<ptrdiff_t>(index));
+    editLooks(studio, "Remove " + looks[index].name, std::move(next));
+  }
+  markItem("gallery.remove");
+}
+
+void sideCombo(StudioContext& studio, const char* side, size_t* chosen, float width) {
+  const std::vector<SavedLook>& looks = studio.document().looks;
+  ImGui::SetNextItemWidth(width);
+  const bool open = ImGui::BeginCombo(fmt::format("##{}", side).c_str(),
+                                      fmt::format("{}  {}", side, looks[*chosen].name).c_str());
+  if (open) {
+    for (size_t i = 0; i < looks.size(); ++i) {
+      if (ImGui::Selectable(looks[i].name.c_str(), i == *chosen)) *chosen = i;
+      markItem(fmt::format("gallery.side.{}", i));
+    }
+    ImGui::EndCombo();
+  }
+  markItem(fmt::format("gallery.side_{}", side));
+}
+
+/// The T-bar between two looks.
+void crossfade(StudioContext& studio) {
+  const std::vector<SavedLook>& looks = studio.document().looks;
+  LookState& state = studio.looks;
+  if (looks.size() < 2) {
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + px(kFaderWidth) - px(10));
+    ImGui::TextDisabled("With two looks and more, a bar here fades from one to the other.");
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  state.sideA = std::min(state.sideA, looks.size() - 1);
+  state.sideB = std::min(state.sideB, looks.size() - 1);
+  const float width = ImGui::GetContentRegionAvail().x;
+  hint("Crossfade");
+  sideCombo(studio, "A", &state.sideA, width);
+  float percent = 100 * state.fader;
+  ImGui::SetNextItemWidth(width);
+  if (ImGui::SliderFloat("##fader", &percent, 0, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
+    state.fader = percent / 100;
+    previewCrossfade(studio, looks[state.sideA], looks[state.sideB], state.fader);
+  }
+  markItem("gallery.fader");
+  tooltip("From A to B as dimmers do it. Undone in one step.");
+  sideCombo(studio, "B", &state.sideB, width);
+}
+
+}  // namespace
+
+unsigned GalleryPanel::thumbnail(StudioContext& studio, size_t index, int width, int height) {
+  const OpenSet& set = *studio.set();
+  const Document& document = studio.document();
+  const SavedLook& look = document.looks[index];
+  if (m_thumbnails.size() <= index) m_thumbnails.resize(index + 1);
+  Thumbnail& made = m_thumbnails[index];
+  if (made.texture.id() != 0 && made.rig == look.rig && made.set == studio.session.setRevision() &&
+      made.display == document.display)
+    return made.texture.id();
+  const Rig rig = fitRig(look.rig, set.solved->capture);
+  const std::string& colorSpace = set.solved->colorSpace();
+  const auto table = studio.table.table(colorSpace, document.display);
+  const ViewPictures& pictures = *set.pictures;
+  ViewWindow window{0, 0, fitZoom(pictures.width(), pictures.height(), width, height), width, height};
+  std::vector<uint8_t> pixels(4 * static_cast<size_t>(width) * static_cast<size_t>(height));
+  windowPixels(
+      pictures.layers({}, rigFactors(rig, colorSpace), rig.ambient), window,
+      [&](const float* r, const float* g, const float* b, int count, uint8_t* rgba) {
+        table->apply(r, g, b, count, rgba);
+      },
+      pixels.data());
+  made.texture.update(width, height, pixels.data());
+  made.rig = look.rig;
+  made.set = studio.session.setRevision();
+  made.display = document.display;
+  return made.texture.id();
+}
+
+void GalleryPanel::drawLook(StudioContext& studio, size_t index, float height) {
+  const SavedLook look = studio.document().looks[index];
+  const std::string mark = fmt::format("gallery.{}", index);
+  const float aspect = aspectOf(studio);
+  const ImVec2 size(cardWidth(studio, height), std::floor(height));
+  // The picture inside the size, whole pixels of both.
+  const int width = std::max(1, static_cast<int>(std::min(size.x, size.y * aspect)));
+  const int rows = std::max(1, static_cast<int>(std::min(size.y, size.x / aspect)));
+  const unsigned texture = thumbnail(studio, index, width, rows);
+  ImGui::PushID(static_cast<int>(index));
+  ImGui::BeginGroup();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("##look", size)) recallLook(studio, look);
+  markItem(mark);
+  tooltip((look.name + (look.note.empty() ? "" : "\n" + look.note) +
+           "\nClick: light the set so. Edits stay as they are.")
+              .c_str());
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImVec2 high(at.x + size.x, at.y + size.y);
+  draw->AddRectFilled(at, high, kViewerGround);
+  const ImVec2 corner(at.x + std::floor((size.x - static_cast<float>(width)) / 2),
+                      at.y + std::floor((size.y - static_cast<float>(rows)) / 2));
+  drawTexture(texture, corner,
+              ImVec2(corner.x + static_cast<float>(width), corner.y + static_cast<float>(rows)));
+  const bool current = blendRigs(studio.document().rig, look.rig, 1) == studio.document().rig;
+  if (current || ImGui::IsItemHovered()) draw->AddRect(at, high, current ? kAccent : kText, 0, 0, px(2));
+  const float side = px(kNameHeight);
+  const ImVec2 clip = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(clip, ImVec2(clip.x + size.x - 2 * side - px(6), clip.y + side), true);
+  hint(look.name);
+  ImGui::PopClipRect();
+  ImGui::SetCursorScreenPos(ImVec2(clip.x + size.x - 2 * side - px(2), clip.y));
+  const CompareState& compare = studio.view.compare;
+  const bool wiping = compare.mode == CompareState::Mode::Wipe && compare.rig == look.rig;
+  if (toggleButton(kIconCompare, wiping, kAccent, side, "Wipe against this look; again: not.")) {
+    if (wiping)
+      studio.view.compare.mode = CompareState::Mode::Off;
+    else
+      wipeAgainstLook(studio, look);
+  }
+  markItem(mark + ".wipe");
+  ImGui::SameLine(0, px(2));
+  if (toggleButton(kIconMore, false, kAccent, side, "Name, note, replace, remove"))
+    ImGui::OpenPopup("##menu");
+  markItem(mark + ".menu");
+  if (ImGui::BeginPopup("##menu")) {
+    lookMenu(studio, index);
+    ImGui::EndPopup();
+  }
+  ImGui::EndGroup();
+  ImGui::PopID();
+}
+
+void GalleryPanel::draw(StudioContext& studio) {
+  if (m_thumbnails.size() > studio.document().looks.size())
+    m_thumbnails.resize(studio.document().looks.size());
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float button = px(46);
+  if (ImGui::Button(kIconAdd, ImVec2(button, room.y))) studio.actions.run("looks.keep");
+  markItem("gallery.keep");
+  tooltip(
+      "Keep the lighting of now as a look: colours, dimmers and switches. Edits (F4) are not in it.  "
+      "(Shift+K)");
+  ImGui::SameLine(0, px(kGap));
+  ImGui::BeginChild("##looks", ImVec2(room.x - button - px(kFaderWidth) - 2 * px(kGap), room.y), false,
+                    ImGuiWindowFlags_HorizontalScrollbar);
+  const size_t count = studio.document().looks.size();
+  if (count == 0) {
+    ImGui::TextDisabled(
+        "No looks yet. The plus keeps the lighting of now: colours, dimmers and switches, not the edits.");
+  }
+  // Pictures as high as there is room, less a bar where they do not fit side by side.
+  float height = room.y - px(kNameHeight) - ImGui::GetStyle().ItemSpacing.y;
+  const float wanted = static_cast<float>(count) * (cardWidth(studio, height) + px(kGap));
+  if (wanted > ImGui::GetContentRegionAvail().x) height -= ImGui::GetStyle().ScrollbarSize;
+  for (size_t i = 0; i < count && i < studio.document().looks.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, px(kGap));
+    drawLook(studio, i, std::max(px(30), height));
+  }
+  ImGui::EndChild();
+  ImGui::SameLine(0, px(kGap));
+  ImGui::BeginChild("##crossfade", ImVec2(px(kFaderWidth), room.y), false, ImGuiWindowFlags_NoScrollbar);
+  crossfade(studio);
+  ImGui::EndChild();
+}
+
+}  // namespace swaplight

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "render/screen.h"
+#include "ui/control/studio_context.h"
+
+namespace swaplight {
+
+/// The looks that were kept, below the viewer: one click lights the set so; wipe, crossfade, names, notes.
+class GalleryPanel {
+ public:
+  void draw(StudioContext& studio);
+  /// Its height at scale 1.
+  static constexpr float kHeight = 142;
+
+ private:
+  /// A look's picture and what it was made of.
+  struct Thumbnail {
+    Rig rig;
+    uint64_t set = 0;
+    DisplayChoice display;
+    ScreenTexture texture;
+  };
+  unsigned thumbnail(StudioContext& studio, size_t index, int width, int height);
+  void drawLook(StudioContext& studio, size_t index, float height);
+
+  std::vector<Thumbnail> m_thumbnails;
+};
+
+}  // namespace swaplight

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/kit/theme.h"
+
+namespace swaplight {
+
+// What the mixer's rows have in common. Lengths at scale 1.
+
+inline constexpr float kStopsRange = 10;  ///< of an intensity slider
+inline constexpr float kMostStops = 30;   ///< that can be typed
+inline constexpr float kCardPadding = 9;
+inline constexpr float kNumberWidth = 84;
+inline constexpr float kDotWidth = 14;
+inline constexpr float kSwitchSide = 26;
+inline constexpr ImU32 kLitPower = IM_COL32(92, 110, 92, 255);
+
+/// The ground of a row, to put its widgets on, as wide as there is room.
+class MixerCard {
+ public:
+  explicit MixerCard(float height, bool chosen = false);
+  /// Puts the cursor below the card.
+  void end() const;
+
+  [[nodiscard]] ImVec2 size() const { return m_size; }
+  /// The place of the cursor for a part of it at x, y (in pixels) within the padding.
+  [[nodiscard]] ImVec2 at(float x, float y) const;
+  /// Within the padding.
+  [[nodiscard]] float innerWidth() const { return m_size.x - 2 * px(kCardPadding); }
+  /// Puts the cursor where widgets of one line lie in the middle of the card, at its left end.
+  void toMiddleLine() const;
+
+ private:
+  ImVec2 m_start;
+  ImVec2 m_size;
+};
+
+}  // namespace swaplight

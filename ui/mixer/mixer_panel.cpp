@@ -1,0 +1,68 @@
+#include "ui/mixer/mixer_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "core/relight/rig_edit.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+#include "ui/mixer/fader_row.h"
+#include "ui/mixer/light_menu.h"
+#include "ui/mixer/light_panel.h"
+#include "ui/mixer/mixer_row.h"
+#include "ui/mixer/three_point_panel.h"
+#include "ui/shell/menu_bar.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kLeastRows = 94;  ///< height that the rows keep, however small the window
+
+void header(StudioContext& studio) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(fonts().strong);
+  ImGui::TextUnformatted("Lights");
+  ImGui::PopFont();
+  const float side = ImGui::GetFrameHeight();
+  const Rig& rig = studio.document().rig;
+  ImGui::SameLine(0, px(12));
+  actionTextButton(studio.actions, "view.three_point", "Three-point", px(104));
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - side - px(20));
+  if (changedDot("##reset all", rig != allWhiteRig(rig),
+                 "Something differs from all white. Click to reset all."))
+    studio.actions.run("mixer.all_white");
+  markItem("mixer.reset_all");
+  ImGui::SameLine(0, px(6));
+  if (toggleButton(kIconMore, false, kAccent, side, "What can be done to all lights"))
+    ImGui::OpenPopup("##mixer menu");
+  markItem("mixer.menu");
+  if (ImGui::BeginPopup("##mixer menu")) {
+    drawMixerMenu(studio);
+    ImGui::EndPopup();
+  }
+}
+
+}  // namespace
+
+void drawMixerPanel(StudioContext& studio) {
+  if (studio.document().rig.lights.empty()) return;
+  header(studio);
+  const float room = ImGui::GetContentRegionAvail().y;
+  const float colors = lightPanelHeight() + 2 * ImGui::GetStyle().ItemSpacing.y;
+  ImGui::BeginChild("##rows", ImVec2(0, std::max(px(kLeastRows), room - colors)));
+  for (size_t i = 0; i < studio.document().rig.groups.size(); ++i) drawGroupRow(studio, i);
+  for (size_t i = 0; i < studio.document().rig.lights.size(); ++i) drawLightRow(studio, i);
+  const OpenSet* set = studio.set();
+  if (set && set->solved->ambient) drawAmbientRow(studio);
+  ImGui::EndChild();
+  ImGui::Separator();
+  if (studio.layout.threePoint && set)
+    drawThreePointPanel(studio);
+  else
+    drawLightPanel(studio);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <shared_mutex>
+#include <span>
+#include <vector>
+
+#include "core/image/pixel_rect.h"
+#include "core/set/solved_set.h"
+#include "core/view/view_subject.h"
+#include "core/view/window_pixels.h"
+
+namespace swaplight {
+
+/// A set's pictures at every size at which they are shown.
+class ViewPictures {
+ public:
+  explicit ViewPictures(std::shared_ptr<const SolvedSet> set);
+
+  [[nodiscard]] int width() const { return m_set->width(); }
+  [[nodiscard]] int height() const { return m_set->height(); }
+
+  /// To be called when pixels of the contributions have changed, alone with pixels().
+  void refresh(const std::vector<PixelRect>& changed);
+  /// To be called when the set has other lights, alone with pixels(): pictures that lie where they lay are
+  /// kept.
+  void lightsChanged();
+  [[nodiscard]] const std::vector<Pyramid>& contributions() const { return m_contributions; }
+  /// Shared by other threads than the interface's while they read; held alone while pixels change.
+  [[nodiscard]] std::shared_mutex& pixels() const { return m_pixels; }
+
+  /// What has to be added up to show a subject; `factors` are the rig's; a light that it lacks
+  /// is dark.
+  [[nodiscard]] std::vector<ViewLayer> layers(const ViewSubject& subject, std::span<const Rgb> factors,
+                                              float ambientFactor) const;
+
+ private:
+  std::shared_ptr<const SolvedSet> m_set;
+  std::vector<Pyramid> m_contributions;
+  std::optional<Pyramid> m_ambient;
+  mutable std::shared_mutex m_pixels;
+};
+
+}  // namespace swaplight

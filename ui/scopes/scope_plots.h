@@ -1,0 +1,25 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "core/view/scopes/scope_pictures.h"
+#include "render/screen.h"
+#include "ui/control/studio_context.h"
+
+namespace swaplight {
+
+/// The scopes that are pictures, on the graphics card.
+struct ScopeTextures {
+  ScreenTexture waveform, parade, vectorscope, chromaticity;
+};
+
+// One scope each, with its axes, filling a rectangle of the screen.
+
+/// `columns`: 1 for a waveform, 3 for a parade.
+void drawWaveform(unsigned texture, int columns, ImVec2 low, ImVec2 high);
+void drawVectorscope(unsigned texture, ImVec2 low, ImVec2 high);
+/// With the lights of the rig, black bodies and the border of all colours.
+void drawChromaticity(StudioContext& studio, unsigned texture, ImVec2 low, ImVec2 high);
+void drawHistogram(const ScopePictures& pictures, const ScopeOptions& options, ImVec2 low, ImVec2 high);
+
+}  // namespace swaplight

@@ -1,0 +1,139 @@
+#include "ui/scopes/scopes_panel.h"
+
+#include <algorithm>
+
+#include "ui/kit/icons.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+#include "ui/shell/menu_bar.h"
+
+namespace swaplight {
+namespace {
+
+using Of = ScopeOptions::Of;
+using Axis = ScopeOptions::Axis;
+
+void toggle(const char* name, bool* on) {
+  if (*on) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  const bool clicked = ImGui::SmallButton(name);
+  if (*on) ImGui::PopStyleColor();
+  if (clicked) *on = !*on;
+  markItem(std::string("scopes.") + name);
+  ImGui::SameLine(0, px(4));
+}
+
+template <typename Choice>
+void choice(const char* id, Choice* chosen, std::initializer_list<std::pair<Choice, std::string>> choices,
+            float width) {
+  std::string shown;
+  for (const auto& [value, name] : choices)
+    if (value == *chosen) shown = name;
+  ImGui::SetNextItemWidth(px(width));
+  const bool open = ImGui::BeginCombo(id, shown.c_str());
+  if (open) {
+    for (const auto& [value, name] : choices) {
+      if (ImGui::Selectable(name.c_str(), value == *chosen)) *chosen = value;
+      markItem("scopes." + name);
+    }
+    ImGui::EndCombo();
+  }
+  markItem(std::string("scopes.") + (id + 2));
+  ImGui::SameLine(0, px(4));
+}
+
+void header(StudioContext& studio) {
+  ScopeOptions& options = studio.layout.scopeOptions;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(7), px(1)));
+  ImGui::PushFont(fonts().small);
+  toggle("Waveform", &options.waveform);
+  toggle("Parade", &options.parade);
+  toggle("Vectorscope", &options.vectorscope);
+  toggle("Histogram", &options.histogram);
+  toggle("Chromaticity", &options.chromaticity);
+  const std::vector<LightSetting>& lights = studio.document().rig.lights;
+  const auto light = static_cast<size_t>(std::max(0, studio.view.selectedLight));
+  choice<Of>("##of", &options.of,
+             {{Of::Frame, "of the frame"},
+              {Of::Region, "of a region"},
+              {Of::Light, "of " + (light < lights.size() ? lights[light].title() : "a light")}},
+             118);
+  if (options.of == Of::Region) {
+    actionTextButton(studio.actions, "scopes.region", "Draw", px(48));
+    ImGui::SameLine(0, px(4));
+  }
+  if (options.histogram) {
+    choice<Axis>("##axis", &options.histogramAxis,
+                 {{Axis::Codes, "codes, after the view"},
+                  {Axis::Stops, "stops from grey"},
+                  {Axis::Linear, "linear light"}},
+                 160);
+    toggle("log", &options.logCounts);
+  }
+  ImGui::PopFont();
+  ImGui::PopStyleVar();
+  ImGui::NewLine();
+}
+
+}  // namespace
+
+void ScopesPanel::upload() {
+  if (m_uploaded == m_controller.revision()) return;
+  m_uploaded = m_controller.revision();
+  const ScopePictures& pictures = *m_controller.pictures();
+  const auto update = [](ScreenTexture& texture, const ScopePicture& picture) {
+    texture.update(picture.width, picture.height, picture.rgba.data());
+  };
+  update(m_textures.waveform, pictures.waveform);
+  update(m_textures.parade, pictures.parade);
+  update(m_textures.vectorscope, pictures.vectorscope);
+  update(m_textures.chromaticity, pictures.chromaticity);
+}
+
+void ScopesPanel::draw(StudioContext& studio) {
+  m_controller.update(studio);
+  header(studio);
+  if (!m_controller.pictures()) return;
+  upload();
+  const ScopeOptions& options = studio.layout.scopeOptions;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float gap = px(10);
+  // Vectorscope and chromaticities are square; the others share what is left.
+  const int squares = (options.vectorscope ? 1 : 0) + (options.chromaticity ? 1 : 0);
+  const int wide = (options.waveform ? 1 : 0) + (options.parade ? 1 : 0) + (options.histogram ? 1 : 0);
+  if (squares + wide == 0) return;
+  const float even =
+      (room.x - gap * static_cast<float>(squares + wide - 1)) / static_cast<float>(squares + wide);
+  const float square = wide == 0 ? even : std::min(room.y + px(10), even);
+  const float rest =
+      wide == 0
+          ? 0
+          : (room.x - static_cast<float>(squares) * square - gap * static_cast<float>(squares + wide - 1)) /
+                static_cast<float>(wide);
+  float x = at.x;
+  const auto place = [&](float width, const char* mark, const auto& draw) {
+    const ImVec2 low(std::floor(x), at.y), high(std::floor(x + width), at.y + room.y);
+    draw(low, high);
+    markRect(std::string("scope.") + mark, low.x, low.y, high.x, high.y);
+    x += width + gap;
+  };
+  if (options.waveform)
+    place(rest, "waveform",
+          [&](ImVec2 low, ImVec2 high) { drawWaveform(m_textures.waveform.id(), 1, low, high); });
+  if (options.parade)
+    place(rest, "parade",
+          [&](ImVec2 low, ImVec2 high) { drawWaveform(m_textures.parade.id(), 3, low, high); });
+  if (options.vectorscope)
+    place(square, "vectorscope",
+          [&](ImVec2 low, ImVec2 high) { drawVectorscope(m_textures.vectorscope.id(), low, high); });
+  if (options.histogram)
+    place(rest, "histogram",
+          [&](ImVec2 low, ImVec2 high) { drawHistogram(*m_controller.pictures(), options, low, high); });
+  if (options.chromaticity)
+    place(square, "chromaticity", [&](ImVec2 low, ImVec2 high) {
+      drawChromaticity(studio, m_textures.chromaticity.id(), low, high);
+    });
+}
+
+}  // namespace swaplight

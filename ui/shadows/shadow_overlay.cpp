@@ -1,0 +1,120 @@
+#include "ui/shadows/shadow_overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/control/shadow_edit.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/shadows/shadow_colors.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kPointsAtOnce = 2000;  // Dear ImGui counts a line's corners in 16 bits
+constexpr float kLeastStep = 1.5F;      // pixels of the screen between two points that are drawn
+
+/// Draws outlines of the picture where they are seen.
+class OutlinePen {
+ public:
+  OutlinePen(const ViewWindow& window, ImVec2 origin)
+      : m_window(window),
+        m_low(origin),
+        m_high(origin.x + static_cast<float>(window.width), origin.y + static_cast<float>(window.height)) {}
+
+  void draw(const std::vector<Outline>& outlines, ImU32 ink, float width) {
+    // All of the dark ground first: a line would else cross its neighbours' light.
+    for (const auto& [color, thick] :
+         {std::pair(IM_COL32(0, 0, 0, 170), width + px(2)), std::pair(ink, width)})
+      for (const Outline& outline : outlines) drawOne(outline, color, thick);
+  }
+
+ private:
+  void drawOne(const Outline& outline, ImU32 color, float width) {
+    m_line.clear();
+    for (size_t i = 0; i <= outline.size(); ++i) {
+      const auto& [x, y] = outline[i % outline.size()];
+      const ImVec2 at(m_low.x + static_cast<float>(m_window.windowX(x)),
+                      m_low.y + static_cast<float>(m_window.windowY(y)));
+      const bool near = !m_line.empty() && std::abs(at.x - m_line.back().x) < kLeastStep &&
+                        std::abs(at.y - m_line.back().y) < kLeastStep;
+      if (near && i < outline.size()) continue;
+      m_line.push_back(at);
+      if (m_line.size() == kPointsAtOnce) flush(color, width, true);
+    }
+    flush(color, width, false);
+  }
+
+  void flush(ImU32 color, float width, bool goesOn) {
+    const auto [left, right] =
+        std::minmax_element(m_line.begin(), m_line.end(), [](ImVec2 a, ImVec2 b) { return a.x < b.x; });
+    const auto [top, bottom] =
+        std::minmax_element(m_line.begin(), m_line.end(), [](ImVec2 a, ImVec2 b) { return a.y < b.y; });
+    const bool seen = left->x < m_high.x && right->x > m_low.x && top->y < m_high.y && bottom->y > m_low.y;
+    if (seen)
+      ImGui::GetWindowDrawList()->AddPolyline(m_line.data(), static_cast<int>(m_line.size()), color,
+                                              ImDrawFlags_None, width);
+    const ImVec2 last = m_line.back();
+    m_line.clear();
+    if (goesOn) m_line.push_back(last);
+  }
+
+  const ViewWindow& m_window;
+  ImVec2 m_low, m_high;
+  std::vector<ImVec2> m_line;
+};
+
+void drawLegend(bool chosen, ImVec2 origin, ImVec2 size) {
+  struct Line {
+    ImU32 ink;
+    float width;
+    const char* words;
+  };
+  const std::array<Line, 3> lines{{{kUmbraInk, 2, "umbra: none of the light"},
+                                   {kPenumbraInk, 1.5F, "penumbra: part of it"},
+                                   {kChosenInk, 3, "the chosen shadow"}}};
+  const size_t count = chosen ? 3 : 2;
+  ImGui::PushFont(fonts().small);
+  const float row = ImGui::GetTextLineHeight() + px(4);
+  float width = 0;
+  for (size_t i = 0; i < count; ++i) width = std::max(width, ImGui::CalcTextSize(lines[i].words).x);
+  const ImVec2 high(origin.x + size.x - px(12), origin.y + size.y - px(12));
+  const ImVec2 low(high.x - width - px(48), high.y - row * static_cast<float>(count) - px(10));
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(low, high, IM_COL32(0, 0, 0, 200), px(5));
+  for (size_t i = 0; i < count; ++i) {
+    const float y = low.y + px(6) + row * static_cast<float>(i);
+    const float middle = y + ImGui::GetTextLineHeight() / 2;
+    draw->AddLine(ImVec2(low.x + px(8), middle), ImVec2(low.x + px(30), middle), lines[i].ink,
+                  px(lines[i].width));
+    draw->AddText(ImVec2(low.x + px(38), y), kText, lines[i].words);
+  }
+  ImGui::PopFont();
+  markRect("shadows.legend", low.x, low.y, high.x, high.y);
+}
+
+}  // namespace
+
+void drawShadowOverlay(StudioContext& studio, const ViewWindow& window, ImVec2 origin, ImVec2 size) {
+  if (!shadowsShown(studio)) return;
+  const ShadowState& state = studio.editing.shadow;
+  const ShadowOutlines* outlines = studio.shadows.outlines(studio);
+  const bool chosen = state.chosen.has_value();
+  if (!chosen && !(state.outlines && outlines)) return;
+  ImGui::GetWindowDrawList()->PushClipRect(
+      origin,
+      ImVec2(origin.x + static_cast<float>(window.width), origin.y + static_cast<float>(window.height)),
+      true);
+  OutlinePen pen(window, origin);
+  if (state.outlines && outlines) {
+    pen.draw(outlines->penumbra, kPenumbraInk, px(1.2F));
+    pen.draw(outlines->umbra, kUmbraInk, px(1.6F));
+  }
+  if (chosen) pen.draw(state.chosen->outline, kChosenInk, px(2.6F));
+  ImGui::GetWindowDrawList()->PopClipRect();
+  drawLegend(chosen, origin, size);
+  markState("shadows.outlines", outlines && state.outlines ? "drawn" : "none");
+}
+
+}  // namespace swaplight

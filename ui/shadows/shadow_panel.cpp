@@ -1,0 +1,144 @@
+#include "ui/shadows/shadow_panel.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+#include "ui/control/light_edit.h"
+#include "ui/control/shadow_edit.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/paint_controls.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+#include "ui/shadows/shadow_histogram.h"
+#include "ui/shadows/shadow_sliders.h"
+#include "ui/shell/menu_bar.h"
+
+namespace swaplight {
+namespace {
+
+using Kind = ViewSubject::Kind;
+
+constexpr float kGap = 4;
+constexpr float kHistogramHeight = 92;
+
+void lightCombo(StudioContext& studio) {
+  const std::vector<LightSetting>& lights = studio.document().rig.lights;
+  const size_t shown = shownLight(studio);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const bool open = ImGui::BeginCombo("##light", lights[shown].title().c_str());
+  markItem("shadows.light");
+  if (!open) return tooltip("Whose shadows. Also by a click on the light at the right.");
+  for (size_t i = 0; i < lights.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(lights[i].title().c_str(), i == shown)) {
+      studio.view.selectedLight = static_cast<int>(i);
+      studio.view.selectedLights.clear();
+      ViewSubject& subject = studio.view.subject;  // a map of one light becomes that of the other
+      if (subject.kind == Kind::Contribution || subject.kind == Kind::Beta ||
+          subject.kind == Kind::Visibility)
+        subject.index = static_cast<int>(i);
+    }
+    markItem("shadows.light." + lights[i].light);
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
+/// What the viewer shows of the light.
+void views(StudioContext& studio) {
+  struct View {
+    Kind kind;
+    const char* words;
+    const char* mark;
+    const char* tip;
+  };
+  constexpr std::array<View, 4> kViews{
+      {{Kind::Relit, "Picture", "shadows.view.picture", "The picture under all lights."},
+       {Kind::Beta, "\u03b2", "shadows.view.beta",
+        "\u03b2, the light's part of the picture under white lights: black none of it, white all of it."},
+       {Kind::Contribution, "Light", "shadows.view.light", "The picture under this light alone."},
+       {Kind::Visibility, "Reach", "shadows.view.reach",
+        "How much of the light a place sees: black is its umbra, grey penumbra, white is lit."}}};
+  const float width = std::floor((ImGui::GetContentRegionAvail().x - 3 * px(kGap)) / 4);
+  const int light = static_cast<int>(shownLight(studio));
+  for (size_t i = 0; i < kViews.size(); ++i) {
+    const View& view = kViews.at(i);
+    if (i > 0) ImGui::SameLine(0, px(kGap));
+    const ViewSubject subject{view.kind, view.kind == Kind::Relit ? 0 : light};
+    ImGui::BeginDisabled(view.kind == Kind::Visibility && shadowLight(studio) < 0);
+    if (choiceButton(view.words, studio.view.subject == subject, width, view.mark, view.tip))
+      studio.view.subject = subject;
+    ImGui::EndDisabled();
+  }
+}
+
+/// Where the search stands, in one line.
+void searchLine(StudioContext& studio) {
+  EditController& edits = studio.edits;
+  const float button = px(64);
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (edits.findingShadows()) {
+    const std::string words = fmt::format("finding shadows {:.0f} %", 100 * edits.findingFraction());
+    ImGui::AlignTextToFramePadding();
+    hint(words);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
+    if (ImGui::Button("Stop", ImVec2(button, 0))) edits.stopFindingShadows();
+    markItem("shadows.stop");
+    return;
+  }
+  if (edits.stoppedFindingShadows() && !edits.shadowsCurrent(studio)) {
+    ImGui::AlignTextToFramePadding();
+    hint("a quick look only");
+    tooltip("The search was stopped: the outlines are those of a small picture, and edits of shadows wait.");
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
+    if (ImGui::Button("Find", ImVec2(button, 0))) edits.findShadowsAgain();
+    markItem("shadows.find");
+    return;
+  }
+  actionTextButton(studio.actions, "shadows.outlines", "Outlines", room);
+}
+
+void threshold(StudioContext& studio, const std::string& light, int index) {
+  const ShadowPreview& preview = *studio.shadows.preview();
+  const std::optional<float> given = shadowThresholdOf(studio.document(), light);
+  const float now = given.value_or(preview.ownThreshold(static_cast<size_t>(index)));
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, px(kHistogramHeight));
+  if (const auto moved = shadowHistogram(preview.histogram(static_cast<size_t>(index)), now, size))
+    previewShadowThreshold(studio, light, *moved);
+  const float button = px(64);
+  ImGui::AlignTextToFramePadding();
+  const float stops = stopsFromThreshold(now);
+  hint(stops < ShadowHistogram::kLowestStops ? "no shadow" : fmt::format("shadow below {:+.1f}", stops));
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
+  if (!given) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  const bool reset = ImGui::Button("Auto", ImVec2(button, 0));
+  if (!given) ImGui::PopStyleColor();
+  markItem("shadows.auto");
+  tooltip("The threshold that suits this light best: where its shadows' edges are.");
+  if (reset && given) resetShadowThreshold(studio, light);
+}
+
+}  // namespace
+
+void drawShadowPanel(StudioContext& studio) {
+  studio.shadows.show(studio);
+  lightCombo(studio);
+  views(studio);
+  const int index = shadowLight(studio);
+  if (index < 0) {
+    hint("Light that edits have added has no\nshadows of its own.");
+    return;
+  }
+  const std::string light = studio.set()->original->capture.lights[static_cast<size_t>(index)].name;
+  if (studio.shadows.preview())
+    threshold(studio, light, index);
+  else
+    hint("looking at the light …");
+  searchLine(studio);
+  drawShadowSliders(studio, light);
+}
+
+}  // namespace swaplight

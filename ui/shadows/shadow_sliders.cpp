@@ -1,0 +1,145 @@
+#include "ui/shadows/shadow_sliders.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <cmath>
+
+#include "core/color/srgb.h"
+#include "ui/control/shadow_edit.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/paint_controls.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+
+namespace swaplight {
+namespace {
+
+using Kind = ShadowOperation::Kind;
+
+constexpr float kMostSoft = 256;  // pixels
+const Rgb kFirstColor{0.2F, 0.35F, 1};
+
+/// The light whose shadows are changed.
+struct ShadowSliders {
+  StudioContext& studio;
+  const std::string& light;
+
+  void preview(const char* what, const ShadowKinds& kinds, const ShadowOperation& operation) const {
+    studio.editor.preview("Shadows of " + light + ": " + what,
+                          withShadowOperation(studio, light, kinds, operation));
+  }
+};
+
+void target(const ShadowSliders& sliders) {
+  const ShadowState& state = sliders.studio.editing.shadow;
+  const bool one = state.chosen && state.light == sliders.light;
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(fonts().strong);
+  ImGui::TextUnformatted(one ? "The chosen shadow" : "All shadows");
+  ImGui::PopFont();
+  tooltip(
+      one ? "What follows changes this shadow only. Escape: all of the light's shadows."
+          : "What follows changes all shadows of the light. Click one in the picture to change it alone.");
+  if (!one) return;
+  const float button = px(44);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
+  if (ImGui::Button("All", ImVec2(button, 0))) sliders.studio.actions.run("shadows.choose_all");
+  markItem("shadows.choose_all");
+}
+
+void lightInIt(const ShadowSliders& sliders) {
+  const ShadowKinds kinds = {Kind::Lighten, Kind::Deepen};
+  ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, kinds);
+  float percent = (operation.kind == Kind::Deepen ? -100 : 100) * operation.amount;
+  if (!labelledSlider(
+          "Light", "shadows.lighten", &percent, -100, 100, "%+.0f %%",
+          "Right: the light comes back into its shadow; at 100 % the shadow is gone. Left: what light is "
+          "left in it goes, too."))
+    return;
+  operation.kind = percent < 0 ? Kind::Deepen : Kind::Lighten;
+  operation.amount = std::abs(std::round(percent)) / 100;
+  sliders.preview("light", kinds, operation);
+}
+
+void soften(const ShadowSliders& sliders) {
+  ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, {Kind::Soften});
+  float pixels = operation.amount > 0 ? static_cast<float>(operation.radius) : 0;
+  if (!labelledSlider("Soften", "shadows.soften", &pixels, 0, kMostSoft, "%.0f px",
+                      "The shadow's edge spreads over so many pixels of the picture, as of a larger lamp.",
+                      kLogarithmic))
+    return;
+  operation.radius = std::max(1, static_cast<int>(std::round(pixels)));
+  operation.amount = pixels >= 1 ? 1 : 0;
+  sliders.preview("soften", {Kind::Soften}, operation);
+}
+
+void sharpen(const ShadowSliders& sliders) {
+  ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, {Kind::Sharpen});
+  float percent = 100 * operation.amount;
+  if (!labelledSlider("Sharpen", "shadows.sharpen", &percent, 0, 100, "%.0f %%",
+                      "The shadow's edge becomes hard, as of a small lamp."))
+    return;
+  operation.amount = std::round(percent) / 100;
+  sliders.preview("sharpen", {Kind::Sharpen}, operation);
+}
+
+void recolor(const ShadowSliders& sliders) {
+  const ShadowKinds kinds = {Kind::Recolor};
+  ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, kinds);
+  const bool none = operation.amount == 0;
+  if (none) operation.color = kFirstColor;
+  ImGui::AlignTextToFramePadding();
+  hint("Colour");
+  ImGui::SameLine(px(kLabelWidth));
+  Rgb codes = srgbFromLinear(operation.color);
+  if (ImGui::ColorEdit3(
+          "##colour", &codes.x,
+          ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_PickerHueWheel)) {
+    operation.color = linearFromSrgb(codes);
+    if (none) operation.amount = 0.5F;
+    sliders.preview("colour", kinds, operation);
+  }
+  markItem("shadows.colour");
+  tooltip("The colour of the light that fills the shadow.");
+  ImGui::SameLine(0, px(4));
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  float percent = 100 * operation.amount;
+  if (ImGui::SliderFloat("##recolor", &percent, 0, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
+    operation.amount = std::round(percent) / 100;
+    sliders.preview("colour", kinds, operation);
+  }
+  markItem("shadows.recolor");
+  tooltip("How much of that light there is in the shadow.");
+}
+
+void removeButton(const ShadowSliders& sliders) {
+  const ShadowKinds kinds = {Kind::Lighten, Kind::Deepen};
+  ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, kinds);
+  const bool gone = operation.kind == Kind::Lighten && operation.amount == 1;
+  if (ImGui::Button(gone ? "Bring back" : "Remove", ImVec2(ImGui::GetContentRegionAvail().x, 0))) {
+    operation.kind = Kind::Lighten;
+    operation.amount = gone ? 0 : 1;
+    sliders.studio.editor.edit("Shadows of " + sliders.light + (gone ? ": brought back" : ": removed"),
+                               withShadowOperation(sliders.studio, sliders.light, kinds, operation));
+  }
+  markItem("shadows.remove");
+  tooltip(
+      "Fills the shadow with what the light would give there: its ratio to the other lights is continued "
+      "from "
+      "what is lit around. A guess.");
+}
+
+}  // namespace
+
+void drawShadowSliders(StudioContext& studio, const std::string& light) {
+  const ShadowSliders sliders{studio, light};
+  target(sliders);
+  lightInIt(sliders);
+  soften(sliders);
+  sharpen(sliders);
+  recolor(sliders);
+  removeButton(sliders);
+}
+
+}  // namespace swaplight

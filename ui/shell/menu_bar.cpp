@@ -1,0 +1,172 @@
+#include "ui/shell/menu_bar.h"
+
+#include <imgui.h>
+
+#include <vector>
+
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+#include "ui/viewer/viewer_bar.h"
+
+namespace swaplight {
+namespace {
+
+struct Menu {
+  const char* name;
+  std::vector<const char*> items;  ///< action ids; "-" is a line; the others are menus of their own
+};
+
+const std::vector<Menu>& menus() {
+  static const std::vector<Menu> all = {
+      {"File",
+       {"file.new", "file.open", "recent", "-", "file.save", "file.save_as", "-", "file.export", "-",
+        "file.close", "file.quit"}},
+      {"Edit",
+       {"edit.undo", "edit.redo", "edit.history", "-", "brush.take", "stencil.take", "brush.new_light", "-",
+        "select.take", "select.invert", "select.clear", "-", "view.shadows", "view.edits"}},
+      {"Lights",
+       {"light.solo",
+        "light.solo_alone",
+        "light.mute",
+        "-",
+        "light.rename",
+        "light.copy",
+        "light.paste",
+        "light.reset",
+        "-",
+        "light.neutral",
+        "light.match",
+        "-",
+        "mixer.as_captured",
+        "mixer.all_white",
+        "mixer.all_off",
+        "-",
+        "view.three_point",
+        "looks.keep",
+        "-",
+        "mixer.import_gels"}},
+      {"View",
+       {"view.fit",
+        "view.one_to_one",
+        "view.zoom_in",
+        "view.zoom_out",
+        "-",
+        "subject",
+        "view.photograph",
+        "view.next_photograph",
+        "-",
+        "channel.all",
+        "channel.red",
+        "channel.green",
+        "channel.blue",
+        "channel.luminance",
+        "-",
+        "view.false_color",
+        "view.zebra",
+        "view.probe",
+        "view.probe_size",
+        "view.neutral",
+        "display"}},
+      {"Compare",
+       {"compare.off", "compare.wipe", "compare.split", "compare.difference", "compare.toggle", "-",
+        "compare.keep", "side_b", "compare.center_line"}},
+      {"Window",
+       {"view.mixer", "view.three_point", "view.scopes", "view.gallery", "view.edits", "view.shadows",
+        "view.tools", "scopes.region", "-", "view.hide_panels", "view.full_screen", "window.reset"}},
+      {"Help", {"help.palette", "help.keys", "help.about"}},
+  };
+  return all;
+}
+
+template <typename Lines>
+void submenu(const char* name, bool enabled, const Lines& lines) {
+  if (!ImGui::BeginMenu(name, enabled)) return;
+  lines();
+  ImGui::EndMenu();
+}
+
+void recentMenu(StudioContext& studio) {
+  const std::vector<std::filesystem::path>& files = studio.session.recent().files();
+  if (!ImGui::BeginMenu("Open recent", !files.empty())) return;
+  std::filesystem::path chosen;
+  for (const std::filesystem::path& file : files)
+    if (ImGui::MenuItem(file.c_str())) chosen = file;
+  if (!chosen.empty()) studio.session.open(chosen);
+  ImGui::EndMenu();
+}
+
+}  // namespace
+
+void actionMenuItem(const ActionTable& actions, const std::string& id) {
+  const Action* action = actions.find(id);
+  if (!action) return;
+  if (ImGui::MenuItem(action->name.c_str(), action->firstKeys().c_str(), action->isChecked(),
+                      action->isEnabled()))
+    action->run();
+  markItem("menu." + id);
+  tooltip(action->tooltip.c_str());
+}
+
+std::string actionTip(const Action& action) {
+  const std::string keys = action.firstKeys();
+  return action.name + (keys.empty() ? "" : "  (" + keys + ")") + "\n" + action.tooltip;
+}
+
+void actionTextButton(const ActionTable& actions, const std::string& id, const char* text, float width) {
+  const Action* action = actions.find(id);
+  if (!action) return;
+  ImGui::BeginDisabled(!action->isEnabled());
+  const bool lit = action->isChecked();
+  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), ImGui::GetStyle().FramePadding.y));
+  ImGui::PushID(id.c_str());  // other buttons may have the same words
+  const bool clicked = ImGui::Button(text, ImVec2(width, 0));
+  ImGui::PopID();
+  ImGui::PopStyleVar();
+  if (lit) ImGui::PopStyleColor();
+  markItem("button." + id);
+  tooltip(actionTip(*action).c_str());
+  ImGui::EndDisabled();
+  if (clicked) action->run();
+}
+
+bool actionButton(const ActionTable& actions, const std::string& id, const char* icon, float side) {
+  const Action* action = actions.find(id);
+  if (!action) return false;
+  ImGui::BeginDisabled(!action->isEnabled());
+  ImGui::PushID(id.c_str());
+  const bool clicked = toggleButton(icon, action->isChecked(), kAccent, side, actionTip(*action).c_str());
+  markItem("button." + id);
+  ImGui::PopID();
+  ImGui::EndDisabled();
+  if (clicked) action->run();
+  return clicked;
+}
+
+void drawMenuBar(StudioContext& studio) {
+  if (!ImGui::BeginMenuBar()) return;
+  for (const Menu& menu : menus()) {
+    const bool open = ImGui::BeginMenu(menu.name);
+    markItem(std::string("menu.") + menu.name);
+    if (!open) continue;
+    for (const std::string item : menu.items) {
+      if (item == "-")
+        ImGui::Separator();
+      else if (item == "recent")
+        recentMenu(studio);
+      else if (item == "subject")
+        submenu("Show", studio.set(), [&] { drawSubjectMenu(studio, false); });
+      else if (item == "side_b")
+        submenu("B", studio.set(), [&] { drawSubjectMenu(studio, true); });
+      else if (item == "display")
+        submenu("Display and view", studio.set(), [&] { drawDisplayMenu(studio); });
+      else
+        actionMenuItem(studio.actions, item);
+    }
+    ImGui::EndMenu();
+  }
+  ImGui::EndMenuBar();
+}
+
+}  // namespace swaplight

@@ -1,0 +1,74 @@
+#include "ui/shell/status_bar.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "core/ocio/color_config.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+
+namespace swaplight {
+namespace {
+
+std::string setText(const StudioContext& studio) {
+  const OpenSet* set = studio.set();
+  if (!set) return studio.session.hasDocument() ? "The pictures are not loaded." : "";
+  return fmt::format("{}   {} × {}   {} lights", set->solved->capture.name, set->pictures->width(),
+                     set->pictures->height(), set->solved->lightCount());
+}
+
+/// The colour configuration's name, ending at `right`; in a colour of its own where another one was asked
+/// for.
+void drawColors(StudioContext& studio, float right) {
+  const std::string& trouble = studio.colors.trouble();
+  const std::string words =
+      "Colours: " + ColorConfig::current().title() + (trouble.empty() ? "" : ", not those asked for");
+  ImGui::SameLine(right - ImGui::CalcTextSize(words.c_str()).x);
+  if (!trouble.empty()) ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
+  ImGui::TextUnformatted(words.c_str());
+  if (!trouble.empty()) ImGui::PopStyleColor();
+  markItem(trouble.empty() ? "status.colors" : "status.colors_trouble");
+  tooltip(trouble.empty() ? "The OpenColorIO configuration: what displays and views there are"
+                          : trouble.c_str());
+}
+
+}  // namespace
+
+void drawStatusBar(StudioContext& studio) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, kFaint);
+  ImGui::TextUnformatted(setText(studio).c_str());
+  const ShownPicture& shown = studio.shown;
+  const std::string zoom = shown.valid ? fmt::format("{:.0f} %", 100 * shown.window.zoom) : "";
+  const float zoomAt = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(zoom.c_str()).x - px(4);
+  drawColors(studio, zoomAt - px(24));
+  if (shown.valid) {
+    ImGui::SameLine(zoomAt);
+    ImGui::TextUnformatted(zoom.c_str());
+  }
+  ImGui::PopStyleColor();
+}
+
+void drawProgress(StudioContext& studio, float centerX, float centerY) {
+  if (!studio.sets.busy()) return;
+  ImGui::SetNextWindowPos(ImVec2(centerX, centerY), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSize(ImVec2(px(380), 0));
+  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
+                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing;
+  if (ImGui::Begin("##progress", nullptr, flags)) {
+    ImGui::PushFont(fonts().strong);
+    ImGui::TextUnformatted(studio.sets.task().c_str());
+    ImGui::PopFont();
+    const std::string what = studio.sets.what();
+    ImGui::ProgressBar(studio.sets.fraction(), ImVec2(-1, px(8)), "");
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", studio.sets.cancelling() ? "stopping …" : what.c_str());
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - px(90));
+    if (ImGui::Button("Cancel", ImVec2(px(90), 0))) studio.sets.cancel();
+    markItem("progress.cancel");
+  }
+  ImGui::End();
+}
+
+}  // namespace swaplight

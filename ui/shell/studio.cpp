@@ -1,0 +1,73 @@
+#include "ui/shell/studio.h"
+
+#include <memory>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/image/io/image_io.h"
+#include "ui/kit/imgui_session.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/shell/script.h"
+#include "ui/shell/studio_window.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kScreenshotFrames = 4;  // until every window has its size
+
+void writeScreenshot(Screen& screen, const std::filesystem::path& file) {
+  const std::vector<uint8_t> rgba = screen.pixels();
+  Image image(ImageSpec::rgb(screen.width(), screen.height()));
+  image.setColorSpace("srgb");
+  for (size_t p = 0; p < image.pixelCount(); ++p)
+    for (int c = 0; c < 3; ++c)
+      image.plane(c)[p] = static_cast<float>(rgba[4 * p + static_cast<size_t>(c)]) / 255.0F;
+  writeImage(image, file);
+}
+
+std::string firstError(const Messages& messages) {
+  for (const Messages::Message& message : messages.messages())
+    if (message.kind == Messages::Kind::Error) return message.text;
+  return {};
+}
+
+void run(Screen& screen, StudioWindow& studio, const StudioOptions& options) {
+  std::optional<Script> script;
+  if (!options.script.empty())
+    script.emplace(options.script, [&](const std::filesystem::path& file) { writeScreenshot(screen, file); });
+  int framesLeft = kScreenshotFrames;
+  while (!studio.done()) {
+    screen.wait(studio.restSeconds());
+    studio.update();
+    const bool scripted = script && !script->done();
+    if (scripted) script->step(studio);
+    const bool busy = studio.busy();
+    if (!busy && (scripted || !options.screenshot.empty())) screen.requestFrames(1);
+    if (screen.frameWanted()) studio.frame();
+    if (options.screenshot.empty() || scripted || busy) continue;
+    if (const std::string error = firstError(studio.context().messages); !error.empty())
+      throw InputError(error);
+    if (--framesLeft == 0) {
+      writeScreenshot(screen, options.screenshot);
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void runStudio(const StudioOptions& options) {
+  const ImGuiSession imgui;
+  const std::unique_ptr<Screen> screen = options.screenshot.empty()
+                                             ? openWindow("Swaplight", options.width, options.height)
+                                             : openOffscreen(options.width, options.height);
+  applyTheme(options.scale > 0 ? options.scale : screen->contentScale());
+  if (!options.layoutProbe.empty()) probeLayout(options.layoutProbe);
+  if (!options.script.empty()) rememberLayout();
+  StudioWindow studio(*screen, options);
+  if (!options.file.empty()) studio.open(options.file);
+  run(*screen, studio, options);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,281 @@
+#include "ui/shell/studio_window.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "core/file/user_folders.h"
+#include "core/session/open_source.h"
+#include "ui/actions/key_file.h"
+#include "ui/control/viewer_request.h"
+#include "ui/dialogs/about_box.h"
+#include "ui/dialogs/history_panel.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/shell/menu_bar.h"
+
+namespace swaplight {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::chrono::milliseconds kTick{250};  // between looks at timers while nothing happens
+
+std::vector<fs::path> findSamples(const fs::path& folder) {
+  std::vector<fs::path> samples;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (fs::exists(entry.path() / "capture.json", error)) samples.push_back(entry.path() / "capture.json");
+  std::sort(samples.begin(), samples.end());
+  return samples;
+}
+
+}  // namespace
+
+StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
+    : m_screen(screen),
+      m_layoutFile(stateFolder() / "panels.json"),
+      m_samples(findSamples(options.samplesFolder)),
+      m_layout(readPanelLayout(m_layoutFile)),
+      m_layoutOnDisk(m_layout),
+      m_sets([&screen] { screen.wake(); }),
+      m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder(), [&screen] { screen.wake(); }),
+      m_pictures(makePictureScreen(options.engine, ColorConfig::current())),
+      m_exports([&screen] { screen.wake(); }),
+      m_subjects([&screen] { screen.wake(); }),
+      m_edits([&screen] { screen.wake(); }),
+      m_shadows([&screen] { screen.wake(); }),
+      m_scopes([&screen] { screen.wake(); }),
+      m_context{m_editor,  m_view,     m_layout,
+                m_session, m_sets,     *m_pictures,
+                m_actions, m_messages, m_screen.keyboard(),
+                m_shown,   m_mixer,    m_tool,
+                m_viewer,  m_subjects, m_table,
+                m_looks,   m_edits,    m_editing,
+                m_colors,  m_shadows},
+      m_export(stateFolder() / "export.json"),
+      m_wizard([&screen] { screen.wake(); }),
+      m_keys(configFolder() / "keys.txt") {
+  addActions();
+  try {
+    readKeyFile(m_actions, configFolder() / "keys.txt");
+  } catch (const std::exception& error) {
+    m_messages.warn(error.what());
+  }
+}
+
+StudioWindow::~StudioWindow() {
+  if (m_layout != m_layoutOnDisk) writePanelLayout(m_layout, m_layoutFile);
+}
+
+void StudioWindow::whenSaved(const std::function<void()>& then) {
+  m_editor.commit();
+  if (m_session.saving()) {
+    m_session.afterSaving([this, then] { whenSaved(then); });
+    return;
+  }
+  if (m_editor.saved() || !m_session.hasDocument()) {
+    then();
+    return;
+  }
+  const std::string name = m_session.file().empty() ? "This session" : m_session.file().filename().string();
+  // What is changed while it is being saved is asked about again.
+  const auto save = [this, again = [this, then] { whenSaved(then); }] {
+    if (m_session.file().empty())
+      askForSaveName(again);
+    else
+      m_session.save(again);
+  };
+  m_unsaved.ask({name, save, then});
+  m_screen.requestFrames();
+}
+
+void StudioWindow::askToQuit() {
+  m_screen.refuseClose();
+  if (!m_unsaved.isOpen()) whenSaved([this] { m_done = true; });
+}
+
+void StudioWindow::askForFile() {
+  m_chooser.ask({"Open a capture, a solved set or a session",
+                 "Open",
+                 {".json", ".exr", ".swaplight"},
+                 false,
+                 "",
+                 m_session.hasDocument() ? m_editor.document().source.parent_path() : fs::path(),
+                 [this](const fs::path& file) { open(file); }});
+}
+
+void StudioWindow::askForPhotographs() {
+  FileChooser::Question question;
+  question.title = "The folder with the photographs of a set";
+  question.button = "Use folder";
+  question.extensions = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".hdr", ".dng", ".cr2",
+                         ".cr3", ".nef", ".arw", ".raf",  ".orf", ".rw2",  ".pef", ".x3f"};
+  question.forFolder = true;
+  question.answer = [this](const fs::path& folder) { m_wizard.start(folder); };
+  m_chooser.ask(std::move(question));
+}
+
+void StudioWindow::open(const fs::path& path) {
+  if (sourceKind(path) == SourceKind::Folder)
+    m_wizard.start(path);
+  else
+    m_session.open(path);
+}
+
+void StudioWindow::askForStencilPicture() {
+  m_chooser.ask({"A picture as a stencil",
+                 "Use",
+                 {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr"},
+                 false,
+                 "",
+                 m_editor.document().source.parent_path(),
+                 [this](const fs::path& file) {
+                   m_editing.stencil.kind.kind = ShapeKind::Kind::Picture;
+                   m_editing.stencil.kind.file = fs::absolute(file).lexically_normal().string();
+                 }});
+}
+
+void StudioWindow::askForSaveName(const std::function<void()>& then) {
+  const fs::path& source = m_editor.document().source;
+  const fs::path stem = source.filename() == "capture.json" ? source.parent_path().filename() : source.stem();
+  m_chooser.ask(
+      {"Save the session",
+       "Save",
+       {".swaplight"},
+       true,
+       m_session.file().empty() ? stem.string() + ".swaplight" : m_session.file().filename().string(),
+       m_session.file().empty() ? source.parent_path() : m_session.file().parent_path(),
+       [this, then](const fs::path& file) { m_session.saveAs(file, then); }});
+}
+
+void StudioWindow::askForColorConfig() {
+  m_chooser.ask({"An OpenColorIO configuration for this session",
+                 "Use",
+                 {".ocio"},
+                 false,
+                 "",
+                 m_editor.document().colorConfig.parent_path(),
+                 [this](const fs::path& file) { useColorConfig(fs::absolute(file)); }});
+}
+
+void StudioWindow::useColorConfig(const fs::path& file) {
+  Document next = m_editor.document();
+  next.colorConfig = file;
+  next.display = {};  // another configuration has other ones
+  m_editor.edit("Colour configuration", std::move(next));
+}
+
+void StudioWindow::askForExport(std::optional<ExportKind> kind) {
+  const fs::path& source = m_editor.document().source;
+  const fs::path& named = m_session.file().empty() ? source : m_session.file();
+  m_export.open((named.filename() == "capture.json" ? named.parent_path().filename() : named.stem()).string(),
+                named.parent_path(), kind);
+}
+
+void StudioWindow::askForExportName() {
+  const fs::path file = m_export.file();
+  m_chooser.ask({"Export to", "Choose", formatsOf(m_export.choices().kind), true, file.filename().string(),
+                 file.parent_path(), [this](const fs::path& chosen) { m_export.setFile(chosen); }});
+}
+
+void StudioWindow::exportFrame(const fs::path& file) {
+  ExportRequest request;
+  request.file = file;
+  exportAs(request);
+}
+
+void StudioWindow::exportAs(const ExportRequest& request) {
+  const OpenSet* set = m_session.set();
+  if (!set) return;
+  Document document = m_editor.document();
+  document.display = displayWithin(ColorConfig::current(), document.display);  // as it is shown
+  m_exports.start(set->original, document, request);
+}
+
+void StudioWindow::update() {
+  m_session.update();
+  m_exports.update(m_messages);
+  m_wizard.update(m_messages);
+  m_subjects.update(m_messages);
+  if (m_messages.expire()) m_screen.requestFrames();
+  const bool marches = m_editing.selection.marching;
+  if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_screen.requestFrames(1);
+  if (m_editing.settling && m_layout.edits && !m_layout.hidden) m_screen.requestFrames(1);
+  for (const fs::path& dropped : m_screen.takeDropped()) whenSaved([this, dropped] { open(dropped); });
+  if (m_screen.closeAsked()) askToQuit();
+  const std::string title = m_session.title();
+  if (title != m_title) m_screen.setTitle(title);
+  m_title = title;
+}
+
+double StudioWindow::restSeconds() const {
+  const std::chrono::duration<double> step = m_editing.selection.marching ? kMarchStep : kTick;
+  return step.count();
+}
+
+void StudioWindow::drawDialogs() {
+  m_wizard.draw(m_messages, [this](const fs::path& capture, const SolveOptions& solve) {
+    m_session.open(capture, solve);
+  });
+  m_export.draw(m_editor.document(), {[this](const ExportRequest& request) { exportAs(request); },
+                                      [this] { askForExportName(); }});
+}
+
+void StudioWindow::frame() {
+  m_lastFrame = std::chrono::steady_clock::now();
+  m_editing.selection.marching = false;  // whoever draws its outline says otherwise
+  const bool dialog = m_chooser.isOpen() || m_export.isOpen() || m_wizard.isOpen() || m_unsaved.isOpen() ||
+                      m_palette.isOpen() || m_keys.isOpen();
+  if (!ImGui::GetIO().WantTextInput && !dialog) m_actions.runKeys(m_screen.keyboard());
+  if (m_setShown != m_session.setRevision()) {
+    m_subjects.forget();
+    m_viewer = {};
+    m_looks = {};
+    m_editing.brush.last.reset();
+    m_editing.selection.outlineKnown = false;
+    m_editing.chosen = -1;
+    m_editing.histograms.clear();
+  }
+  if (m_setShown != m_session.setRevision() || m_subjectsShown != m_subjects.revision()) m_pictures->forget();
+  m_setShown = m_session.setRevision();
+  m_subjectsShown = m_subjects.revision();
+  if (!m_sets.busy()) {  // while a set is loading, its configuration is in use
+    m_colors.follow(m_editor.document().colorConfig, m_messages);
+    m_pictures->setConfig(ColorConfig::current());
+  }
+  m_screen.beginFrame();
+  ImGui::SetNextWindowPos(ImVec2(0, 0));
+  ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                           ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings |
+                           ImGuiWindowFlags_NoScrollWithMouse |
+                           ImGuiWindowFlags_NoBackground;  // the screen was cleared to its colour
+  if (!m_layout.hidden) flags |= ImGuiWindowFlags_MenuBar;
+  ImGui::Begin("##studio", nullptr, flags);
+  ImGui::PopStyleVar(3);
+  if (!m_layout.hidden) drawMenuBar(m_context);
+  m_edits.beginFrame(m_context);
+  drawPanels();
+  ImGui::End();
+
+  m_chooser.draw();
+  if (!m_chooser.isOpen()) drawDialogs();
+  m_unsaved.draw();
+  m_recovery.draw(m_session);
+  m_palette.draw(m_actions);
+  m_keys.draw(m_actions, m_screen.keyboard(), m_messages);
+  drawAboutBox(m_context, &m_aboutOpen);
+  drawHistoryPanel(m_context, &m_historyOpen);
+  // However it was made, a gesture ends when nothing is held any more: one gesture, one step.
+  if (m_editor.inGesture() && !ImGui::IsAnyItemActive()) m_editor.commit();
+  markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");
+  markState("title", m_title);
+  markState("colors", ColorConfig::current().title());
+  if (const OpenSet* set = m_session.set()) markState("working_space", set->original->colorSpace());
+  endLayoutFrame();
+  m_screen.endFrame();
+}
+
+}  // namespace swaplight

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "ui/control/export_controller.h"
+#include "ui/control/studio_context.h"
+#include "ui/dialogs/capture_wizard.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/export_dialog.h"
+#include "ui/kit/command_palette.h"
+#include "ui/kit/file_chooser.h"
+#include "ui/kit/keys_window.h"
+#include "ui/mixer/gallery_panel.h"
+#include "ui/scopes/scopes_panel.h"
+#include "ui/shell/studio.h"
+#include "ui/window/screen.h"
+
+namespace swaplight {
+
+/// The studio on a screen: owns its parts, draws them around each other.
+class StudioWindow {
+ public:
+  StudioWindow(Screen& screen, const StudioOptions& options);
+  ~StudioWindow();
+  StudioWindow(const StudioWindow&) = delete;
+  StudioWindow& operator=(const StudioWindow&) = delete;
+
+  /// Draws one frame.
+  void frame();
+  /// What goes on between frames: threads, recovery, dropped files.
+  void update();
+
+  /// Opens a capture, a solved set or a session; a folder of photographs is brought in.
+  void open(const std::filesystem::path& path);
+  /// For how long nothing has to be done if nothing happens, in seconds.
+  [[nodiscard]] double restSeconds() const;
+
+  /// Shows the wizard for a folder of photographs, whether or not there is a capture in it.
+  void bringIn(const std::filesystem::path& folder) { m_wizard.start(folder); }
+  /// Something is being read, solved, guessed, looked for, saved or exported.
+  [[nodiscard]] bool busy() const {
+    return m_sets.busy() || m_wizard.busy() || m_edits.busy() || m_shadows.busy() || m_session.saving() ||
+           m_exports.busy();
+  }
+
+  /// Ends the studio, after asking what to do with unsaved work.
+  void askToQuit();
+  /// Ends it without asking.
+  void quit() { m_done = true; }
+  [[nodiscard]] bool done() const { return m_done; }
+  void exportFrame(const std::filesystem::path& file);
+  void exportAs(const ExportRequest& request);
+  [[nodiscard]] Screen& screen() { return m_screen; }
+  [[nodiscard]] StudioContext& context() { return m_context; }
+
+ private:
+  void addActions();
+  void addFileActions();
+  void addLightActions();
+  void addViewActions();
+  void addWorkingSpaces();
+  void addCompareActions();
+  void addWindowActions();
+  void addLookActions();
+  /// Takes a tool that makes edits into the hand; again: puts it away.
+  void takeEditTool(Tool tool);
+  void addBrushActions();
+  void addSelectionActions();
+  void askForStencilPicture();
+  void addShadowActions();
+  void addEditActions();
+  void drawToolbar();
+  void drawPanels();
+  /// Does it at once, or after the person has decided about unsaved work.
+  void whenSaved(const std::function<void()>& then);
+  void askForFile();
+  void askForPhotographs();
+  void askForSaveName(const std::function<void()>& then);
+  void askForExport(std::optional<ExportKind> kind = {});
+  void askForExportName();
+  void drawDialogs();
+  void askForGels();
+  void askForColorConfig();
+  void useColorConfig(const std::filesystem::path& file);
+  void askForBetaMap(const std::function<void(const std::string&)>& answer);
+
+  Screen& m_screen;
+  std::filesystem::path m_layoutFile;
+  std::vector<std::filesystem::path> m_samples;
+
+  DocumentEditor m_editor;
+  ViewState m_view;
+  PanelLayout m_layout;
+  PanelLayout m_layoutOnDisk;
+  Messages m_messages;
+  ColorChoice m_colors;
+  SetController m_sets;
+  SessionController m_session;
+  std::unique_ptr<PictureScreen> m_pictures;
+  uint64_t m_setShown = 0;
+  ExportController m_exports;
+  ActionTable m_actions;
+  ShownPicture m_shown;
+  MixerState m_mixer;
+  Tool m_tool = Tool::Look;
+  ViewerState m_viewer;
+  SubjectPictures m_subjects;
+  uint64_t m_subjectsShown = 0;
+  ViewTable m_table;
+  LookState m_looks;
+  EditController m_edits;
+  EditsState m_editing;
+  ShadowController m_shadows;
+  ScopesPanel m_scopes;
+  GalleryPanel m_gallery;
+  StudioContext m_context;
+
+  FileChooser m_chooser;
+  ExportDialog m_export;
+  CaptureWizard m_wizard;
+  UnsavedDialog m_unsaved;
+  RecoveryDialog m_recovery;
+  CommandPalette m_palette;
+  KeysWindow m_keys;
+  bool m_aboutOpen = false;
+  bool m_historyOpen = false;
+  std::string m_title;
+  std::chrono::steady_clock::time_point m_lastFrame;
+  bool m_done = false;
+};
+
+}  // namespace swaplight

@@ -1,0 +1,165 @@
+#include "ui/tools/handle_tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/edit/mask/drag_shape.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/tools/stencil_tool.h"
+#include "ui/viewer/viewer_mouse.h"
+
+namespace swaplight {
+namespace {
+
+using What = ShapeHandle::What;
+using Point = std::array<float, 2>;
+
+constexpr float kReach = 11;  // pixels of the screen at scale 1
+constexpr float kRadius = 5;
+constexpr float kLeastDrag = 1;
+constexpr ImU32 kDark = IM_COL32(0, 0, 0, 190);
+
+const Edit* chosenEdit(const StudioContext& studio) {
+  const auto& edits = studio.document().edits.edits;
+  const int chosen = studio.editing.chosen;
+  const bool there = chosen >= 0 && chosen < static_cast<int>(edits.size());
+  return there ? edits[static_cast<size_t>(chosen)].get() : nullptr;
+}
+
+ImVec2 onScreen(const Point& at, const ViewWindow& window, ImVec2 origin) {
+  return {origin.x + static_cast<float>(window.windowX(at[0])),
+          origin.y + static_cast<float>(window.windowY(at[1]))};
+}
+
+/// The handle under the mouse, or the shape itself.
+std::optional<ShapeHandle> underMouse(const StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  const MaskShape& shape = chosenEdit(studio)->mask.front();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  std::optional<ShapeHandle> found;
+  float nearest = px(kReach);
+  std::vector<ShapeHandle> handles = handlesOf(shape);
+  for (const ShapeHandle& handle : handles) {
+    const ImVec2 at = onScreen(handle.at, window, origin);
+    const float far = std::hypot(at.x - mouse.x, at.y - mouse.y);
+    if (far >= nearest) continue;
+    nearest = far;
+    found = handle;
+  }
+  if (found || studio.tool != Tool::Stencil || chosenStencil(studio) == nullptr) return found;
+  const auto box = boxOf(shape);
+  if (box && box->contains(pointAtMouse(window, origin))) found = handles.back();  // the middle
+  return found;
+}
+
+ImGuiMouseCursor cursorOf(What what) {
+  if (what == What::TopLeft || what == What::BottomRight) return ImGuiMouseCursor_ResizeNWSE;
+  if (what == What::TopRight || what == What::BottomLeft) return ImGuiMouseCursor_ResizeNESW;
+  return ImGuiMouseCursor_ResizeAll;
+}
+
+void show(StudioContext& studio, const Point& mouse) {
+  const HandleState::Going& going = *studio.editing.handle.going;
+  Edit edit = *going.before.edits.edits[going.edit];
+  const Point to{mouse[0] - going.offset[0], mouse[1] - going.offset[1]};
+  edit.mask.front() = withHandleAt(edit.mask.front(), going.what, to, ImGui::GetIO().KeyShift);
+  const std::string step = (going.what == What::Middle ? "Move: " : "Reshape: ") + edit.name;
+  Document next = going.before;
+  next.edits.replace(going.edit, std::move(edit));
+  studio.editor.preview(step, std::move(next));
+}
+
+void drawOutline(const MaskShape& shape, const ViewWindow& window, ImVec2 origin) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const float thin = std::max(1.0F, px(1)), thick = px(3);
+  if (const auto* line = std::get_if<LinearGradientShape>(&shape.shape)) {
+    const ImVec2 from = onScreen({line->x0, line->y0}, window, origin);
+    const ImVec2 to = onScreen({line->x1, line->y1}, window, origin);
+    draw->AddLine(from, to, kDark, thick);
+    draw->AddLine(from, to, kText, thin);
+    return;
+  }
+  if (const auto* ring = std::get_if<RadialGradientShape>(&shape.shape)) {
+    const ImVec2 middle = onScreen({ring->x, ring->y}, window, origin);
+    for (const float radius : {ring->inner, ring->outer}) {
+      const float shown = radius * static_cast<float>(window.zoom);
+      draw->AddCircle(middle, shown, kDark, 0, thick);
+      draw->AddCircle(middle, shown, kText, 0, thin);
+    }
+  }
+  const auto box = boxOf(shape);
+  if (!box) return;
+  const ImVec2 low = onScreen({box->x0, box->y0}, window, origin);
+  const ImVec2 high = onScreen({box->x1, box->y1}, window, origin);
+  markRect("stencil.frame", low.x, low.y, high.x, high.y);
+  if (std::holds_alternative<RadialGradientShape>(shape.shape)) return;
+  draw->AddRect(low, high, kDark, 0, 0, thick);
+  draw->AddRect(low, high, kText, 0, 0, thin);
+}
+
+void drawHandle(const ShapeHandle& handle, ImVec2 at, bool lit) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const float radius = px(lit ? kRadius + 1.5F : kRadius);
+  draw->AddCircleFilled(at, radius + px(1.5F), kDark);
+  // Dark in the middle where nothing of the edit is left: a gradient's end tells its direction.
+  draw->AddCircleFilled(at, radius, lit ? kAccent : kText);
+  if (handle.what == What::To || handle.what == What::Outer)
+    draw->AddCircleFilled(at, radius - px(2), IM_COL32(0, 0, 0, 255));
+  if (handle.what == What::Middle) {
+    const float arm = radius - px(1.5F);
+    draw->AddLine(ImVec2(at.x - arm, at.y), ImVec2(at.x + arm, at.y), IM_COL32(0, 0, 0, 255), px(1.2F));
+    draw->AddLine(ImVec2(at.x, at.y - arm), ImVec2(at.x, at.y + arm), IM_COL32(0, 0, 0, 255), px(1.2F));
+  }
+  markRect(std::string("handle.") + handleName(handle.what), at.x - radius, at.y - radius, at.x + radius,
+           at.y + radius);
+}
+
+}  // namespace
+
+bool handlesShown(const StudioContext& studio) {
+  const bool free = studio.tool == Tool::Stencil || (studio.tool == Tool::Look && studio.layout.edits);
+  if (!free || studio.layout.hidden) return false;
+  const Edit* edit = chosenEdit(studio);
+  return edit && !edit->mask.empty() && !handlesOf(edit->mask.front()).empty();
+}
+
+bool handleShapeHandles(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  HandleState& state = studio.editing.handle;
+  if (state.going) {
+    ImGui::SetMouseCursor(cursorOf(state.going->what));
+    // A click alone changes nothing.
+    const float far = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left];
+    if (far > kLeastDrag * kLeastDrag) show(studio, pointAtMouse(window, origin));
+    if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) state.going.reset();
+    return true;
+  }
+  if (!ImGui::IsItemHovered() || studio.editing.dragging() || !handlesShown(studio)) return false;
+  const auto under = underMouse(studio, window, origin);
+  if (!under) return false;
+  ImGui::SetMouseCursor(cursorOf(under->what));
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    const Point mouse = pointAtMouse(window, origin);
+    state.going = {studio.document(),
+                   static_cast<size_t>(studio.editing.chosen),
+                   under->what,
+                   {mouse[0] - under->at[0], mouse[1] - under->at[1]}};
+  }
+  return true;
+}
+
+void drawShapeHandles(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  if (!handlesShown(studio)) return;
+  const MaskShape& shape = chosenEdit(studio)->mask.front();
+  const auto& going = studio.editing.handle.going;
+  std::optional<What> lit;
+  if (going)
+    lit = going->what;
+  else if (const auto under = studio.shown.hovered ? underMouse(studio, window, origin) : std::nullopt)
+    lit = under->what;
+  drawOutline(shape, window, origin);
+  for (const ShapeHandle& handle : handlesOf(shape))
+    drawHandle(handle, onScreen(handle.at, window, origin), lit == handle.what);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,30 @@
+#include "ui/tools/pick_tool.h"
+
+#include <numeric>
+
+#include "core/relight/rig_edit.h"
+#include "ui/control/light_edit.h"
+
+namespace swaplight {
+
+void pickPixel(StudioContext& studio, Tool tool, int x, int y) {
+  const OpenSet* set = studio.set();
+  if (!set || studio.document().rig.lights.empty()) return;
+  const std::string& colorSpace = set->solved->colorSpace();
+  const PixelShares shares = pixelShares(*set->solved, x, y);
+  const size_t light = shownLight(studio);
+  const Rig& rig = studio.document().rig;
+  if (tool == Tool::Neutral) {
+    if (const auto neutral = neutralizePixel(rig, shares, lightsFor(studio, light), colorSpace))
+      editRig(studio, "Make a pixel neutral", *neutral);
+    else
+      studio.messages.warn(rig.lights[light].title() + " does not reach this pixel.");
+  } else if (tool == Tool::Match) {
+    const std::vector<Rgb> given = relitShares(rig, shares, colorSpace);
+    const LightColor color =
+        lightColorOfPixel(std::accumulate(given.begin(), given.end(), Rgb(0)), colorSpace);
+    editLights(studio, light, "match a pixel", [&](LightSetting& setting) { setting.color = color; });
+  }
+}
+
+}  // namespace swaplight

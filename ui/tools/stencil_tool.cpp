@@ -1,0 +1,79 @@
+#include "ui/tools/stencil_tool.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/edit/mask/selection.h"
+#include "ui/tools/brush_tool.h"
+#include "ui/viewer/viewer_mouse.h"
+
+namespace swaplight {
+namespace {
+
+using Kind = ShapeKind::Kind;
+using Point = std::array<float, 2>;
+
+constexpr float kLeastDrag = 4;  // pixels of the screen: less places nothing
+
+const char* wordOf(Kind kind) {
+  constexpr const char* kWords[] = {"text",    "ellipse",  "rectangle",     "pattern",
+                                    "picture", "gradient", "round gradient"};
+  return kWords[static_cast<size_t>(kind)];
+}
+
+void begin(StudioContext& studio, const Point& at) {
+  StencilState& state = studio.editing.stencil;
+  if (state.kind.kind == Kind::Picture && state.kind.file.empty()) {
+    studio.messages.info("Choose the picture first.");
+    return;
+  }
+  if (state.kind.kind == Kind::Text && state.kind.text.empty()) {
+    studio.messages.info("Type the words first.");
+    return;
+  }
+  StencilState::Going going;
+  going.before = studio.document();
+  going.from = at;
+  going.base = brushEdit(studio);
+  going.base.name += std::string(": ") + wordOf(state.kind.kind);
+  state.going = std::move(going);
+}
+
+void show(StudioContext& studio, const Point& at) {
+  const StencilState& state = studio.editing.stencil;
+  const StencilState::Going& going = *state.going;
+  MaskShape shape = draggedShape(state.kind, going.from, at, ImGui::GetIO().KeyShift);
+  shape.invert = state.invert;
+  Edit edit = going.base;
+  edit.mask = maskWithin({std::move(shape)}, going.before.selection);
+  Document next = going.before;
+  next.edits.append(std::move(edit));
+  studio.editing.chosen = static_cast<int>(going.before.edits.edits.size());
+  studio.editor.preview("Stencil: " + going.base.name, std::move(next));
+}
+
+}  // namespace
+
+const Edit* chosenStencil(const StudioContext& studio) {
+  const auto& edits = studio.document().edits.edits;
+  const int chosen = studio.editing.chosen;
+  if (chosen < 0 || chosen >= static_cast<int>(edits.size())) return nullptr;
+  const Edit& edit = *edits[static_cast<size_t>(chosen)];
+  return !edit.mask.empty() && isOfKind(edit.mask.front(), studio.editing.stencil.kind.kind) ? &edit
+                                                                                             : nullptr;
+}
+
+void handleStencil(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  StencilState& state = studio.editing.stencil;
+  const bool hovered = ImGui::IsItemHovered();
+  const Point at = pointAtMouse(window, origin);
+  if (hovered && !state.going && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    begin(studio, at);
+  } else if (state.going) {
+    const float far = std::hypot(at[0] - state.going->from[0], at[1] - state.going->from[1]);
+    if (far * static_cast<float>(window.zoom) >= kLeastDrag) show(studio, at);
+    if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) state.going.reset();
+  }
+}
+
+}  // namespace swaplight

@@ -1,0 +1,242 @@
+#include "ui/viewer/viewer_bar.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/ocio/color_config.h"
+#include "core/set/set_color_space.h"
+#include "ui/control/viewer_request.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+#include "ui/shell/menu_bar.h"
+
+namespace swaplight {
+namespace {
+
+using Kind = ViewSubject::Kind;
+
+constexpr float kGap = 5;
+
+/// A button that opens a list; draws the list by `lines`.
+template <typename Lines>
+void listButton(const char* id, const std::string& shown, float width, const char* tip, const Lines& lines) {
+  ImGui::SetNextItemWidth(px(width));
+  const bool open = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLargest);
+  if (open) {
+    lines();
+    ImGui::EndCombo();
+  }
+  markItem(std::string("bar.") + (id + 2));
+  if (!open) tooltip(tip);
+  ImGui::SameLine(0, px(kGap));
+}
+
+bool subjectLine(StudioContext& studio, const ViewSubject& subject, bool current) {
+  const std::string words = subjectWords(studio, subject);
+  const bool clicked = ImGui::MenuItem(words.c_str(), nullptr, current);
+  markItem("subject." + words);
+  return clicked;
+}
+
+std::string compareWords(CompareState::Mode mode) {
+  constexpr std::array<const char*, 5> words = {"A", "Wipe", "Split", "A \u2212 B", "B"};
+  return words[static_cast<size_t>(mode)];
+}
+
+void compareList(StudioContext& studio) {
+  for (const char* id :
+       {"compare.off", "compare.wipe", "compare.split", "compare.difference", "compare.toggle"})
+    actionMenuItem(studio.actions, id);
+}
+
+void channelList(StudioContext& studio) {
+  for (const char* id : {"channel.all", "channel.red", "channel.green", "channel.blue", "channel.luminance"})
+    actionMenuItem(studio.actions, id);
+}
+
+void number(const char* id, float* value, float width, float speed, float low, float high, const char* format,
+            float neutral, const char* tip) {
+  const bool changed = *value != neutral;
+  if (changed) ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
+  ImGui::SetNextItemWidth(px(width));
+  ImGui::DragFloat(id, value, speed, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+  if (changed) ImGui::PopStyleColor();
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) *value = neutral;
+  markItem(std::string("bar.") + (id + 2));
+  tooltip(tip);
+  ImGui::SameLine(0, px(kGap));
+}
+
+void zebraButton(StudioContext& studio) {
+  actionTextButton(studio.actions, "view.zebra", "Zebra", px(58));
+  if (ImGui::BeginPopupContextItem("##zebra levels")) {
+    Zebra& zebra = studio.view.settings.zebra;
+    ImGui::SetNextItemWidth(px(200));
+    ImGui::SliderFloat("bright", &zebra.high, 0, 1, "%.2f");
+    ImGui::SetNextItemWidth(px(200));
+    ImGui::SliderFloat("dark", &zebra.low, 0, 1, "%.2f");
+    ImGui::EndPopup();
+  }
+  ImGui::SameLine(0, px(kGap));
+}
+
+/// The display and the view that are in use, by name.
+DisplayChoice shownThrough(const StudioContext& studio) {
+  const ColorConfig& config = ColorConfig::current();
+  return namedDisplay(config, displayWithin(config, studio.document().display));
+}
+
+void chooseView(StudioContext& studio, const DisplayChoice& choice) {
+  try {
+    ColorConfig::current().checkView(choice);
+  } catch (const std::exception& error) {
+    studio.messages.error(error.what());
+    return;
+  }
+  Document next = studio.document();
+  next.display = choice;
+  studio.editor.edit("View: " + displayWords(choice), std::move(next));
+}
+
+/// The looks that a view is seen under: its own, none, one of the configuration's.
+void drawLooks(StudioContext& studio, const DisplayChoice& shown) {
+  const ColorConfig& config = ColorConfig::current();
+  std::vector<std::string> looks = config.looks();
+  if (looks.empty()) return;
+  if (shown.look && !shown.look->empty() && std::find(looks.begin(), looks.end(), *shown.look) == looks.end())
+    looks.push_back(*shown.look);  // several at once, as a session may name them
+  const auto line = [&](const std::string& words, const char* id, const std::optional<std::string>& look,
+                        const std::string& tip) {
+    if (ImGui::MenuItem(("   " + words + "##look").c_str(), nullptr, look == shown.look))
+      chooseView(studio, {shown.display, shown.view, look});
+    markItem(std::string("look.") + id);
+    if (!tip.empty()) tooltip(tip.c_str());
+  };
+  ImGui::Separator();
+  ImGui::TextDisabled("Look of the view");
+  const std::string own = config.viewLook(shown.display, shown.view);
+  line("As the view says: " + (own.empty() ? "none" : own), "own", std::nullopt,
+       "A view may bring a look along. A look changes the colours before the view, on the monitor and in "
+       "exported PNG, TIFF and JPEG; never in EXR.");
+  line("None", "none", "", "The view without any look, also without its own");
+  for (const std::string& look : looks) line(look, look.c_str(), look, config.lookDescription(look));
+}
+
+}  // namespace
+
+void drawSubjectMenu(StudioContext& studio, bool sideB) {
+  CompareState& compare = studio.view.compare;
+  const ViewSubject current = sideB ? compare.subject : studio.view.subject;
+  const OpenSet* set = studio.set();
+  if (!set) return;
+  const auto choose = [&](const ViewSubject& subject) {
+    (sideB ? compare.subject : studio.view.subject) = subject;
+  };
+  if (!sideB) {
+    if (subjectLine(studio, {}, current == ViewSubject{})) choose({});
+  } else {
+    const bool relit = current.kind == Kind::Relit;
+    if (ImGui::MenuItem("All white", nullptr, relit && !compare.rig)) {
+      choose({});
+      compare.rig.reset();
+    }
+    markItem("subject_b.white");
+    if (ImGui::MenuItem("The lighting of now", nullptr, relit && compare.rig.has_value()))
+      studio.actions.run("compare.keep");
+    markItem("subject_b.now");
+    tooltip("Keeps the present lighting as B, to be compared with what you change.");
+  }
+  ImGui::Separator();
+  for (int shot = 0; shot < set->solved->capture.shotCount(); ++shot)
+    if (subjectLine(studio, {Kind::Photograph, shot}, current == ViewSubject{Kind::Photograph, shot}))
+      choose({Kind::Photograph, shot});
+  ImGui::Separator();
+  for (const Kind kind : {Kind::Contribution, Kind::Beta, Kind::Visibility}) {
+    const SolvedSet& of = kind == Kind::Visibility ? *set->original : *set->solved;
+    for (int light = 0; light < of.lightCount(); ++light)
+      if (subjectLine(studio, {kind, light}, current == ViewSubject{kind, light})) choose({kind, light});
+    ImGui::Separator();
+  }
+  for (const Kind kind : {Kind::Reflectance, Kind::Residual, Kind::Sigma, Kind::Flags})
+    if (subjectLine(studio, {kind, 0}, current == ViewSubject{kind, 0})) choose({kind, 0});
+}
+
+void drawDisplayMenu(StudioContext& studio) {
+  const ColorConfig& config = ColorConfig::current();
+  const DisplayChoice shown = shownThrough(studio);
+  ImGui::TextDisabled("Display");
+  for (const std::string& display : config.displays()) {
+    if (ImGui::MenuItem(("   " + display + "##display").c_str(), nullptr, display == shown.display)) {
+      const std::vector<std::string> views = config.views(display);
+      const bool has = std::find(views.begin(), views.end(), shown.view) != views.end();
+      chooseView(studio, {display, has ? shown.view : config.defaultView(display), shown.look});
+    }
+    markItem("display." + display);
+  }
+  ImGui::Separator();
+  ImGui::TextDisabled("View");
+  for (const std::string& view : config.views(shown.display)) {
+    if (ImGui::MenuItem(("   " + view + "##view").c_str(), nullptr, view == shown.view))
+      chooseView(studio, {shown.display, view, shown.look});
+    markItem("view." + shown.display + "." + view);
+    const std::string description = config.viewDescription(shown.display, view);
+    if (!description.empty()) tooltip(description.c_str());
+  }
+  drawLooks(studio, shown);
+  ImGui::Separator();
+  ImGui::TextDisabled("Colours: %s", config.title().c_str());
+  if (const OpenSet* set = studio.set()) {
+    const std::string space = setColorSpaceWords(set->original->colorSpace());
+    const bool open = ImGui::BeginMenu(("Working space: " + space + "###working_space").c_str());
+    markItem("working_space");
+    if (open) {
+      for (const char* id : {"working_space.own", "working_space.lin_rec709", "working_space.acescg"})
+        actionMenuItem(studio.actions, id);
+      ImGui::EndMenu();
+    }
+  }
+  actionMenuItem(studio.actions, "view.color_config");
+  actionMenuItem(studio.actions, "view.builtin_colors");
+}
+
+void drawViewerBar(StudioContext& studio) {
+  const float height = ImGui::GetFrameHeight() + px(8);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ViewSettings& settings = studio.view.settings;
+  ImGui::SetCursorScreenPos(ImVec2(at.x + px(6), at.y + px(4)));
+  // In a narrow viewer the lists' words are cut short, so that the view stays in sight.
+  const bool comparing = studio.view.compare.isOn();
+  const float wanted = comparing ? 790 : 660;
+  const float lacking = std::max(wanted - ImGui::GetContentRegionAvail().x / px(1), 0.0F);
+  const float cut = std::min(lacking / (comparing ? 2 : 1), 54.0F);
+  listButton("##subject", subjectWords(studio, studio.view.subject), 144 - cut, "What is shown",
+             [&] { drawSubjectMenu(studio, false); });
+  listButton("##compare", compareWords(studio.view.compare.mode), 76, "Compare with another picture, B",
+             [&] { compareList(studio); });
+  if (comparing)
+    listButton("##side_b", sideBWords(studio), 124 - cut, "What it is compared with",
+               [&] { drawSubjectMenu(studio, true); });
+  constexpr std::array<const char*, 5> channels = {"RGB", "R", "G", "B", "L"};
+  listButton("##channel", channels[static_cast<size_t>(settings.channel)], 70, "Channel",
+             [&] { channelList(studio); });
+  number(
+      "##exposure", &settings.exposureStops, 82, 0.02F, -20, 20, "%+.2f st", 0,
+      "The viewer's exposure: never exported. Drag, or hold E and drag in the picture. Right-click resets.");
+  number("##gamma", &settings.gamma, 62, 0.005F, 0.1F, 10, "\u03b3 %.2f", 1,
+         "The viewer's gamma: never exported. Right-click resets.");
+  actionTextButton(studio.actions, "view.false_color", "False", px(54));
+  ImGui::SameLine(0, px(kGap));
+  zebraButton(studio);
+  const float room = ImGui::GetContentRegionAvail().x - px(6);
+  if (room > px(60))
+    listButton("##view", displayWords(shownThrough(studio)), std::min(room / px(1), 190.0F),
+               "Display and view: how the picture is exported to PNG, TIFF and JPEG",
+               [&] { drawDisplayMenu(studio); });
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
+}
+
+}  // namespace swaplight

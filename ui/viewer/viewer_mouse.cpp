@@ -1,0 +1,176 @@
+#include "ui/viewer/viewer_mouse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ui/control/shadow_edit.h"
+#include "ui/control/viewer_request.h"
+#include "ui/kit/theme.h"
+#include "ui/tools/brush_tool.h"
+#include "ui/tools/handle_tool.h"
+#include "ui/tools/pick_tool.h"
+#include "ui/tools/selection_tool.h"
+#include "ui/tools/stencil_tool.h"
+
+namespace swaplight {
+namespace {
+
+using Grab = ViewerState::Grab;
+
+constexpr double kWheelStep = 1.15;  // zoom a notch of the wheel
+constexpr float kStopsPerPixel = 0.01F;
+constexpr float kHandleReach = 9;  // pixels at scale 1
+constexpr float kTurnDistance = 90;
+constexpr float kClickReach = 4;  ///< a button that was held over more is a drag
+
+float distance(ImVec2 a, ImVec2 b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+std::optional<PicturePixel> pixelAt(const StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const PicturePixel pixel{static_cast<int>(std::floor(window.pictureX(mouse.x - origin.x))),
+                           static_cast<int>(std::floor(window.pictureY(mouse.y - origin.y)))};
+  const ViewPictures& pictures = *studio.set()->pictures;
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= pictures.width() || pixel.y >= pictures.height())
+    return std::nullopt;
+  return pixel;
+}
+
+/// What the left button takes hold of here.
+Grab grabbed(const StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  if (studio.keyboard.isHeld("E")) return Grab::Exposure;
+  if (studio.tool == Tool::Region) return Grab::Region;
+  if (studio.view.compare.mode != CompareState::Mode::Wipe) return Grab::Pan;
+  const ViewPictures& pictures = *studio.set()->pictures;
+  const WipeHandles handles =
+      wipeHandles(wipeIn(studio.view.compare, pictures.width(), pictures.height()), window, origin);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (distance(mouse, handles.turn) < px(kHandleReach + 3)) return Grab::WipeTurn;
+  const ImVec2 from(mouse.x - handles.center.x, mouse.y - handles.center.y);
+  const float across = std::abs(from.x * handles.along.y - from.y * handles.along.x);
+  return across < px(kHandleReach) ? Grab::WipeMove : Grab::Pan;
+}
+
+void turnWipe(CompareState& compare, const ViewPictures& pictures, const ViewWindow& window, ImVec2 origin) {
+  const WipeHandles handles =
+      wipeHandles(wipeIn(compare, pictures.width(), pictures.height()), window, origin);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const double dx = mouse.x - handles.center.x, dy = mouse.y - handles.center.y;
+  if (std::hypot(dx, dy) < px(4)) return;
+  double degrees = std::atan2(-dx, dy) * 180 / std::numbers::pi;
+  if (ImGui::GetIO().KeyShift) degrees = std::round(degrees / 15) * 15;
+  compare.angleDegrees = degrees;
+}
+
+void drawRegion(StudioContext& studio, const ViewWindow& window, ImVec2 origin, bool begin) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const ViewPictures& pictures = *studio.set()->pictures;
+  const auto x = std::clamp(static_cast<int>(window.pictureX(mouse.x - origin.x)), 0, pictures.width() - 1);
+  const auto y = std::clamp(static_cast<int>(window.pictureY(mouse.y - origin.y)), 0, pictures.height() - 1);
+  ViewerState& viewer = studio.viewer;
+  if (begin) {
+    viewer.regionX = x;
+    viewer.regionY = y;
+  }
+  viewer.region = PictureRegion{std::min(x, viewer.regionX), std::min(y, viewer.regionY),
+                                std::abs(x - viewer.regionX) + 1, std::abs(y - viewer.regionY) + 1};
+}
+
+void drag(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  const ViewPictures& pictures = *studio.set()->pictures;
+  CompareState& compare = studio.view.compare;
+  switch (studio.viewer.grab) {
+    case Grab::None:
+      return;
+    case Grab::Pan:
+      if (delta.x != 0 || delta.y != 0) studio.view.pan(window, delta.x, delta.y);
+      return;
+    case Grab::Exposure:
+      studio.view.settings.exposureStops =
+          std::clamp(studio.view.settings.exposureStops + delta.x * kStopsPerPixel, -20.0F, 20.0F);
+      return;
+    case Grab::WipeMove:
+      compare.x += delta.x / window.zoom / pictures.width();
+      compare.y += delta.y / window.zoom / pictures.height();
+      return;
+    case Grab::WipeTurn:
+      return turnWipe(compare, pictures, window, origin);
+    case Grab::Region:
+      return drawRegion(studio, window, origin, false);
+  }
+}
+
+}  // namespace
+
+WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2 origin) {
+  const double angle = wipe.angleDegrees * std::numbers::pi / 180;
+  WipeHandles handles;
+  handles.center = ImVec2(origin.x + static_cast<float>(window.windowX(wipe.x)),
+                          origin.y + static_cast<float>(window.windowY(wipe.y)));
+  handles.along = ImVec2(static_cast<float>(-std::sin(angle)), static_cast<float>(std::cos(angle)));
+  handles.turn = ImVec2(handles.center.x + px(kTurnDistance) * handles.along.x,
+                        handles.center.y + px(kTurnDistance) * handles.along.y);
+  return handles;
+}
+
+std::array<float, 2> pointAtMouse(const ViewWindow& window, ImVec2 origin) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return {static_cast<float>(window.pictureX(mouse.x - origin.x)),
+          static_cast<float>(window.pictureY(mouse.y - origin.y))};
+}
+
+void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool hovered = ImGui::IsItemHovered();
+  const bool moves = studio.keyboard.isHeld("E") || studio.keyboard.isHeld("Space");
+  const bool paints = studio.tool == Tool::Brush && !io.KeyAlt && !moves;
+  const bool selects = studio.tool == Tool::Select && !moves;
+  const bool places = studio.tool == Tool::Stencil && !io.KeyAlt && !moves;
+  if (hovered && io.MouseWheel != 0 && !(paints && io.KeyCtrl))
+    studio.view.zoomAt(window, io.MousePos.x - origin.x, io.MousePos.y - origin.y,
+                       std::pow(kWheelStep, io.MouseWheel));
+  const Tool tool = io.KeyAlt && !selects ? Tool::Match : studio.tool;
+  const bool picks = tool == Tool::Neutral || tool == Tool::Match;
+  Grab& grab = studio.viewer.grab;
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) grab = Grab::Pan;
+  if (paints || studio.editing.brush.going) {
+    handleBrush(studio, window, origin);
+  } else if (selects || studio.editing.selection.going) {
+    handleSelection(studio, window, origin);
+  } else if ((studio.editing.handle.going || (!io.KeyAlt && !moves && grab == Grab::None)) &&
+             handleShapeHandles(studio, window, origin)) {
+    return;
+  } else if (places || studio.editing.stencil.going) {
+    handleStencil(studio, window, origin);
+  } else if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    if (picks) {
+      if (const auto pixel = pixelAt(studio, window, origin)) pickPixel(studio, tool, pixel->x, pixel->y);
+    } else {
+      grab = grabbed(studio, window, origin);
+      if (grab == Grab::Region) drawRegion(studio, window, origin, true);
+    }
+  }
+  const bool clicked = hovered && grab == Grab::Pan && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+                       io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < px(kClickReach) * px(kClickReach);
+  if (clicked && shadowsShown(studio))
+    if (const auto pixel = pixelAt(studio, window, origin)) studio.shadows.choose(studio, pixel->x, pixel->y);
+  if (!io.MouseDown[ImGuiMouseButton_Left] && !io.MouseDown[ImGuiMouseButton_Middle]) grab = Grab::None;
+  drag(studio, window, origin);
+  if (!hovered || paints || selects || places) return;
+  const Grab over = grab == Grab::None ? grabbed(studio, window, origin) : grab;
+  if (picks || over == Grab::WipeMove || over == Grab::WipeTurn)
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  else if (over == Grab::Exposure)
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+}
+
+std::optional<PicturePixel> pixelAtMouse(const StudioContext& studio) {
+  const ShownPicture& shown = studio.shown;
+  if (!shown.valid || !shown.hovered) return std::nullopt;
+  return pixelAt(studio, shown.window, ImVec2(shown.originX, shown.originY));
+}
+
+}  // namespace swaplight

@@ -1,0 +1,253 @@
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui/backends/imgui_impl_glfw.h>
+#include <imgui/backends/imgui_impl_opengl3.h>
+
+#include <atomic>
+#include <map>
+
+#include "core/base/error.h"
+#include "render/screen.h"
+#include "ui/kit/theme.h"
+#include "ui/window/screen.h"
+
+namespace swaplight {
+namespace {
+
+std::string lastGlfwError() {
+  const char* words = nullptr;
+  glfwGetError(&words);
+  return words ? words : "unknown reason";
+}
+
+/// GLFW as long as the window lives, and its window.
+class GlfwWindow {
+ public:
+  GlfwWindow(const std::string& title, int width, int height) {
+    if (glfwInit() == 0)
+      throw ResourceError(fmt::format("no window: {}. Is there a display?", lastGlfwError()));
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    m_window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (!m_window) {
+      const std::string why = lastGlfwError();
+      glfwTerminate();
+      throw ResourceError(fmt::format("no window with OpenGL 4.1: {}", why));
+    }
+    glfwMakeContextCurrent(m_window);
+    glfwSwapInterval(1);
+  }
+  GlfwWindow(const GlfwWindow&) = delete;
+  GlfwWindow& operator=(const GlfwWindow&) = delete;
+  ~GlfwWindow() {
+    glfwDestroyWindow(m_window);
+    glfwTerminate();
+  }
+  operator GLFWwindow*() const { return m_window; }  // NOLINT(google-explicit-constructor)
+
+ private:
+  GLFWwindow* m_window = nullptr;
+};
+
+std::string keyName(int key, int scancode) {
+  static const std::map<int, const char*> names = {
+      {GLFW_KEY_SPACE, "Space"},
+      {GLFW_KEY_ESCAPE, "Escape"},
+      {GLFW_KEY_ENTER, "Enter"},
+      {GLFW_KEY_KP_ENTER, "Enter"},
+      {GLFW_KEY_TAB, "Tab"},
+      {GLFW_KEY_BACKSPACE, "Backspace"},
+      {GLFW_KEY_DELETE, "Delete"},
+      {GLFW_KEY_INSERT, "Insert"},
+      {GLFW_KEY_HOME, "Home"},
+      {GLFW_KEY_END, "End"},
+      {GLFW_KEY_PAGE_UP, "PageUp"},
+      {GLFW_KEY_PAGE_DOWN, "PageDown"},
+      {GLFW_KEY_UP, "Up"},
+      {GLFW_KEY_DOWN, "Down"},
+      {GLFW_KEY_LEFT, "Left"},
+      {GLFW_KEY_RIGHT, "Right"},
+      {GLFW_KEY_LEFT_ALT, "Alt"},
+      {GLFW_KEY_RIGHT_ALT, "Alt"},
+      {GLFW_KEY_LEFT_SHIFT, "Shift"},
+      {GLFW_KEY_RIGHT_SHIFT, "Shift"},
+      {GLFW_KEY_LEFT_CONTROL, "Ctrl"},
+      {GLFW_KEY_RIGHT_CONTROL, "Ctrl"},
+  };
+  if (const auto found = names.find(key); found != names.end()) return found->second;
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
+  const char* printed = glfwGetKeyName(key, scancode);
+  std::string name = printed ? printed : "";
+  if (name.size() == 1 && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
+class GlfwScreen : public Screen {
+ public:
+  GlfwScreen(const std::string& title, int width, int height) : m_window(title, width, height) {
+    glfwSetWindowUserPointer(m_window, this);
+    installCallbacks();
+    ImGui_ImplGlfw_InitForOpenGL(m_window, false);
+    ImGui_ImplOpenGL3_Init("#version 410 core");
+  }
+  ~GlfwScreen() override {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+  }
+
+  void wait(double seconds) override {
+    if (frameWanted())
+      glfwPollEvents();
+    else
+      glfwWaitEventsTimeout(seconds);
+    if (m_woken.exchange(false)) requestFrames();
+  }
+
+  void wake() override {
+    m_woken = true;
+    glfwPostEmptyEvent();
+  }
+
+  void beginFrame() override {
+    releaseKeys();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    applyPretendedMouse();
+    ImGui::NewFrame();
+  }
+
+  void endFrame() override {
+    ImGui::Render();
+    clearScreen(width(), height(), backgroundCode());
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (m_keepPixels) m_pixels = readScreen(width(), height());
+    glfwSwapBuffers(m_window);
+    frameDone();
+  }
+
+  [[nodiscard]] int width() const override { return framebufferSize().first; }
+  [[nodiscard]] int height() const override { return framebufferSize().second; }
+  [[nodiscard]] float contentScale() const override {
+    float x = 1;
+    float y = 1;
+    glfwGetWindowContentScale(m_window, &x, &y);
+    return x;
+  }
+  [[nodiscard]] std::vector<uint8_t> pixels() override {
+    m_keepPixels = true;
+    return m_pixels;
+  }
+
+  [[nodiscard]] bool closeAsked() const override { return glfwWindowShouldClose(m_window) != 0; }
+  void refuseClose() override { glfwSetWindowShouldClose(m_window, GLFW_FALSE); }
+  void setTitle(const std::string& title) override { glfwSetWindowTitle(m_window, title.c_str()); }
+
+  void toggleFullScreen() override {
+    if (glfwGetWindowMonitor(m_window)) {
+      glfwSetWindowMonitor(m_window, nullptr, m_place[0], m_place[1], m_place[2], m_place[3], 0);
+      return;
+    }
+    glfwGetWindowPos(m_window, &m_place[0], &m_place[1]);
+    glfwGetWindowSize(m_window, &m_place[2], &m_place[3]);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode) glfwSetWindowMonitor(m_window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+  }
+
+ private:
+  static GlfwScreen& of(GLFWwindow* window) {
+    return *static_cast<GlfwScreen*>(glfwGetWindowUserPointer(window));
+  }
+
+  [[nodiscard]] std::pair<int, int> framebufferSize() const {
+    int w = 0;
+    int h = 0;
+    glfwGetFramebufferSize(m_window, &w, &h);
+    return {w, h};
+  }
+
+  // Every kind of input asks for frames, then goes on to Dear ImGui.
+  void installCallbacks() {
+    glfwSetCursorPosCallback(m_window, [](GLFWwindow* w, double, double) { of(w).requestFrames(); });
+    glfwSetFramebufferSizeCallback(m_window, [](GLFWwindow* w, int, int) { of(w).requestFrames(); });
+    glfwSetWindowRefreshCallback(m_window, [](GLFWwindow* w) { of(w).requestFrames(); });
+    glfwSetWindowCloseCallback(m_window, [](GLFWwindow* w) { of(w).requestFrames(); });
+    glfwSetWindowContentScaleCallback(m_window, [](GLFWwindow* w, float, float) { of(w).requestFrames(); });
+    glfwSetWindowFocusCallback(m_window, [](GLFWwindow* w, int focused) {
+      of(w).requestFrames();
+      if (focused == 0) of(w).m_keyboard.held.clear();
+      ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+    });
+    glfwSetCursorEnterCallback(m_window, [](GLFWwindow* w, int entered) {
+      of(w).requestFrames();
+      ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+    });
+    glfwSetMouseButtonCallback(m_window, [](GLFWwindow* w, int button, int action, int mods) {
+      of(w).requestFrames();
+      ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
+    });
+    glfwSetScrollCallback(m_window, [](GLFWwindow* w, double x, double y) {
+      of(w).requestFrames();
+      ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    });
+    glfwSetCharCallback(m_window, [](GLFWwindow* w, unsigned code) {
+      of(w).requestFrames();
+      of(w).m_keyboard.typed.push_back(static_cast<char32_t>(code));
+      ImGui_ImplGlfw_CharCallback(w, code);
+    });
+    glfwSetKeyCallback(m_window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+      of(w).requestFrames();
+      of(w).onKey(key, scancode, action, mods);
+    });
+    glfwSetDropCallback(m_window, [](GLFWwindow* w, int count, const char** paths) {
+      of(w).requestFrames();
+      for (int i = 0; i < count; ++i) of(w).m_dropped.emplace_back(paths[i]);
+    });
+  }
+
+  void onKey(int key, int scancode, int action, int mods) {
+    const std::string name = keyName(key, scancode);
+    if (action == GLFW_RELEASE) {
+      m_keyboard.held.erase(name);
+      m_releases.push_back({key, scancode, mods});
+      return;
+    }
+    m_keyboard.held.insert(name);
+    m_keyboard.presses.push_back({name, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0,
+                                  (mods & GLFW_MOD_ALT) != 0, action == GLFW_REPEAT});
+    ImGui_ImplGlfw_KeyCallback(m_window, key, scancode, action, mods);
+    if (action == GLFW_PRESS) m_pressed = true;
+  }
+
+  // Dear ImGui samples the keys once a frame: a key that went down and up in between would be missed, and so
+  // would the Ctrl that was let go before its A. What is released waits until what was pressed has been seen.
+  void releaseKeys() {
+    if (!std::exchange(m_pressed, false)) {
+      for (const Release& release : m_releases)
+        ImGui_ImplGlfw_KeyCallback(m_window, release.key, release.scancode, GLFW_RELEASE, release.mods);
+      m_releases.clear();
+    }
+  }
+
+  struct Release {
+    int key, scancode, mods;
+  };
+
+  GlfwWindow m_window;
+  std::atomic<bool> m_woken{false};
+  std::vector<Release> m_releases;
+  bool m_pressed = false;  ///< a key, since the last frame
+  int m_place[4] = {100, 100, 1280, 720};
+  bool m_keepPixels = false;
+  std::vector<uint8_t> m_pixels;
+};
+
+}  // namespace
+
+std::unique_ptr<Screen> openWindow(const std::string& title, int width, int height) {
+  return std::make_unique<GlfwScreen>(title, width, height);
+}
+
+}  // namespace swaplight

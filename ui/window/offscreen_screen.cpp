@@ -1,0 +1,76 @@
+#include <imgui.h>
+#include <imgui/backends/imgui_impl_opengl3.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+#include "render/gl/egl_context.h"
+#include "render/screen.h"
+#include "ui/kit/theme.h"
+#include "ui/window/screen.h"
+
+namespace swaplight {
+namespace {
+
+class OffscreenScreen : public Screen {
+ public:
+  OffscreenScreen(int width, int height) : m_width(width), m_height(height), m_target(width, height) {
+    ImGui_ImplOpenGL3_Init("#version 410 core");
+    int* keys = ImGui::GetIO().KeyMap;
+    for (int key = 0; key < ImGuiKey_COUNT; ++key) keys[key] = key;
+  }
+  ~OffscreenScreen() override { ImGui_ImplOpenGL3_Shutdown(); }
+
+  void wait(double seconds) override {
+    std::unique_lock lock(m_mutex);
+    if (!frameWanted())
+      m_wakeUp.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return m_woken; });
+    if (std::exchange(m_woken, false)) requestFrames();
+  }
+  void wake() override {
+    const std::lock_guard lock(m_mutex);
+    m_woken = true;
+    m_wakeUp.notify_one();
+  }
+
+  void beginFrame() override {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = ImVec2(static_cast<float>(m_width), static_cast<float>(m_height));
+    io.DeltaTime = 1.0F / 60;
+    ImGui_ImplOpenGL3_NewFrame();
+    applyPretendedMouse();
+    ImGui::NewFrame();
+  }
+
+  void endFrame() override {
+    ImGui::Render();
+    m_target.bind();
+    clearScreen(m_width, m_height, backgroundCode());
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    frameDone();
+  }
+
+  [[nodiscard]] int width() const override { return m_width; }
+  [[nodiscard]] int height() const override { return m_height; }
+  [[nodiscard]] std::vector<uint8_t> pixels() override {
+    m_target.bind();
+    return readScreen(m_width, m_height);
+  }
+
+ private:
+  int m_width, m_height;
+  EglContext m_context;
+  ScreenTarget m_target;
+  std::mutex m_mutex;
+  std::condition_variable m_wakeUp;
+  bool m_woken = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Screen> openOffscreen(int width, int height) {
+  return std::make_unique<OffscreenScreen>(width, height);
+}
+
+}  // namespace swaplight

@@ -1,0 +1,15 @@
+#include "ui/window/screen.h"
+
+#include <imgui.h>
+
+namespace swaplight {
+
+void Screen::applyPretendedMouse() const {
+  if (!m_pretended.on) return;
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = ImVec2(m_pretended.x, m_pretended.y);
+  io.MouseDown[ImGuiMouseButton_Left] = m_pretended.down;
+  io.MouseDown[ImGuiMouseButton_Right] = m_pretended.right;
+}
+
+}  // namespace swaplight

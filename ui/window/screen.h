@@ -1,0 +1,82 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/actions/keyboard.h"
+
+namespace swaplight {
+
+/// Where the studio draws and where its input comes from: a window of the desktop, or a picture in memory.
+/// Feeds Dear ImGui, whose context the caller has made; owns the OpenGL context, current on this thread.
+class Screen {
+ public:
+  Screen() = default;
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+  virtual ~Screen() = default;
+
+  /// Sleeps until there is input, somebody calls wake(), or the seconds are over; not at all while frames are
+  /// wanted.
+  virtual void wait(double seconds) = 0;
+  /// From any thread: ends wait() and asks for a frame.
+  virtual void wake() = 0;
+  /// Dear ImGui may be drawn with from here until endFrame().
+  virtual void beginFrame() = 0;
+  /// Draws and shows.
+  virtual void endFrame() = 0;
+
+  [[nodiscard]] virtual int width() const = 0;
+  [[nodiscard]] virtual int height() const = 0;
+  /// Of the desktop: 1 at 96 dots an inch.
+  [[nodiscard]] virtual float contentScale() const { return 1; }
+  /// What the last frame looked like: 8-bit R G B A from the top.
+  [[nodiscard]] virtual std::vector<uint8_t> pixels() = 0;
+
+  [[nodiscard]] virtual bool closeAsked() const { return false; }
+  virtual void refuseClose() {}
+  virtual void setTitle(const std::string& /*title*/) {}
+  virtual void toggleFullScreen() {}
+
+  /// Dear ImGui needs a few frames to come to rest after anything happened.
+  void requestFrames(int count = 3) { m_framesWanted = std::max(m_framesWanted, count); }
+  [[nodiscard]] bool frameWanted() const { return m_framesWanted > 0; }
+  [[nodiscard]] const Keyboard& keyboard() const { return m_keyboard; }
+  /// From the next frame on the mouse is here, whatever the real one does: for scripts and measurements.
+  void pretendMouse(float x, float y, bool down, bool right = false) {
+    m_pretended = {true, x, y, down, right};
+  }
+
+  /// Files that were dropped onto the window since the last call.
+  [[nodiscard]] std::vector<std::filesystem::path> takeDropped() { return std::exchange(m_dropped, {}); }
+
+ protected:
+  void frameDone() {
+    m_keyboard.endFrame();
+    m_framesWanted = std::max(0, m_framesWanted - 1);
+  }
+  /// To be called between the backend's new frame and Dear ImGui's.
+  void applyPretendedMouse() const;
+
+  struct Pretended {
+    bool on = false;
+    float x = 0, y = 0;
+    bool down = false, right = false;
+  };
+  Pretended m_pretended;
+  Keyboard m_keyboard;
+  std::vector<std::filesystem::path> m_dropped;
+  int m_framesWanted = 3;
+};
+
+/// A window. Throws ResourceError where there is no display or no OpenGL 4.1.
+[[nodiscard]] std::unique_ptr<Screen> openWindow(const std::string& title, int width, int height);
+/// A picture in memory; needs no display. Throws ResourceError where there is no OpenGL 4.1.
+[[nodiscard]] std::unique_ptr<Screen> openOffscreen(int width, int height);
+
+}  // namespace swaplight
