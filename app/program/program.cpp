@@ -6,6 +6,7 @@
 #include "app/program/interrupt.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/version.h"
 
 namespace swaplight {
 namespace {
@@ -23,7 +24,7 @@ int fail(int code, std::string message) {
 }  // namespace
 
 Program::Program() : m_app("Relight a set that has already been photographed.", "swaplight") {
-  m_app.set_version_flag("--version", "swaplight " SWAPLIGHT_VERSION);
+  m_app.set_version_flag("--version", std::string("swaplight ") + version());
   m_app.require_subcommand(0, 1);
   m_app.footer("`swaplight VERB --help` says what a verb takes.");
 }

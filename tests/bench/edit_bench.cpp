@@ -12,7 +12,7 @@
 
 #include "core/base/parallel.h"
 #include "core/edit/apply/edited_set.h"
-#include "tests/core/small_set.h"
+#include "tests/support/small_set.h"
 
 using namespace swaplight;  // NOLINT(google-build-using-namespace)
 

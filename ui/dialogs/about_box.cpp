@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "core/base/version.h"
 #include "core/file/user_folders.h"
 #include "core/ocio/color_config.h"
 #include "render/gl/gl_info.h"
@@ -37,7 +38,7 @@ void drawAboutBox(StudioContext& studio, bool* open) {
     if (ImGui::BeginTable("##facts", 2)) {
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, px(130));
       ImGui::TableSetupColumn("value");
-      row("Version", SWAPLIGHT_VERSION);
+      row("Version", version());
       row("Picture by", studio.pictures.words());
       row("OpenGL", glInfo().renderer);
       row("Colour", ColorConfig::current().name());

@@ -7,7 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/file/atomic_file.h"
-#include "core/image/io/image_write.h"
+#include "core/image/image_parts.h"
 
 namespace swaplight {
 

@@ -1,4 +1,5 @@
 #include "core/image/exr/exr_header.h"
+#include "core/base/version.h"
 
 #include <array>
 #include <string_view>
@@ -110,7 +111,7 @@ exr_result_t setExrValues(exr_context_t exr, int part, const FileToWrite& conten
   for (const auto& [name, text] : contents.text) values[exrName(name)].text = text;
   for (const auto& [name, value] : contents.header)
     if (!isScreenWindow(name)) values.emplace(exrName(name), value);
-  values.try_emplace("Software").first->second.text = "swaplight " SWAPLIGHT_VERSION;
+  values.try_emplace("Software").first->second.text = std::string("swaplight ") + version();
   for (const auto& [name, value] : values) {
     const exr_result_t result = setValue(exr, part, name, value);
     // A standard name with a value of another type is left out: it would make the file unreadable to others.

@@ -2,7 +2,7 @@
 
 #include <openexr.h>
 
-#include "core/image/io/image_write.h"
+#include "core/image/image_parts.h"
 
 namespace swaplight {
 

@@ -2,7 +2,7 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include "core/image/exr/header_values.h"
+#include "core/image/header_values.h"
 
 namespace swaplight {
 

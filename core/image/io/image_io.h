@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/image/exr/header_values.h"
+#include "core/image/header_values.h"
 #include "core/image/image.h"
 #include "core/image/pixel_pack.h"
 #include "core/image/pixel_rect.h"

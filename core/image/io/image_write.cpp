@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/file/atomic_file.h"
 #include "core/image/exr/exr_file.h"
 #include "core/image/io/carried_data.h"
@@ -70,7 +71,7 @@ OIIO::ImageSpec specOf(const FileToWrite& contents, const PartToWrite& part, con
   } else if (format == "openexr" || format == "tiff") {
     spec.attribute("compression", contents.compression.empty() ? "zip" : contents.compression);
   }
-  spec.attribute("Software", "swaplight " SWAPLIGHT_VERSION);
+  spec.attribute("Software", std::string("swaplight ") + version());
   if (&part == contents.parts.data())
     for (const auto& [name, value] : contents.text) spec.attribute(name, value);
   addHeaderValues(spec, contents.header);

@@ -1,0 +1,34 @@
+# A folder is a library:
+#
+#   swaplight_library(swaplight_relight
+#     SOURCES rig.cpp rig.h ...     all of the folder
+#     KERNELS weights_kernel.cpp    compiled once for each class of processor (core/simd/simd.h)
+#     LINK swaplight_set ...        the project's libraries that its files include, each named
+#     PUBLIC glm::glm               others that its headers include
+#     PRIVATE TBB::tbb)             others that its sources include
+#
+# The link line is the architecture: a test refuses an include that the line does not name, a file that is not
+# listed, and circles (tests/structure).
+
+set(SWAPLIGHT_LEVELS 1)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT SWAPLIGHT_SANITIZE)
+  list(APPEND SWAPLIGHT_LEVELS 3 4)
+endif()
+
+function(swaplight_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 LIB "" "" "SOURCES;KERNELS;LINK;PUBLIC;PRIVATE")
+  add_library(${name} STATIC ${LIB_SOURCES})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${LIB_LINK} ${LIB_PUBLIC} PRIVATE ${LIB_PRIVATE})
+  if(NOT LIB_KERNELS)
+    return()
+  endif()
+  foreach(level IN LISTS SWAPLIGHT_LEVELS)
+    set(kernels ${name}_level${level})
+    add_library(${kernels} OBJECT ${LIB_KERNELS})
+    target_include_directories(${kernels} PRIVATE ${PROJECT_SOURCE_DIR})
+    target_compile_definitions(${kernels} PRIVATE SWAPLIGHT_LEVEL=level${level})
+    target_compile_options(${kernels} PRIVATE -O3 $<$<NOT:$<EQUAL:${level},1>>:-march=x86-64-v${level}>)
+    target_sources(${name} PRIVATE $<TARGET_OBJECTS:${kernels}>)
+  endforeach()
+endfunction()

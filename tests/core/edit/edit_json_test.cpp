@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/edit/stack/edit.h"
+#include "tests/support/temporary_folder.h"
+
+namespace swaplight {
+namespace {
+
+using testing::HasSubstr;
+
+EditStack everyKind() {
+  Painting painting(200, 100);
+  Stroke stroke;
+  stroke.radius = 12.5f;
+  stroke.erase = true;
+  stroke.points = {{10, 20, .3f}, {40, 25, 1}};
+  painting.begin(stroke);
+  const std::vector<Operation> operations = {
+      FillOperation{.25f},
+      GainOperation{1.5f, -.1f},
+      CurveOperation{{{0, .1f}, {.5f, .2f}, {1, 2}}},
+      InvertOperation{},
+      BlurOperation{17},
+      SharpenOperation{5, .3f},
+      PictureOperation{"beta.exr", "beta.key"},
+      ShadowOperation{ShadowOperation::Kind::Recolor, .6f, 9, {1, .2f, .1f}}};
+  const std::vector<MaskShape> shapes = {{RectangleShape{1, 2, 3, 4, 5}, true},
+                                         {EllipseShape{1.5f, 2, 3, 4, 5}, false},
+                                         {PolygonShape{{{1, 2}, {30, 4}, {5, 60}}, 2}, false},
+                                         {LinearGradientShape{0, 1, 2, 3}, false},
+                                         {RadialGradientShape{1, 2, 3, 4}, true},
+                                         {PatternShape{PatternShape::Kind::Dots, 30, 45, .3f, 1}, false},
+                                         {TextShape{"EXIT \"2\"", 5, 50, 40, 1}, false},
+                                         {PictureShape{"gobo.png", 1, 2, 30, 40}, false},
+                                         {PaintShape{std::make_shared<const Painting>(painting)}, false},
+                                         {ShadowShape{"key", true, 7, 8}, false}};
+  EditStack stack;
+  stack.newLights = {"sun"};
+  stack.shadowThresholds = {{"key", .125f}};
+  for (size_t i = 0; i < shapes.size(); ++i) {
+    Edit edit;
+    edit.name = "edit " + std::to_string(i);
+    edit.on = i % 2 == 0;
+    edit.opacity = .1f * static_cast<float>(i);
+    edit.lights = {"key", "sun"};
+    edit.meaning = i % 3 ? Meaning::Add : Meaning::Share;
+    edit.operation = operations[i % operations.size()];
+    edit.mask = {shapes[i], shapes[(i + 3) % shapes.size()]};
+    stack.append(edit);
+  }
+  return stack;
+}
+
+TEST(EditJson, RoundTripKeepsEverything) {
+  const EditStack stack = everyKind();
+  const Json json = jsonFromEditStack(stack);
+  const EditStack back = editStackFromJson(Json::parse(json.dump()), 200, 100);
+  EXPECT_EQ(back, stack);
+  EXPECT_EQ(jsonFromEditStack(back), json);
+  // Replayed strokes give the same pixels.
+  const auto& before = std::get<PaintShape>(stack.edits[8]->mask[0].shape).painting->mask();
+  const auto& after = std::get<PaintShape>(back.edits[8]->mask[0].shape).painting->mask();
+  EXPECT_TRUE(before.differences(after).empty());
+}
+
+TEST(EditJson, SaysWhereSomethingIsWrong) {
+  const auto message = [](const char* text) {
+    return test::inputError(
+        [&] { (void)editStackFromJson(Json::parse(text), 10, 10, "a.swaplight: edits"); });
+  };
+  EXPECT_THAT(message(R"({})"), HasSubstr("edits"));
+  EXPECT_THAT(message(R"({"edits": [{"operation": "fill"}, {"operation": "smudge"}]})"),
+              testing::AllOf(HasSubstr("edit 2"), HasSubstr("smudge"), HasSubstr("sharpen")));
+  EXPECT_THAT(message(R"({"edits": [{"operation": "fill", "opacity": 3}]})"), HasSubstr("opacity"));
+  EXPECT_THAT(message(R"({"edits": [{"operation": "fill", "meaning": "steal"}]})"),
+              HasSubstr("share or add"));
+  EXPECT_THAT(message(R"({"edits": [{"operation": "fill", "mask": [{"shape": "blob"}]}]})"),
+              testing::AllOf(HasSubstr("shape 1"), HasSubstr("ellipse")));
+  EXPECT_THAT(message(R"({"edits": [], "shadow_thresholds": {"key": 7}})"),
+              testing::AllOf(HasSubstr("key"), HasSubstr("between 0 and 1")));
+  EXPECT_THAT(message(R"({"edits": [{"operation": "curve", "points": [[0, 1], 3]}]})"), HasSubstr("[x, y]"));
+  EXPECT_THAT(
+      message(
+          R"({"edits": [{"operation": "fill", "mask": [{"shape": "painted", "strokes": [{"points": [1]}]}]}]})"),
+      HasSubstr("stroke 1"));
+}
+
+}  // namespace
+}  // namespace swaplight

@@ -1,0 +1,203 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/image/io/image_io.h"
+#include "core/intake/capture_draft.h"
+#include "core/intake/rotation_guess.h"
+#include "core/solve/solve.h"
+#include "tests/support/synthetic_capture.h"
+#include "tests/support/temporary_folder.h"
+
+namespace swaplight {
+namespace {
+
+using test::TemporaryFolder;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::ThrowsMessage;
+
+void writePicture(const std::filesystem::path& file, const std::map<std::string, std::string>& text = {}) {
+  WriteOptions options;
+  options.text = text;
+  writeImage(Image(ImageSpec::rgb(8, 6), 0.5F), file, options);
+}
+
+std::vector<std::string> filesOf(const ShotFolder& folder) {
+  std::vector<std::string> files;
+  files.reserve(folder.shots.size());
+  for (const FoundShot& shot : folder.shots) files.push_back(shot.file);
+  return files;
+}
+
+TEST(ShotFolder, NumbersInNamesCountAsNumbers) {
+  const TemporaryFolder folder;
+  for (const char* name : {"shot_10.exr", "shot_9.exr", "shot_1.exr", "shot_010b.exr"})
+    writePicture(folder.path() / name);
+  const ShotFolder found = scanShotFolder(folder.path());
+  EXPECT_THAT(filesOf(found), ElementsAre("shot_1.exr", "shot_9.exr", "shot_10.exr", "shot_010b.exr"));
+  EXPECT_FALSE(found.timed);
+}
+
+TEST(ShotFolder, TheTimeOfTheirTakingGoesBeforeNames) {
+  const TemporaryFolder folder;
+  writePicture(folder.path() / "a.exr", {{"DateTime", "2026:11:21 10:00:30"}});
+  writePicture(folder.path() / "b.exr", {{"DateTime", "2026:11:21 10:00:10"}});
+  const ShotFolder found = scanShotFolder(folder.path());
+  EXPECT_TRUE(found.timed);
+  EXPECT_THAT(filesOf(found), ElementsAre("b.exr", "a.exr"));
+}
+
+TEST(ShotFolder, AmbientDarkAndWhatIsNoPictureAreNoShots) {
+  const TemporaryFolder folder;
+  for (const char* name : {"one.exr", "two.exr", "Ambient.exr", "dark_1.exr"})
+    writePicture(folder.path() / name);
+  std::ofstream(folder.path() / "notes.txt") << "lunch";
+  std::ofstream(folder.path() / "clip.mov") << "film";
+  const ShotFolder found = scanShotFolder(folder.path());
+  EXPECT_THAT(filesOf(found), ElementsAre("one.exr", "two.exr"));
+  EXPECT_EQ(found.ambient, "Ambient.exr");
+  EXPECT_EQ(found.dark, "dark_1.exr");
+  EXPECT_THAT(found.notes, ElementsAre(HasSubstr("clip.mov is left out")));
+}
+
+TEST(ShotFolder, AFolderWithoutPhotographsIsSaid) {
+  const TemporaryFolder folder;
+  EXPECT_THAT([&] { static_cast<void>(scanShotFolder(folder.path())); },
+              ThrowsMessage<InputError>(HasSubstr("has no photographs")));
+  EXPECT_THAT([&] { static_cast<void>(scanShotFolder(folder.path() / "none")); },
+              ThrowsMessage<InputError>(HasSubstr("is no folder")));
+}
+
+TEST(ShotColor, IsAGelANumberOrUnknown) {
+  EXPECT_EQ(shotColorFromText("0.9/0.2/0.1").color, Rgb(0.9F, 0.2F, 0.1F));
+  EXPECT_EQ(shotColorFromText(" off ").color, Rgb(0));
+  EXPECT_EQ(shotColorFromText("l106").text, "l106");
+  EXPECT_GT(shotColorFromText("L106").color->r, 3 * shotColorFromText("L106").color->b);
+  EXPECT_FALSE(shotColorFromText("unknown").color);
+  EXPECT_THAT([] { static_cast<void>(shotColorFromText("reddish")); },
+              ThrowsMessage<InputError>(HasSubstr("'reddish' is no colour of a light")));
+}
+
+TEST(ShotColor, IsReadOffACard) {
+  Image shot(ImageSpec::rgb(40, 30), 0);
+  for (int y = 10; y < 20; ++y)
+    for (int x = 5; x < 15; ++x)
+      for (int c = 0; c < 3; ++c) shot.span().at(c, x, y) = c == 0 ? 0.6F : 0.2F;
+  const Rgb color = *colorOfCard(shot, 10, 15, 5).color;
+  EXPECT_NEAR(color.r, 0.6F, 1e-5);
+  EXPECT_NEAR(color.g, 0.2F, 1e-5);
+  EXPECT_THROW(static_cast<void>(colorOfCard(shot, 30, 25)), InputError);
+  EXPECT_THROW(static_cast<void>(colorOfCard(shot, 40, 2)), InputError);
+}
+
+/// A draft of pictures that were never in files.
+CaptureDraft draftFor(const Capture& capture) {
+  ShotFolder folder;
+  folder.folder = "/set";
+  for (size_t k = 0; k < capture.shots.size(); ++k)
+    folder.shots.push_back({fmt::format("{}.exr", k + 1), "", "lin_rec709", "openexr", 128, 64, {}});
+  std::vector<std::string> names;
+  names.reserve(capture.lights.size());
+  for (const Light& light : capture.lights) names.push_back(light.name);
+  return draftOf(folder, names);
+}
+
+std::vector<ShotColor> ringOf(int lights) {
+  std::vector<ShotColor> ring;
+  ring.reserve(static_cast<size_t>(lights));
+  for (int i = 0; i < lights; ++i) ring.push_back(shotColorFromRgb(defaultColors()[static_cast<size_t>(i)]));
+  return ring;
+}
+
+TEST(RotationGuess, FindsHowTheColoursMoved) {
+  for (const int lights : {2, 3, 4})
+    for (const int direction : {1, -1}) {
+      Capture capture = rotatedCapture(lights);
+      if (direction < 0) std::reverse(capture.shots.begin() + 1, capture.shots.end());
+      capture.noise = SensorNoise{0.002, 20000};
+      const CapturePixels pixels = photograph(capture, SyntheticSet(lights, 0.3F));
+      const RotationGuess guess = guessRotation(draftFor(capture), pixels, ringOf(lights));
+      for (int k = 0; k < lights; ++k)
+        EXPECT_EQ(guess.steps[static_cast<size_t>(k)], ((direction * k) % lights + lights) % lights)
+            << lights << " lights: " << guess.words;
+      EXPECT_THAT(guess.words, Not(HasSubstr("please check")));
+    }
+}
+
+TEST(RotationGuess, SaysWhenTheColoursDoNotFit) {
+  Capture capture = rotatedCapture(2);
+  const CapturePixels pixels = photograph(capture, SyntheticSet(2, 0));
+  const std::vector<ShotColor> wrong{shotColorFromText("0.9/0.85/0.8"), shotColorFromText("0.5/0.55/0.6")};
+  EXPECT_THAT(guessRotation(draftFor(capture), pixels, wrong).words, HasSubstr("fits badly"));
+}
+
+TEST(RotationGuess, NeedsKnownColoursOneALight) {
+  const Capture capture = rotatedCapture(2);
+  const CapturePixels pixels = photograph(capture, SyntheticSet(2, 0));
+  EXPECT_THROW(static_cast<void>(guessRotation(draftFor(capture), pixels, ringOf(3))), InputError);
+  EXPECT_THROW(
+      static_cast<void>(guessRotation(draftFor(capture), pixels, shotColorsFromText("L106,unknown"))),
+      InputError);
+}
+
+TEST(CaptureDraft, RolesComeFromNamesOrFromTheOrder) {
+  Capture capture = rotatedCapture(2);
+  capture.lights[0].name = "back";
+  EXPECT_EQ(captureOf(draftFor(capture)).lights[0].role, Role::Back);
+  EXPECT_EQ(captureOf(draftFor(capture)).lights[1].role, Role::Other);
+  EXPECT_EQ(captureOf(draftFor(rotatedCapture(2))).lights[1].role, Role::Fill);
+}
+
+TEST(CaptureDraft, ExposuresOfTheFilesAreCountedIn) {
+  CaptureDraft draft = draftFor(rotatedCapture(2));
+  draft.folder.shots[0].exposureStops = 3;
+  draft.folder.shots[1].exposureStops = 2.01;
+  EXPECT_FLOAT_EQ(captureOf(draft).shots[1].exposureStops, -1);
+  draft.folder.shots[0].exposureStops.reset();
+  EXPECT_EQ(captureOf(draft).shots[1].exposureStops, 0);
+}
+
+TEST(CaptureDraft, WarnsOfColoursThatAreTooAlike) {
+  const CaptureDraft same =
+      withRotation(draftFor(rotatedCapture(2)), shotColorsFromText("0.5/0.5/0.5,0.5/0.5/0.5"), {0, 1});
+  EXPECT_THAT(colorWarnings(same), Contains(HasSubstr("light1")));
+  EXPECT_THAT(colorWarnings(withRotation(draftFor(rotatedCapture(2)), ringOf(2), {0, 1})), IsEmpty());
+}
+
+TEST(CaptureDraft, WarnsOfClippedPicturesAndAMovedCamera) {
+  const Capture capture = rotatedCapture(2);
+  CapturePixels pixels = photograph(capture, SyntheticSet(2, 0));
+  pixels.clipLevel = {0.4F, INFINITY};
+  const CaptureDraft draft = withRotation(draftFor(capture), ringOf(2), {0, 1});
+  EXPECT_THAT(pictureWarnings(draft, pixels), Contains(HasSubstr("1.exr: ")));
+}
+
+TEST(CaptureDraft, SaysWhatItAssumesOfAnUnknownColour) {
+  CaptureDraft draft = withRotation(draftFor(rotatedCapture(2)), ringOf(2), {0, 1});
+  draft.colors[0][1] = shotColorFromText("unknown");
+  EXPECT_THAT(colorWarnings(draft),
+              ElementsAre(HasSubstr("the colour of light1 in 1.exr is unknown: it is estimated from the")));
+}
+
+TEST(CaptureDraft, AnUnknownColourIsFoundAndSaidByTheSolve) {
+  const Capture truth = rotatedCapture(2);
+  const CapturePixels pixels = photograph(truth, SyntheticSet(2, 0));
+  Capture capture = truth;
+  capture.shots[0].lightColors[1].reset();
+  const SolvedSet set = solve(capture, pixels, {});
+  EXPECT_THAT(set.report["message"].get<std::string>(),
+              HasSubstr("The colour of light1 in shot 1 was not known: estimated"));
+  const Rgb wanted = *truth.shots[0].lightColors[1];
+  // Up to a factor: how bright the light was there can only be seen against its other shots.
+  const auto& found = set.report["refined_colors"][1];
+  for (size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(found[c].get<float>() / found[1].get<float>(), wanted[static_cast<int>(c)] / wanted.g, 0.1);
+}
+
+}  // namespace
+}  // namespace swaplight

@@ -1,0 +1,187 @@
+#include "core/solve/registration/align_shots.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "core/capture/capture.h"
+#include "core/image/io/image_io.h"
+#include "core/solve/solve.h"
+#include "tests/support/synthetic_capture.h"
+
+namespace swaplight {
+namespace {
+
+/// A set that can be photographed from any fraction of a pixel: smooth blobs of albedo under two lights.
+class MovableSet {
+ public:
+  static constexpr int kWidth = 160;
+  static constexpr int kHeight = 128;
+
+  MovableSet() {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit(0, 1);
+    for (int j = 0; j < 150; ++j)
+      m_blobs.push_back({kWidth * (1.2F * unit(random) - 0.1F), kHeight * (1.2F * unit(random) - 0.1F),
+                         2 + 4 * unit(random), 0.4F * unit(random), 0.4F * unit(random),
+                         0.4F * unit(random)});
+  }
+  [[nodiscard]] float light(int i, int channel, float x, float y) const {
+    float albedo = 0.1F;
+    for (const auto& b : m_blobs) {
+      const float d = ((x - b[0]) * (x - b[0]) + (y - b[1]) * (y - b[1])) / (2 * b[2] * b[2]);
+      if (d < 9) albedo += b[3 + size_t(channel)] * std::exp(-d);
+    }
+    const float slope = 0.5F + 0.4F * std::sin(0.02F * x + 0.015F * y);
+    return albedo * 0.5F * (i == 0 ? slope : 1 - slope);
+  }
+  [[nodiscard]] CapturePixels photograph(const Capture& capture, const std::vector<ShotShift>& shifts) const {
+    std::mt19937 random(3);
+    std::normal_distribution<float> gauss(0, 0.001F);
+    CapturePixels pixels;
+    for (size_t k = 0; k < capture.shots.size(); ++k) {
+      Image image(ImageSpec::rgb(kWidth, kHeight));
+      for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < kHeight; ++y)
+          for (int x = 0; x < kWidth; ++x) {
+            float sum = gauss(random);
+            for (int i = 0; i < 2; ++i)
+              sum += (*capture.shots[k].lightColors[size_t(i)])[c] *
+                     light(i, c, float(x) - shifts[k].x, float(y) - shifts[k].y);
+            image.span().at(c, x, y) = sum;
+          }
+      pixels.shots.push_back(std::move(image));
+      pixels.clipLevel.push_back(INFINITY);
+      pixels.quantum.push_back(0);
+    }
+    return pixels;
+  }
+  [[nodiscard]] double relativeError(const SolvedSet& set) const {
+    double error = 0;
+    double power = 0;
+    for (int i = 0; i < 2; ++i)
+      for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < kHeight; ++y)
+          for (int x = 0; x < kWidth; ++x) {
+            const double t = light(i, c, float(x), float(y));
+            const double d = set.contributions[size_t(i)].view().at(c, x, y) - t;
+            error += d * d;
+            power += t * t;
+          }
+    return std::sqrt(error / power);
+  }
+
+ private:
+  std::vector<std::array<float, 6>> m_blobs;
+};
+
+Capture swappedLights() {
+  Capture capture = rotatedCapture(2);
+  capture.noise = SensorNoise{.001, 1e9};
+  return capture;
+}
+
+TEST(AlignShots, AShiftIsMeasuredToAFewHundredthsOfAPixelThoughTheLightsChange) {
+  const Capture capture = swappedLights();
+  const MovableSet set;
+  for (const ShotShift shift :
+       {ShotShift{0, 0}, ShotShift{0.5F, -0.3F}, ShotShift{-2.4F, 1.7F}, ShotShift{7, 3}}) {
+    const auto found = measureShifts(set.photograph(capture, {{0, 0}, shift}));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_TRUE(found[1].found);
+    EXPECT_NEAR(found[1].x, shift.x, 0.08);
+    EXPECT_NEAR(found[1].y, shift.y, 0.08);
+    printf("shift %.2f %.2f measured %.3f %.3f\n", shift.x, shift.y, found[1].x, found[1].y);
+  }
+}
+
+TEST(AlignShots, LightsFromOtherSidesAreNotTakenForAMovedCameraButHalfAPixelIs) {
+  const std::filesystem::path samples = SWAPLIGHT_SAMPLES;
+  for (const char* name : {"three_point", "film_set", "two_swapped"}) {
+    std::vector<std::filesystem::path> files;  // one light each, of a set that stands still
+    for (const auto& entry : std::filesystem::directory_iterator(samples / name / "truth"))
+      files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    float farthest = 0;
+    for (size_t first = 0; first < files.size(); ++first) {
+      std::rotate(files.begin(), files.begin() + 1, files.end());
+      CapturePixels pixels;
+      for (const auto& file : files) {
+        pixels.shots.push_back(readImage(file).image);
+        pixels.clipLevel.push_back(INFINITY);
+        pixels.quantum.push_back(0);
+      }
+      for (const ShotShift& shift : measureShifts(pixels)) {
+        farthest = std::max(farthest, std::hypot(shift.x, shift.y));
+        EXPECT_FALSE(worthMoving(shift)) << name << " " << shift.x << " " << shift.y;
+      }
+    }
+    EXPECT_GT(farthest, 0.15F) << "the whole pictures alone would have it move";
+  }
+  for (const char* name : {"three_point", "film_set", "two_swapped"}) {
+    const CapturePixels still = loadCapturePixels(readCapture(samples / name / "capture.json"));
+    for (const ShotShift half : {ShotShift{0.5F, 0}, ShotShift{0, -0.5F}, ShotShift{-0.35F, 0.35F}}) {
+      std::vector<ShotShift> shifts(still.shots.size());
+      shifts[1] = half;
+      const std::vector<ShotShift> found = measureShifts(movedShots(still, shifts));
+      for (size_t k = 0; k < found.size(); ++k)
+        EXPECT_EQ(worthMoving(found[k]), k == 1) << name << " " << found[k].x << " " << found[k].y;
+    }
+  }
+}
+
+TEST(AlignShots, ASolveOfAMovedShotIsNearlyAsGoodAsIfItHadNotMoved) {
+  const Capture capture = swappedLights();
+  const MovableSet set;
+  SolveOptions plain;
+  SolveOptions align;
+  align.align = true;
+  const CapturePixels moved = set.photograph(capture, {{0, 0}, {1.3F, -0.6F}});
+  const double still = set.relativeError(solve(capture, set.photograph(capture, {{0, 0}, {0, 0}}), plain));
+  const double without = set.relativeError(solve(capture, moved, plain));
+  const SolvedSet solved = solve(capture, moved, align);
+  printf("still %.4f moved %.4f aligned %.4f\n", still, without, set.relativeError(solved));
+  EXPECT_LT(set.relativeError(solved), 0.5 * without);
+  ASSERT_EQ(solved.report["shifts"].size(), 2U);
+  EXPECT_NEAR(double(solved.report["shifts"][1][0]), 1.3, 0.08);
+  // What the second shot does not show is said.
+  EXPECT_TRUE(int(solved.quality.view().at(kFlags, MovableSet::kWidth - 1, 60)) & kFilled);
+  EXPECT_FALSE(int(solved.quality.view().at(kFlags, 80, 60)) & kFilled);
+}
+
+TEST(AlignShots, AShotOfSomethingElseIsLeftWhereItIsAndNamed) {
+  const Capture capture = swappedLights();
+  CapturePixels pixels = MovableSet().photograph(capture, {{0, 0}, {0, 0}});
+  std::mt19937 random(9);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (int c = 0; c < 3; ++c)
+    for (size_t p = 0; p < pixels.shots[1].pixelCount(); ++p) pixels.shots[1].plane(c)[p] = unit(random);
+  SolveOptions options;
+  options.align = true;
+  const SolvedSet set = solve(capture, pixels, options);
+  EXPECT_TRUE(set.report["shifts"][1].is_null());
+  ASSERT_FALSE(set.report["warnings"].empty());
+  EXPECT_NE(std::string(set.report["warnings"][0]).find("shot 2"), std::string::npos);
+}
+
+TEST(AlignShots, SaturatedAndBrokenValuesStaySoWhenAShotMoves) {
+  CapturePixels pixels;
+  for (int k = 0; k < 2; ++k) {
+    pixels.shots.emplace_back(ImageSpec::rgb(16, 16), 0.5F);
+    pixels.clipLevel.push_back(0.99F);
+    pixels.quantum.push_back(0);
+  }
+  pixels.shots[1].span().at(0, 8, 8) = 1;
+  pixels.shots[1].span().at(1, 8, 8) = NAN;
+  const CapturePixels moved = movedShots(pixels, {{0, 0}, {1.5F, 0}});
+  EXPECT_GE(moved.shots[1].view().at(0, 6, 8), 0.99F);
+  EXPECT_GE(moved.shots[1].view().at(0, 7, 8), 0.99F);
+  EXPECT_TRUE(std::isnan(moved.shots[1].view().at(1, 7, 8)));
+  EXPECT_NEAR(moved.shots[1].view().at(2, 7, 8), 0.5F, 1e-6);
+  EXPECT_LT(moved.shots[1].view().at(0, 2, 8), 0.6F);
+}
+
+}  // namespace
+}  // namespace swaplight
