@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/color/chromaticities.h"
 #include "core/image/exr/exr_context.h"
 #include "core/image/exr/exr_file.h"
 #include "core/image/exr/exr_header.h"

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/color/chromaticities.h"
 #include "core/file/atomic_file.h"
 #include "core/image/exr/exr_file.h"
 #include "core/image/io/carried_data.h"
