@@ -1,9 +1,6 @@
 #include "ui/control/export_controller.h"
 
-#include <imgui.h>
-
-#include "ui/kit/layout_probe.h"
-#include "ui/kit/theme.h"
+#include "core/base/error.h"
 
 namespace swaplight {
 
@@ -29,24 +26,6 @@ void ExportController::update(Messages& messages) {
   } catch (const std::exception& error) {
     messages.error(error.what());
   }
-}
-
-void ExportController::drawProgress(float right, float bottom) {
-  if (!busy()) return;
-  ImGui::SetNextWindowPos(ImVec2(right, bottom), ImGuiCond_Always, ImVec2(1, 1));
-  ImGui::SetNextWindowSize(ImVec2(px(320), 0));
-  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
-                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing;
-  if (ImGui::Begin("##exporting", nullptr, flags)) {
-    ImGui::Text("Exporting %s", m_name.c_str());
-    ImGui::ProgressBar(m_job.fraction(), ImVec2(-1, px(8)), "");
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", m_job.cancelling() ? "stopping \u2026" : m_job.what().c_str());
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - px(90));
-    if (ImGui::Button("Cancel", ImVec2(px(90), 0))) m_job.cancel();
-    markItem("exporting.cancel");
-  }
-  ImGui::End();
 }
 
 }  // namespace swaplight

@@ -21,14 +21,18 @@ class ExportController {
   /// `set` without edits: they are the document's.
   void start(std::shared_ptr<const SolvedSet> set, const Document& document, const ExportRequest& request);
   [[nodiscard]] bool busy() const { return m_job.running(); }
-  /// Shows how far it is, and a way to stop it, in the lower right corner of a rectangle of the screen.
-  void drawProgress(float right, float bottom);
+  /// The file that is being written.
+  [[nodiscard]] const std::string& name() const { return m_name; }
+  [[nodiscard]] float fraction() const { return m_job.fraction(); }
+  [[nodiscard]] std::string what() const { return m_job.what(); }
+  void cancel() { m_job.cancel(); }
+  [[nodiscard]] bool cancelling() const { return m_job.cancelling(); }
   /// To be called often.
   void update(Messages& messages);
 
  private:
   std::function<void()> m_wake;
-  std::string m_name;  ///< of the file that is being written
+  std::string m_name;
   Job<std::vector<std::filesystem::path>> m_job;
 };
 

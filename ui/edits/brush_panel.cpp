@@ -2,9 +2,10 @@
 
 #include <imgui.h>
 
-#include "ui/kit/paint_controls.h"
+#include "ui/edits/paint_modes.h"
+#include "ui/kit/action_widgets.h"
+#include "ui/kit/panel_controls.h"
 #include "ui/kit/widgets.h"
-#include "ui/shell/menu_bar.h"
 #include "ui/tools/brush_tool.h"
 
 namespace swaplight {

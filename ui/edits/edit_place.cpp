@@ -9,7 +9,7 @@
 #include "core/edit/mask/selection.h"
 #include "ui/edits/edit_list.h"
 #include "ui/kit/layout_probe.h"
-#include "ui/kit/paint_controls.h"
+#include "ui/kit/panel_controls.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 #include "ui/tools/handle_tool.h"

@@ -13,10 +13,10 @@
 #include "ui/edits/edit_menu.h"
 #include "ui/edits/selection_panel.h"
 #include "ui/edits/stencil_panel.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 #include "ui/shadows/shadow_panel.h"
-#include "ui/shell/menu_bar.h"
 
 namespace swaplight {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "ui/control/light_edit.h"
 #include "ui/edits/edit_list.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/layout_probe.h"
-#include "ui/kit/paint_controls.h"
+#include "ui/kit/panel_controls.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
-#include "ui/shell/menu_bar.h"
 #include "ui/tools/selection_tool.h"
 
 namespace swaplight {

@@ -7,11 +7,12 @@
 
 #include "core/edit/mask/shape_handles.h"
 #include "ui/edits/edit_list.h"
+#include "ui/edits/paint_modes.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/layout_probe.h"
-#include "ui/kit/paint_controls.h"
+#include "ui/kit/panel_controls.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
-#include "ui/shell/menu_bar.h"
 #include "ui/tools/stencil_tool.h"
 
 namespace swaplight {

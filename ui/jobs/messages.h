@@ -31,7 +31,4 @@ class Messages {
   std::deque<Message> m_messages;
 };
 
-/// Draws them in the lower left corner of a rectangle of the screen.
-void drawMessages(Messages& messages, float left, float bottom, float maxWidth);
-
 }  // namespace swaplight

@@ -6,11 +6,11 @@
 
 #include "core/base/error.h"
 #include "core/lamp/gel.h"
-#include "ui/control/light_edit.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/light_words.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
-#include "ui/shell/menu_bar.h"
 
 namespace swaplight {
 namespace {

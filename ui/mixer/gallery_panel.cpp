@@ -9,11 +9,11 @@
 #include "core/look/rig_blend.h"
 #include "core/view/window_pixels.h"
 #include "ui/control/look_edit.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
-#include "ui/shell/menu_bar.h"
 
 namespace swaplight {
 namespace {

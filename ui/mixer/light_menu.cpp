@@ -8,8 +8,8 @@
 
 #include "core/relight/rig_edit.h"
 #include "ui/control/light_edit.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/layout_probe.h"
-#include "ui/shell/menu_bar.h"
 
 namespace swaplight {
 namespace {

@@ -15,12 +15,13 @@
 #include "core/lamp/kelvin.h"
 #include "core/relight/setting.h"
 #include "ui/control/light_edit.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/gel_list.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/light_words.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
-#include "ui/shell/menu_bar.h"
 
 namespace swaplight {
 namespace {

@@ -1,16 +1,17 @@
+#include "ui/mixer/mixer_actions.h"
+
 #include "ui/control/look_edit.h"
-#include "ui/shell/studio_window.h"
 
 namespace swaplight {
 
-void StudioWindow::addLookActions() {
-  m_actions.add({"looks.keep", "Keep the lighting as a look", "Shift+K",
-                 "Put the lighting of now into the gallery.",
-                 [this] {
-                   keepLook(m_context);
-                   m_layout.gallery = true;
-                 },
-                 [this] { return m_session.set() && !m_editor.document().rig.lights.empty(); }});
+void addLookActions(ActionTable& actions, StudioContext& studio) {
+  actions.add({"looks.keep", "Keep the lighting as a look", "Shift+K",
+               "Put the lighting of now into the gallery.",
+               [&studio] {
+                 keepLook(studio);
+                 studio.layout.gallery = true;
+               },
+               [&studio] { return studio.set() && !studio.document().rig.lights.empty(); }});
 }
 
 }  // namespace swaplight

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/relight/rig_edit.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
@@ -14,7 +15,6 @@
 #include "ui/mixer/light_panel.h"
 #include "ui/mixer/mixer_row.h"
 #include "ui/mixer/three_point_panel.h"
-#include "ui/shell/menu_bar.h"
 
 namespace swaplight {
 namespace {

@@ -10,6 +10,7 @@
 #include "ui/control/light_edit.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/light_words.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 #include "ui/mixer/light_menu.h"

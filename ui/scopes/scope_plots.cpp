@@ -8,7 +8,7 @@
 
 #include "core/color/planck.h"
 #include "core/lamp/kelvin.h"
-#include "ui/control/light_edit.h"
+#include "ui/kit/light_words.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 

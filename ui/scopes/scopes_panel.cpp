@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
-#include "ui/shell/menu_bar.h"
 
 namespace swaplight {
 namespace {

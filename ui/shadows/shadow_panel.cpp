@@ -8,13 +8,13 @@
 
 #include "ui/control/light_edit.h"
 #include "ui/control/shadow_edit.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/layout_probe.h"
-#include "ui/kit/paint_controls.h"
+#include "ui/kit/panel_controls.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 #include "ui/shadows/shadow_histogram.h"
 #include "ui/shadows/shadow_sliders.h"
-#include "ui/shell/menu_bar.h"
 
 namespace swaplight {
 namespace {

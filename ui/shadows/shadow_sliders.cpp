@@ -8,7 +8,7 @@
 #include "core/color/srgb.h"
 #include "ui/control/shadow_edit.h"
 #include "ui/kit/layout_probe.h"
-#include "ui/kit/paint_controls.h"
+#include "ui/kit/panel_controls.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 

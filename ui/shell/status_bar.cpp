@@ -50,25 +50,4 @@ void drawStatusBar(StudioContext& studio) {
   ImGui::PopStyleColor();
 }
 
-void drawProgress(StudioContext& studio, float centerX, float centerY) {
-  if (!studio.sets.busy()) return;
-  ImGui::SetNextWindowPos(ImVec2(centerX, centerY), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
-  ImGui::SetNextWindowSize(ImVec2(px(380), 0));
-  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
-                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing;
-  if (ImGui::Begin("##progress", nullptr, flags)) {
-    ImGui::PushFont(fonts().strong);
-    ImGui::TextUnformatted(studio.sets.task().c_str());
-    ImGui::PopFont();
-    const std::string what = studio.sets.what();
-    ImGui::ProgressBar(studio.sets.fraction(), ImVec2(-1, px(8)), "");
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", studio.sets.cancelling() ? "stopping …" : what.c_str());
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - px(90));
-    if (ImGui::Button("Cancel", ImVec2(px(90), 0))) studio.sets.cancel();
-    markItem("progress.cancel");
-  }
-  ImGui::End();
-}
-
 }  // namespace swaplight

@@ -1,17 +1,23 @@
+#include "ui/edits/edits_actions.h"
+#include "ui/mixer/mixer_actions.h"
+#include "ui/shadows/shadow_actions.h"
 #include "ui/shell/studio_window.h"
+#include "ui/viewer/viewer_actions.h"
 
 namespace swaplight {
 
 void StudioWindow::addActions() {
   addFileActions();
-  addBrushActions();  // before the viewer's: while the brush is in the hand digits are its opacity
-  addSelectionActions();
-  addShadowActions();
-  addEditActions();  // before the lights': F2 is for the list that was clicked last
-  addLightActions();
-  addViewActions();
-  addCompareActions();
-  addLookActions();
+  addBrushActions(m_actions,
+                  m_context);  // before the viewer's: while the brush is in the hand digits are its opacity
+  addSelectionActions(m_actions, m_context, m_chooser);
+  addShadowActions(m_actions, m_context);
+  addEditActions(m_actions, m_context,
+                 m_chooser);  // before the lights': F2 is for the list that was clicked last
+  addLightActions(m_actions, m_context, m_chooser);
+  addViewActions(m_actions, m_context, m_chooser);
+  addCompareActions(m_actions, m_context);
+  addLookActions(m_actions, m_context);
   addWindowActions();
 }
 

@@ -4,12 +4,14 @@
 
 #include "ui/dialogs/welcome_panel.h"
 #include "ui/edits/edits_panel.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 #include "ui/mixer/mixer_panel.h"
-#include "ui/shell/menu_bar.h"
+#include "ui/shell/message_list.h"
+#include "ui/shell/progress_boxes.h"
 #include "ui/shell/status_bar.h"
 #include "ui/shell/studio_window.h"
 #include "ui/viewer/viewer_panel.h"
@@ -127,8 +129,8 @@ void StudioWindow::drawPanels() {
     place(px(10), height);
     drawStatusBar(m_context);
   }
-  drawProgress(m_context, at.x + tools + viewerWidth / 2, at.y + viewerHeight / 2);
-  m_exports.drawProgress(at.x + tools + viewerWidth - px(12), at.y + viewerHeight - px(12));
+  drawSetProgress(m_sets, at.x + tools + viewerWidth / 2, at.y + viewerHeight / 2);
+  drawExportProgress(m_exports, at.x + tools + viewerWidth - px(12), at.y + viewerHeight - px(12));
   drawMessages(m_messages, at.x + tools + px(12), at.y + viewerHeight - px(12), viewerWidth - px(60));
 }
 

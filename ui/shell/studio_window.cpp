@@ -121,19 +121,6 @@ void StudioWindow::open(const fs::path& path) {
     m_session.open(path);
 }
 
-void StudioWindow::askForStencilPicture() {
-  m_chooser.ask({"A picture as a stencil",
-                 "Use",
-                 {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr"},
-                 false,
-                 "",
-                 m_editor.document().source.parent_path(),
-                 [this](const fs::path& file) {
-                   m_editing.stencil.kind.kind = ShapeKind::Kind::Picture;
-                   m_editing.stencil.kind.file = fs::absolute(file).lexically_normal().string();
-                 }});
-}
-
 void StudioWindow::askForSaveName(const std::function<void()>& then) {
   const fs::path& source = m_editor.document().source;
   const fs::path stem = source.filename() == "capture.json" ? source.parent_path().filename() : source.stem();
@@ -145,23 +132,6 @@ void StudioWindow::askForSaveName(const std::function<void()>& then) {
        m_session.file().empty() ? stem.string() + ".swaplight" : m_session.file().filename().string(),
        m_session.file().empty() ? source.parent_path() : m_session.file().parent_path(),
        [this, then](const fs::path& file) { m_session.saveAs(file, then); }});
-}
-
-void StudioWindow::askForColorConfig() {
-  m_chooser.ask({"An OpenColorIO configuration for this session",
-                 "Use",
-                 {".ocio"},
-                 false,
-                 "",
-                 m_editor.document().colorConfig.parent_path(),
-                 [this](const fs::path& file) { useColorConfig(fs::absolute(file)); }});
-}
-
-void StudioWindow::useColorConfig(const fs::path& file) {
-  Document next = m_editor.document();
-  next.colorConfig = file;
-  next.display = {};  // another configuration has other ones
-  m_editor.edit("Colour configuration", std::move(next));
 }
 
 void StudioWindow::askForExport(std::optional<ExportKind> kind) {

@@ -58,19 +58,7 @@ class StudioWindow {
  private:
   void addActions();
   void addFileActions();
-  void addLightActions();
-  void addViewActions();
-  void addWorkingSpaces();
-  void addCompareActions();
   void addWindowActions();
-  void addLookActions();
-  /// Takes a tool that makes edits into the hand; again: puts it away.
-  void takeEditTool(Tool tool);
-  void addBrushActions();
-  void addSelectionActions();
-  void askForStencilPicture();
-  void addShadowActions();
-  void addEditActions();
   void drawToolbar();
   void drawPanels();
   /// Does it at once, or after the person has decided about unsaved work.
@@ -81,10 +69,6 @@ class StudioWindow {
   void askForExport(std::optional<ExportKind> kind = {});
   void askForExportName();
   void drawDialogs();
-  void askForGels();
-  void askForColorConfig();
-  void useColorConfig(const std::filesystem::path& file);
-  void askForBetaMap(const std::function<void(const std::string&)>& answer);
 
   Screen& m_screen;
   std::filesystem::path m_layoutFile;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/kit/curve_widget.h"
 #include "ui/state/brush_state.h"
+#include "ui/state/curve_grab.h"
 #include "ui/state/handle_state.h"
 #include "ui/state/selection_state.h"
 #include "ui/state/shadow_state.h"

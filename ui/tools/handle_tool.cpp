@@ -7,8 +7,8 @@
 #include "core/edit/mask/drag_shape.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
+#include "ui/tools/pointer.h"
 #include "ui/tools/stencil_tool.h"
-#include "ui/viewer/viewer_mouse.h"
 
 namespace swaplight {
 namespace {

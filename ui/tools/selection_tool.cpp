@@ -9,7 +9,7 @@
 #include "core/edit/mask/mask_outline.h"
 #include "ui/control/light_edit.h"
 #include "ui/kit/theme.h"
-#include "ui/viewer/viewer_mouse.h"
+#include "ui/tools/pointer.h"
 
 namespace swaplight {
 namespace {

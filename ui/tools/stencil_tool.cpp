@@ -5,7 +5,7 @@
 
 #include "core/edit/mask/selection.h"
 #include "ui/tools/brush_tool.h"
-#include "ui/viewer/viewer_mouse.h"
+#include "ui/tools/pointer.h"
 
 namespace swaplight {
 namespace {

@@ -5,11 +5,11 @@
 
 #include "core/view/probe.h"
 #include "core/view/subject_image.h"
-#include "ui/control/light_edit.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/light_words.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
-#include "ui/viewer/viewer_mouse.h"
+#include "ui/tools/pointer.h"
 #include "ui/viewer/viewer_overlay.h"
 
 namespace swaplight {

@@ -9,10 +9,10 @@
 #include "core/ocio/color_config.h"
 #include "core/set/set_color_space.h"
 #include "ui/control/viewer_request.h"
+#include "ui/kit/action_widgets.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
-#include "ui/shell/menu_bar.h"
 
 namespace swaplight {
 namespace {

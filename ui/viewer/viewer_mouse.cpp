@@ -10,6 +10,7 @@
 #include "ui/tools/brush_tool.h"
 #include "ui/tools/handle_tool.h"
 #include "ui/tools/pick_tool.h"
+#include "ui/tools/pointer.h"
 #include "ui/tools/selection_tool.h"
 #include "ui/tools/stencil_tool.h"
 
@@ -26,16 +27,6 @@ constexpr float kClickReach = 4;  ///< a button that was held over more is a dra
 
 float distance(ImVec2 a, ImVec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-std::optional<PicturePixel> pixelAt(const StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const PicturePixel pixel{static_cast<int>(std::floor(window.pictureX(mouse.x - origin.x))),
-                           static_cast<int>(std::floor(window.pictureY(mouse.y - origin.y)))};
-  const ViewPictures& pictures = *studio.set()->pictures;
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= pictures.width() || pixel.y >= pictures.height())
-    return std::nullopt;
-  return pixel;
 }
 
 /// What the left button takes hold of here.
@@ -116,12 +107,6 @@ WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2
   return handles;
 }
 
-std::array<float, 2> pointAtMouse(const ViewWindow& window, ImVec2 origin) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return {static_cast<float>(window.pictureX(mouse.x - origin.x)),
-          static_cast<float>(window.pictureY(mouse.y - origin.y))};
-}
-
 void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
@@ -147,7 +132,7 @@ void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 o
     handleStencil(studio, window, origin);
   } else if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     if (picks) {
-      if (const auto pixel = pixelAt(studio, window, origin)) pickPixel(studio, tool, pixel->x, pixel->y);
+      if (const auto pixel = pixelUnder(studio, window, origin)) pickPixel(studio, tool, pixel->x, pixel->y);
     } else {
       grab = grabbed(studio, window, origin);
       if (grab == Grab::Region) drawRegion(studio, window, origin, true);
@@ -156,7 +141,8 @@ void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 o
   const bool clicked = hovered && grab == Grab::Pan && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < px(kClickReach) * px(kClickReach);
   if (clicked && shadowsShown(studio))
-    if (const auto pixel = pixelAt(studio, window, origin)) studio.shadows.choose(studio, pixel->x, pixel->y);
+    if (const auto pixel = pixelUnder(studio, window, origin))
+      studio.shadows.choose(studio, pixel->x, pixel->y);
   if (!io.MouseDown[ImGuiMouseButton_Left] && !io.MouseDown[ImGuiMouseButton_Middle]) grab = Grab::None;
   drag(studio, window, origin);
   if (!hovered || paints || selects || places) return;
@@ -165,12 +151,6 @@ void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 o
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   else if (over == Grab::Exposure)
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-}
-
-std::optional<PicturePixel> pixelAtMouse(const StudioContext& studio) {
-  const ShownPicture& shown = studio.shown;
-  if (!shown.valid || !shown.hovered) return std::nullopt;
-  return pixelAt(studio, shown.window, ImVec2(shown.originX, shown.originY));
 }
 
 }  // namespace swaplight

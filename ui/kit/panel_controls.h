@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include "ui/control/studio_context.h"
-
 namespace swaplight {
 
 // What the panels at the left are made of.
@@ -20,9 +18,5 @@ bool labelledSlider(const char* label, const char* mark, float* value, float low
                     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp);
 /// The same for a part of 1, in percent up to `most`.
 bool percentSlider(const char* label, const char* mark, float* part, float most, const char* tip);
-
-/// Which light is laid on, what happens to it, how much, and what becomes of the other lights: for the brush
-/// as for stencils.
-void drawPaintModes(StudioContext& studio);
 
 }  // namespace swaplight

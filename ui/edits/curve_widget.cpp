@@ -1,4 +1,4 @@
-#include "ui/kit/curve_widget.h"
+#include "ui/edits/curve_widget.h"
 
 #include <fmt/core.h>
 

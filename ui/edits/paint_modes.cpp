@@ -1,10 +1,13 @@
-#include "ui/kit/paint_controls.h"
+#include "ui/edits/paint_modes.h"
+
+#include <imgui.h>
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "ui/control/light_edit.h"
-#include "ui/kit/layout_probe.h"
+#include "ui/kit/panel_controls.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 
@@ -77,39 +80,6 @@ void amount(BrushState& brush) {
 }
 
 }  // namespace
-
-bool choiceButton(const char* words, bool chosen, float width, const char* mark, const char* tip) {
-  if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), ImGui::GetStyle().FramePadding.y));
-  ImGui::PushID(mark);
-  const bool clicked = ImGui::Button(words, ImVec2(width, 0));
-  ImGui::PopID();
-  ImGui::PopStyleVar();
-  if (chosen) ImGui::PopStyleColor();
-  markItem(mark);
-  tooltip(tip);
-  return clicked;
-}
-
-bool labelledSlider(const char* label, const char* mark, float* value, float low, float high,
-                    const char* format, const char* tip, ImGuiSliderFlags flags) {
-  ImGui::AlignTextToFramePadding();
-  hint(label);
-  ImGui::SameLine(px(kLabelWidth));
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  const std::string id = std::string("##") + mark;
-  const bool changed = ImGui::SliderFloat(id.c_str(), value, low, high, format, flags);
-  markItem(mark);
-  tooltip(tip);
-  return changed;
-}
-
-bool percentSlider(const char* label, const char* mark, float* part, float most, const char* tip) {
-  float percent = 100 * *part;
-  if (!labelledSlider(label, mark, &percent, 0, most, "%.0f %%", tip)) return false;
-  *part = percent / 100;
-  return true;
-}
 
 void drawPaintModes(StudioContext& studio) {
   BrushState& brush = studio.editing.brush;

@@ -1,0 +1,44 @@
+#include "ui/kit/panel_controls.h"
+
+#include <string>
+
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+
+namespace swaplight {
+
+bool choiceButton(const char* words, bool chosen, float width, const char* mark, const char* tip) {
+  if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), ImGui::GetStyle().FramePadding.y));
+  ImGui::PushID(mark);
+  const bool clicked = ImGui::Button(words, ImVec2(width, 0));
+  ImGui::PopID();
+  ImGui::PopStyleVar();
+  if (chosen) ImGui::PopStyleColor();
+  markItem(mark);
+  tooltip(tip);
+  return clicked;
+}
+
+bool labelledSlider(const char* label, const char* mark, float* value, float low, float high,
+                    const char* format, const char* tip, ImGuiSliderFlags flags) {
+  ImGui::AlignTextToFramePadding();
+  hint(label);
+  ImGui::SameLine(px(kLabelWidth));
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const std::string id = std::string("##") + mark;
+  const bool changed = ImGui::SliderFloat(id.c_str(), value, low, high, format, flags);
+  markItem(mark);
+  tooltip(tip);
+  return changed;
+}
+
+bool percentSlider(const char* label, const char* mark, float* part, float most, const char* tip) {
+  float percent = 100 * *part;
+  if (!labelledSlider(label, mark, &percent, 0, most, "%.0f %%", tip)) return false;
+  *part = percent / 100;
+  return true;
+}
+
+}  // namespace swaplight

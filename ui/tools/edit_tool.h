@@ -1,0 +1,10 @@
+#pragma once
+
+#include "ui/control/studio_context.h"
+
+namespace swaplight {
+
+/// Takes a tool that makes edits into the hand, and shows their panel; again: puts it away.
+void takeEditTool(StudioContext& studio, Tool tool);
+
+}  // namespace swaplight
