@@ -92,7 +92,8 @@ Description describeSolvedSet(const fs::path& file) {
     return found == info.text.end() ? Json::object() : parseJson(found->second, file.string() + ": " + key);
   };
   const Capture capture = captureFromJson(header("swaplight/capture"), file.parent_path(), file);
-  const SolveReport report = solveReportFromJson(header("swaplight/report"), file.string() + ": swaplight/report");
+  const SolveReport report =
+      solveReportFromJson(header("swaplight/report"), file.string() + ": swaplight/report");
   Description d;
   d.text = fmt::format("{}: solved set \"{}\"\n", file.string(), capture.name);
   d.line("pictures", pictureText(spec, info));

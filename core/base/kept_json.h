@@ -6,8 +6,8 @@
 
 namespace swaplight {
 
-/// An object of JSON that is carried along unread, to be written again: the keys of a file that this program does
-/// not know. A value; copies share what they hold, which does not change.
+/// An object of JSON that is carried along unread, to be written again: the keys of a file that this program
+/// does not know. A value; copies share what they hold, which does not change.
 class KeptJson {
  public:
   /// No keys.

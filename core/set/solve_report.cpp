@@ -52,14 +52,14 @@ std::vector<float> numbers(const JsonFields& fields, const std::string& key, con
     for (const Json& number : list)
       if (number.is_number()) result.push_back(number.get<float>());
   if (result.size() != size || list.size() != size)
-    throw InputError("{}: \"{}\" holds {}, expected a list of {} numbers.", fields.where(), key, list.dump(), size);
+    throw InputError("{}: \"{}\" holds {}, expected a list of {} numbers.", fields.where(), key, list.dump(),
+                     size);
   return result;
 }
 
 Json jsonFromNoise(const SolveReport& report) {
-  return {{"read", report.noise.read},
-          {"full_well", report.noise.fullWell},
-          {"estimated", !report.noiseGiven}};
+  return {
+      {"read", report.noise.read}, {"full_well", report.noise.fullWell}, {"estimated", !report.noiseGiven}};
 }
 
 void readNoise(JsonFields& fields, SolveReport& report) {

@@ -25,9 +25,10 @@ struct SolveReport {
   std::vector<Rgb> refinedColors;  ///< [shot * lights + light], exposure included; empty: as given
   std::vector<std::string> estimated;  ///< colours that were not given, and what they were found to be
   Conditioning conditioning;
-  std::vector<ShotShift> shifts;  ///< of each shot against the first; empty: not measured. A file keeps no spread
-  double residualMedian = 0;      ///< in units of the expected noise
-  double sigmaMedian = 0;         ///< relative to the sum of all lights
+  std::vector<ShotShift>
+      shifts;                 ///< of each shot against the first; empty: not measured. A file keeps no spread
+  double residualMedian = 0;  ///< in units of the expected noise
+  double sigmaMedian = 0;     ///< relative to the sum of all lights
   size_t pixels = 0;
   size_t clipped = 0, tooDark = 0, moved = 0, notFinite = 0, filled = 0;  ///< counts of pixels
   double seconds = 0;

@@ -46,13 +46,17 @@ void summarize(const SolvedSet& set, SolveReport& report) {
         report.residualMedian);
   for (const std::string& color : report.estimated) report.message += " " + color + ".";
   double farthest = 0;
-  for (const ShotShift& shift : report.shifts) farthest = std::max(farthest, double(std::hypot(shift.x, shift.y)));
-  if (farthest > 0) report.message += fmt::format(" Shots aligned; the farthest lay {:.2f} pixels off.", farthest);
-  if (report.clipped) report.message += fmt::format(" Clipped in a shot: {:.2f} % of the pixels.", percent(report.clipped));
+  for (const ShotShift& shift : report.shifts)
+    farthest = std::max(farthest, double(std::hypot(shift.x, shift.y)));
+  if (farthest > 0)
+    report.message += fmt::format(" Shots aligned; the farthest lay {:.2f} pixels off.", farthest);
+  if (report.clipped)
+    report.message += fmt::format(" Clipped in a shot: {:.2f} % of the pixels.", percent(report.clipped));
   if (report.tooDark) report.message += fmt::format(" Too dark to tell: {:.2f} %.", percent(report.tooDark));
   if (report.moved) report.message += fmt::format(" Moved between shots: {:.2f} %.", percent(report.moved));
   if (report.notFinite)
-    report.message += fmt::format(" Not a number, infinite or negative in a shot: {} pixels.", report.notFinite);
+    report.message +=
+        fmt::format(" Not a number, infinite or negative in a shot: {} pixels.", report.notFinite);
   for (const std::string& advice : report.conditioning.advice) report.message += " Note: " + advice + ".";
 }
 

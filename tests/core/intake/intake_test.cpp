@@ -190,8 +190,7 @@ TEST(CaptureDraft, AnUnknownColourIsFoundAndSaidByTheSolve) {
   Capture capture = truth;
   capture.shots[0].lightColors[1].reset();
   const SolvedSet set = solve(capture, pixels, {});
-  EXPECT_THAT(set.report->message,
-              HasSubstr("The colour of light1 in shot 1 was not known: estimated"));
+  EXPECT_THAT(set.report->message, HasSubstr("The colour of light1 in shot 1 was not known: estimated"));
   const Rgb wanted = *truth.shots[0].lightColors[1];
   // Up to a factor: how bright the light was there can only be seen against its other shots.
   const Rgb& found = set.report->refinedColors[1];
