@@ -1,6 +1,7 @@
 #include "app/arguments/lighting_arguments.h"
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/json_file.h"
 #include "core/look/look.h"
 #include "core/look/rig_blend.h"

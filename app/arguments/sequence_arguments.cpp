@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/export/frame_sequence.h"
 #include "core/export/provenance.h"
 #include "core/export/timecode.h"

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "app/program/interrupt.h"
+#include "core/base/json.h"
 
 namespace swaplight {
 namespace {

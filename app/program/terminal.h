@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/base/progress.h"
 
 namespace swaplight {

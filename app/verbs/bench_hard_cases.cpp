@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/base/json.h"
 #include "core/bench/hard_case_error.h"
 
 namespace swaplight {

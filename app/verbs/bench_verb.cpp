@@ -4,6 +4,7 @@
 #include "app/verbs/bench_hard_cases.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/bench/solver_error.h"
 #include "core/bench/solver_speed.h"
 #include "core/image/io/image_io.h"

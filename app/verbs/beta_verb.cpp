@@ -3,6 +3,7 @@
 #include "app/arguments/edit_arguments.h"
 #include "app/arguments/solve_arguments.h"
 #include "app/verbs/verbs.h"
+#include "core/base/json.h"
 #include "core/edit/stack/beta_file.h"
 #include "core/file/atomic_file.h"
 #include "core/session/open_source.h"

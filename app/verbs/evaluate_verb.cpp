@@ -1,5 +1,6 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/atomic_file.h"
 #include "core/measure/evaluate.h"
 #include "core/measure/folder_evaluation.h"

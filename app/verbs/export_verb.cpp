@@ -4,6 +4,7 @@
 #include "app/arguments/lighting_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/export/layer_export.h"
 #include "core/export/look_export.h"
 #include "core/export/provenance.h"

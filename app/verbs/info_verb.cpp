@@ -3,6 +3,7 @@
 #include "app/program/description.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/json_file.h"
 #include "core/image/io/image_io.h"
 #include "core/relight/setting.h"
@@ -91,19 +92,20 @@ Description describeSolvedSet(const fs::path& file) {
     return found == info.text.end() ? Json::object() : parseJson(found->second, file.string() + ": " + key);
   };
   const Capture capture = captureFromJson(header("swaplight/capture"), file.parent_path(), file);
-  const Json report = header("swaplight/report");
+  const SolveReport report =
+      solveReportFromJson(header("swaplight/report"), file.string() + ": swaplight/report");
   Description d;
   d.text = fmt::format("{}: solved set \"{}\"\n", file.string(), capture.name);
   d.line("pictures", pictureText(spec, info));
   d.line("lights", lightsText(capture));
   d.line("channels", fmt::format("{}", fmt::join(spec.channels, " ")));
-  if (report.contains("message")) d.line("solved", report["message"].get<std::string>());
+  if (!report.message.empty()) d.line("solved", report.message);
   d.json = {{"kind", "solved"}, {"file", file.string()}};
   d.json.update(pictureJson(spec, info));
   describeRange(file, info, d);
   d.text += "\n" + shotsText(capture);
   d.json["capture"] = jsonFromCapture(capture);
-  d.json["report"] = report;
+  d.json["report"] = info.text.contains("swaplight/report") ? jsonFromSolveReport(report) : Json::object();
   return d;
 }
 

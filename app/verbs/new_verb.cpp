@@ -4,6 +4,7 @@
 #include "app/program/description.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
 

@@ -9,9 +9,10 @@
 #include "app/program/description.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/capture/light_name.h"
 #include "core/plan/plan_search.h"
-#include "core/solve/solve_report.h"
+#include "core/set/solve_report.h"
 
 namespace swaplight {
 namespace {

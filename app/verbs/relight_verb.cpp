@@ -3,6 +3,7 @@
 #include "app/arguments/sequence_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/export/frame_export.h"
 #include "core/export/provenance.h"
 #include "core/file/atomic_file.h"

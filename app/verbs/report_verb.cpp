@@ -2,6 +2,7 @@
 #include "app/arguments/lighting_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/atomic_file.h"
 #include "core/image/io/image_io.h"
 #include "core/ocio/color_config.h"

@@ -1,5 +1,6 @@
 #include "app/arguments/solve_arguments.h"
 #include "app/verbs/verbs.h"
+#include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
 #include "core/file/atomic_file.h"
 #include "core/file/json_file.h"
@@ -34,13 +35,13 @@ int run(const Arguments& arguments, Terminal& terminal) {
   SolvedSet set = solve(capture, pixels, options, progress.part(0.2f, 0.8f));
   set = inColorSpace(std::move(set), arguments.colorSpace);
   writeSolvedSet(set, arguments.output, arguments.file, progress.part(0.8f, 1));
-  if (!arguments.report.empty()) writeJson(set.report, arguments.report);
+  if (!arguments.report.empty()) writeJson(jsonFromSolveReport(*set.report), arguments.report);
 
-  Json json = set.report;
+  Json json = jsonFromSolveReport(*set.report);
   json["solved"] = arguments.output;
   terminal.say("wrote {}, {} x {} pixels, {} lights", arguments.output, set.width(), set.height(),
                set.lightCount());
-  terminal.result(set.report.value("message", "") + "\n", json);
+  terminal.result(set.report->message + "\n", json);
   return 0;
 }
 

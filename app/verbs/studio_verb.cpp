@@ -3,6 +3,7 @@
 
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "ui/bench/bench_paint.h"
 #include "ui/bench/bench_tools.h"
 #include "ui/bench/bench_ui.h"

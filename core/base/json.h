@@ -2,9 +2,4 @@
 
 #include <nlohmann/json.hpp>
 
-namespace swaplight {
-
-/// Keeps the order of keys, so that a file written back looks as the person wrote it.
-using Json = nlohmann::ordered_json;
-
-}  // namespace swaplight
+#include "core/base/json_fwd.h"

@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "core/base/json.h"
 #include "core/base/parallel.h"
 
 namespace swaplight {

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
+#include "core/base/kept_json.h"
 #include "core/capture/capture_frame.h"
 #include "core/color/rgb.h"
 
@@ -21,7 +22,7 @@ enum class Role { Key, Fill, Back, Practical, Kicker, Background, Other };
 struct Light {
   std::string name;  ///< [A-Za-z][A-Za-z0-9_]*
   Role role = Role::Other;
-  Json extra = Json::object();  ///< keys we do not know, kept
+  KeptJson extra;  ///< keys we do not know, kept
 };
 
 struct Shot {
@@ -29,7 +30,7 @@ struct Shot {
   /// One linear RGB a light, in the capture's order; {0,0,0} is off, nothing is "unknown: estimate it".
   std::vector<std::optional<Rgb>> lightColors;
   float exposureStops = 0;  ///< this shot's exposure over the first one's
-  Json extra = Json::object();
+  KeptJson extra;
 };
 
 /// Sensor noise: variance = signal / fullWell + read^2, in full-scale units (1 = clipping).
@@ -53,7 +54,7 @@ struct Capture {
   std::optional<SensorNoise> noise;          ///< of the files' pixels
   CaptureFrame frame;                        ///< the part of the pictures that is used, and its size
   std::map<std::string, std::string> truth;  ///< test material: each light's contribution
-  Json extra = Json::object();
+  KeptJson extra;
   std::vector<std::string> warnings;  ///< unknown keys and the like, in words
 
   [[nodiscard]] int lightCount() const { return static_cast<int>(lights.size()); }

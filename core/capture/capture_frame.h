@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "core/base/json.h"
 #include "core/image/image.h"
 #include "core/image/pixel_rect.h"
 

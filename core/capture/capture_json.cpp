@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/capture/capture.h"
 #include "core/capture/light_name.h"
 #include "core/file/json_fields.h"
@@ -154,9 +155,9 @@ std::string defaultName(const Capture& capture) {
   return folder.has_filename() ? folder.filename().string() : folder.parent_path().filename().string();
 }
 
-/// Puts back what was kept; null (a default Json) is nothing.
-void addExtra(Json& json, const Json& extra) {
-  if (extra.is_object()) json.update(extra, true);
+/// Puts back what was kept.
+void addExtra(Json& json, const KeptJson& extra) {
+  json.update(extra.json(), true);
 }
 
 Json jsonFromColor(const std::optional<Rgb>& color) {
@@ -233,8 +234,9 @@ Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
   capture.noise = noiseFromJson(fields, noiseExtra, capture.warnings);
   capture.frame = frameFromJson(fields);
   capture.truth = truthFromJson(fields);
-  capture.extra = keepUnknown(fields, capture.warnings);
-  addExtra(capture.extra, noiseExtra);
+  Json extra = keepUnknown(fields, capture.warnings);
+  extra.update(noiseExtra, true);
+  capture.extra = std::move(extra);
   return capture;
 }
 

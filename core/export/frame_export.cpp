@@ -1,5 +1,6 @@
 #include "core/export/frame_export.h"
 
+#include "core/base/json.h"
 #include "core/relight/relight.h"
 
 namespace swaplight {

@@ -1,21 +1,11 @@
 #include "core/export/provenance.h"
 
-#include <array>
-
+#include "core/base/json.h"
 #include "core/file/file_hash.h"
 #include "core/session/open_source.h"
 
 namespace swaplight {
 namespace {
-
-Json solverSummary(const Json& report) {
-  constexpr std::array<const char*, 8> kKept = {"message",      "model", "solver", "residual_median",
-                                                "sigma_median", "noise", "pixels", "warnings"};
-  Json summary = Json::object();
-  for (const char* key : kKept)
-    if (report.contains(key)) summary[key] = report[key];
-  return summary;
-}
 
 Json sourcesOf(const SolvedSet& set, const std::filesystem::path& source) {
   Json files = Json::array();
@@ -37,7 +27,7 @@ std::map<std::string, std::string> provenanceOf(const SolvedSet& set, const Rig&
                                                 const std::filesystem::path& source) {
   return {{"swaplight/capture", jsonFromCapture(set.capture).dump()},
           {"swaplight/rig", jsonFromRig(rig).dump()},
-          {"swaplight/solver", solverSummary(set.report).dump()},
+          {"swaplight/solver", (set.report ? jsonFromSolveSummary(*set.report) : Json::object()).dump()},
           {"swaplight/source", sourcesOf(set, source).dump()}};
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/json_fwd.h"
 #include "core/relight/rig.h"
 
 namespace swaplight {

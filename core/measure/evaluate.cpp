@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/color/srgb.h"
 #include "core/image/io/image_io.h"
 #include "core/image/rgb_image.h"

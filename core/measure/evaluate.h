@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/measure/difference.h"
 #include "core/measure/luminance_histogram.h"
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/image/io/image_io.h"
 #include "core/plot/plot.h"
 

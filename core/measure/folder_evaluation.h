@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/json_fwd.h"
 #include "core/base/progress.h"
 #include "core/measure/evaluate.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/json.h"
 #include "core/ocio/color_config.h"
 #include "core/ocio/luminance.h"
 

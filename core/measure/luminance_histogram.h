@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/image/image.h"
 #include "core/plot/plot.h"
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/json.h"
+
 namespace swaplight {
 
 double percentileOfSorted(const std::vector<float>& sorted, double percent) {

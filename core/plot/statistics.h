@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 
 namespace swaplight {
 

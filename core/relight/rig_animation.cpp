@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/json_fields.h"
 #include "core/relight/setting.h"
 

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
 #include "core/relight/rig.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/json.h"
 #include "core/color/srgb.h"
 #include "core/image/io/image_bytes.h"
 #include "core/image/shrunk_image.h"
@@ -167,17 +168,16 @@ std::string lightTable(const ReportSubject& subject, const std::vector<LightRang
          "down to the noise of the solve.</p>\n";
 }
 
-std::string solverSection(const Json& report) {
+std::string solverSection(const std::optional<SolveReport>& report) {
   std::string html = "<h2>Solve</h2>\n";
-  html += fmt::format("<p>{}</p>\n", escaped(report.value("message", "No report in the file.")));
-  if (report.contains("residual_median"))
-    html += fmt::format(
-        "<p class=\"quiet\">Model {}, solver {}; median residual {:.2f} of the expected noise, median "
-        "standard error {:.1f} % of the pixel.</p>\n",
-        escaped(report.value("model", "?")), escaped(report.value("solver", "?")),
-        report["residual_median"].get<double>(), 100 * report.value("sigma_median", 0.0));
-  for (const Json& warning : report.value("warnings", Json::array()))
-    html += fmt::format("<p>Warning: {}</p>\n", escaped(warning.get<std::string>()));
+  if (!report) return html + "<p>No report in the file.</p>\n";
+  html += fmt::format("<p>{}</p>\n", escaped(report->message));
+  html += fmt::format(
+      "<p class=\"quiet\">Model {}, solver {}; median residual {:.2f} of the expected noise, median "
+      "standard error {:.1f} % of the pixel.</p>\n",
+      escaped(report->model), escaped(report->solver), report->residualMedian, 100 * report->sigmaMedian);
+  for (const std::string& warning : report->warnings)
+    html += fmt::format("<p>Warning: {}</p>\n", escaped(warning));
   return html;
 }
 
@@ -228,7 +228,7 @@ Json SessionReport::json() const {
             {"source", m_subject.source},
             {"rig", jsonFromRig(m_subject.rig)}};
   json["dynamic_range"] = jsonFromRanges(m_ranges);
-  json["solver"] = m_subject.set.report.value("message", "");
+  json["solver"] = m_subject.set.report ? m_subject.set.report->message : "";
   for (const NamedHistogram& named : m_luminance)
     json["luminance"][named.name] = {{"median_stops", named.histogram.median},
                                      {"below_12_stops", named.histogram.black},

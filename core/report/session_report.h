@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/measure/luminance_histogram.h"
 #include "core/relight/rig.h"
 #include "core/session/document.h"

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/json_file.h"
 
 namespace swaplight {

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/edit/mask/selection.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
@@ -93,8 +94,8 @@ Json jsonFromSession(const Session& session, const std::filesystem::path& folder
   if (!document.selection.empty()) json["selection"] = jsonFromMask(document.selection);
   json["display"] = jsonFromDisplay(document.display);
   if (!document.looks.empty()) json["looks"] = jsonFromSavedLooks(document.looks);
-  if (!session.studio.empty()) json["studio"] = session.studio;
-  keepUnknownKeys(json, session.unknown);
+  if (!session.studio.empty()) json["studio"] = session.studio.json();
+  keepUnknownKeys(json, session.unknown.json());
   return json;
 }
 
@@ -121,7 +122,7 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& folder, c
   if (const Json* studio = fields.find("studio")) session.studio = *studio;
 
   session.unknown = unknownKeys(json, jsonFromSession(session, folder));
-  const std::vector<std::string> strangers = topLevelNames(session.unknown);
+  const std::vector<std::string> strangers = topLevelNames(session.unknown.json());
   if (session.version > kSessionVersion)
     session.warnings.push_back(fmt::format(
         "{}: written by a newer Swaplight (version {}, this one knows {}). What this one does not "

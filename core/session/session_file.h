@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
+#include "core/base/kept_json.h"
 #include "core/session/document.h"
 
 namespace swaplight {
@@ -15,9 +16,9 @@ inline constexpr int kSessionVersion = 1;
 /// A session file, `NAME.swaplight` (FORMATS 3): the document, and what travels with it.
 struct Session {
   Document document;
-  Json studio = Json::object();  ///< where the person was looking: the studio's own, not undone
+  KeptJson studio;  ///< where the person was looking: the studio's own, not undone
   int version = kSessionVersion;
-  Json unknown = Json::object();      ///< what we did not understand, kept for the next write
+  KeptJson unknown;                   ///< what we did not understand, kept for the next write
   std::vector<std::string> warnings;  ///< in words: a newer version, unknown keys
 };
 

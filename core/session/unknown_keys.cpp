@@ -1,5 +1,7 @@
 #include "core/session/unknown_keys.h"
 
+#include "core/base/json.h"
+
 namespace swaplight {
 namespace {
 

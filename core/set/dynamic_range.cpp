@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/ocio/color_config.h"
 #include "core/ocio/luminance.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/set/solved_set.h"
 
 namespace swaplight {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/base/parallel.h"
 #include "core/file/json_file.h"
 #include "core/image/half.h"
@@ -121,8 +122,8 @@ std::string rangesText(const SolvedSet& set) {
 }
 
 std::map<std::string, std::string> headerOf(const SolvedSet& set, const fs::path& file) {
-  std::map<std::string, std::string> text = {{kCapture, jsonFromCapture(set.capture).dump()},
-                                             {kReport, set.report.dump()}};
+  std::map<std::string, std::string> text = {{kCapture, jsonFromCapture(set.capture).dump()}};
+  if (set.report) text[kReport] = jsonFromSolveReport(*set.report).dump();
   if (!set.capture.file.empty())
     text[kCaptureFile] =
         fs::proximate(set.capture.file, file.has_parent_path() ? file.parent_path() : ".").string();
@@ -156,6 +157,10 @@ Capture captureFrom(const ImageSpec& spec, const ImageFileInfo& info, const fs::
   capture.warnings.push_back(
       fmt::format("{}: \"{}\" is missing in the header: roles and shots are not known", name, kCapture));
   return capture;
+}
+
+SolveReport reportFrom(const std::string& text, const std::string& where) {
+  return solveReportFromJson(parseJson(text, where), where);
 }
 
 /// Hands out a plane for each channel of the file.
@@ -244,7 +249,7 @@ SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
       throw InputError("{}: is no solved set, which is an OpenEXR file.", file.string());
     set.capture = captureFrom(spec, info, file);
     if (const auto report = info.text.find(kReport); report != info.text.end())
-      set.report = parseJson(report->second, file.string() + " (" + kReport + ")");
+      set.report = reportFrom(report->second, file.string() + " (" + kReport + ")");
     const std::vector<std::string> lights = lightNames(set.capture);
     PlaneFinder finder(spec, file.string());
     std::vector<std::string> quality(std::begin(kQuality), std::end(kQuality));

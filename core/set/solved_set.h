@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/json.h"
 #include "core/capture/capture.h"
 #include "core/image/image.h"
 #include "core/image/io/carried_data.h"
+#include "core/set/solve_report.h"
 
 namespace swaplight {
 
@@ -34,7 +34,7 @@ struct SolvedSet {
   Image quality;  ///< residual, sigma, flags (a bit field stored as float), model (0: the matte model was
                   ///< enough, 1: the full contribution was needed)
   std::shared_ptr<const CarriedData> carried;  ///< what the photographs' files hold beside their colour
-  Json report = Json::object();                ///< how it was solved: see SolveReport
+  std::optional<SolveReport> report;           ///< how it was solved; nothing: the file did not say
 
   [[nodiscard]] int lightCount() const { return static_cast<int>(contributions.size()); }
   [[nodiscard]] int width() const { return beta.width(); }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/base/parallel.h"
 #include "core/set/fill.h"
 #include "core/solve/auto/auto_solve.h"
@@ -20,7 +21,7 @@
 #include "core/solve/model/shot_signal.h"
 #include "core/solve/registration/align_shots.h"
 #include "core/solve/registration/moved_pixels.h"
-#include "core/solve/solve_report.h"
+#include "core/solve/report_summary.h"
 
 namespace swaplight {
 namespace {
@@ -287,9 +288,9 @@ SolvedSet solve(const Capture& given, const CapturePixels& photographs, const So
 
   if (options.solveAmbient) takeAmbientOut(given, ambient, set);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  report.summarize(set);
-  set.report = jsonFromSolveReport(report);
-  set.report["options"] = jsonFromSolveOptions(options);
+  report.options = jsonFromSolveOptions(options);
+  summarize(set, report);
+  set.report = std::move(report);
   progress.update(1, "Solved");
   return set;
 }

@@ -3,6 +3,7 @@
 #include <random>
 #include <string>
 
+#include "core/base/json_fwd.h"
 #include "core/set/solved_set.h"
 
 namespace swaplight::test {
@@ -14,7 +15,7 @@ inline SolvedSet smallSet(int lights, int width, int height) {
   std::uniform_real_distribution<float> uniform(0, 1);
   SolvedSet set;
   for (int i = 0; i < lights; ++i) {
-    set.capture.lights.push_back({"light" + std::to_string(i + 1), Role::Other, Json::object()});
+    set.capture.lights.push_back({"light" + std::to_string(i + 1), Role::Other, {}});
     set.contributions.emplace_back(ImageSpec::rgb(width, height));
   }
   Image albedo(ImageSpec::rgb(width, height));

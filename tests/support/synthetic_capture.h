@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "core/base/json_fwd.h"
 #include "core/capture/capture_pixels.h"
 
 namespace swaplight {
@@ -44,7 +45,7 @@ inline Capture rotatedCapture(int lights, const std::vector<Rgb>& colors = defau
   Capture capture;
   capture.name = "synthetic";
   for (int i = 0; i < lights; ++i) {
-    capture.lights.push_back({"light" + std::to_string(i), Role::Other, Json::object()});
+    capture.lights.push_back({"light" + std::to_string(i), Role::Other, {}});
     Shot shot;
     for (int j = 0; j < lights; ++j) shot.lightColors.emplace_back(colors[size_t((i + j) % lights)]);
     capture.shots.push_back(shot);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "ui/bench/bench_stage.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/tools/brush_tool.h"

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/bench/tiled_set.h"
 #include "core/session/open_source.h"
 #include "render/screen.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/set/solved_set.h"
 #include "ui/kit/imgui_session.h"
 #include "ui/shell/studio_window.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/base/json.h"
 #include "core/edit/mask/drag_shape.h"
 #include "core/edit/mask/selection.h"
 #include "ui/bench/bench_stage.h"

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "ui/bench/bench_stage.h"
 #include "ui/kit/layout_probe.h"
 

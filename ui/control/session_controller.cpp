@@ -1,6 +1,7 @@
 #include "ui/control/session_controller.h"
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/ocio/color_config.h"
 #include "core/session/open_source.h"
 
@@ -76,7 +77,9 @@ void SessionController::openSet(OpenSet set) {
 void SessionController::recover(const Recovered& recovered) {
   try {
     Pending pending{readSession(recovered.session), recovered.savedAs, true};
-    pending.session.unknown.erase("recovery_of");
+    Json unknown = pending.session.unknown.json();
+    unknown.erase("recovery_of");
+    pending.session.unknown = std::move(unknown);
     pending.session.warnings.clear();
     begin(std::move(pending));
   } catch (const std::exception& error) {
@@ -153,7 +156,7 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   checkDisplay(document);
   m_editor.reset(document, "Open " + shortName(document.source));
   if (pending.unsaved) m_editor.markUnsaved();
-  m_view = viewStateFromJson(pending.session.studio);
+  m_view = viewStateFromJson(pending.session.studio.json());
   ++m_opened;
   m_file = pending.file;
   m_base = std::move(pending.session);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/json.h"
 #include "ui/state/enum_names.h"
 
 namespace swaplight {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/relight/rig.h"
 #include "core/view/view_subject.h"
 

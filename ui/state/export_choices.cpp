@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "core/base/json.h"
 #include "core/file/json_file.h"
 #include "ui/state/enum_names.h"
 

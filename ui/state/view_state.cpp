@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 
+#include "core/base/json.h"
 #include "ui/state/enum_names.h"
 
 namespace swaplight {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/view/display/view_settings.h"
 #include "core/view/view_subject.h"
 #include "core/view/view_window.h"

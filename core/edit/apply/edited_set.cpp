@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/base/parallel.h"
 #include "core/edit/apply/edit_changes.h"
 #include "core/edit/apply/edit_tile.h"

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/json_fwd.h"
 #include "core/edit/mask/mask_raster.h"
 #include "core/edit/mask/paint.h"
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/edit/mask/mask_raster.h"
 
 namespace swaplight {

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/color/rgb.h"
 #include "core/edit/mask/mask.h"
 

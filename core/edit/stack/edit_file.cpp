@@ -1,6 +1,7 @@
 #include "core/edit/stack/edit_file.h"
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/json_file.h"
 
 namespace swaplight {

@@ -1,7 +1,9 @@
 #include "core/image/exr/exr_header.h"
 #include "core/base/version.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace swaplight {

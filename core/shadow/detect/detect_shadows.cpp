@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/shadow/detect/each_light.h"
 #include "core/shadow/detect/penumbra.h"
 #include "core/shadow/detect/shadow_evidence.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/base/progress.h"
 #include "core/set/solved_set.h"
 #include "core/shadow/result/light_shadows.h"

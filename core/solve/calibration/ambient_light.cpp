@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/solve/estimators/demultiplex.h"
 #include "core/solve/model/pixel_sample.h"
 

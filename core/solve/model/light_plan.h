@@ -1,12 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <string>
 #include <vector>
 
 #include "core/capture/capture.h"
 #include "core/color/rgb.h"
+#include "core/set/conditioning.h"
 #include "core/solve/model/pixel_run.h"
 
 namespace swaplight {
@@ -32,21 +32,6 @@ struct LightPlan {
 [[nodiscard]] LightPlan planFromCapture(const Capture& capture, std::vector<int>* unknown = nullptr);
 
 /// How well a plan tells its lights apart.
-struct Conditioning {
-  /// Singular values of each channel's matrix, largest first. For N rotated colours they are the magnitudes
-  /// of the DFT of the colours.
-  std::array<std::vector<double>, 3> singularValues;
-  /// largest / smallest; infinity where the channel cannot tell the lights apart.
-  std::array<double, 3> condition{};
-  /// Standard error of a contribution over that of a shot, solved channel by channel: RMS over the lights of
-  /// the rows of the pseudo-inverse. Infinite in a singular channel.
-  std::array<double, 3> amplification{};
-  /// The same for the matte model, which pools the channels, on a neutral surface. Infinite where some
-  /// mixture of lights is seen by no channel of any shot.
-  double matteAmplification = 0;
-  std::vector<std::string> advice;  ///< what is degenerate and what to do, in words
-};
-
 [[nodiscard]] Conditioning conditioningOf(const LightPlan& plan);
 
 /// Throws InputError where no model can tell the lights apart: fewer shots x channels than the matte model

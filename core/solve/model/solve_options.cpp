@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
 

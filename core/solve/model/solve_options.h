@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/base/json.h"
+#include "core/base/json_fwd.h"
 #include "core/capture/capture.h"
 
 namespace swaplight {

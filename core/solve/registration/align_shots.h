@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "core/capture/capture_pixels.h"
+#include "core/set/shot_shift.h"
 
 namespace swaplight {
-
-/// Where a shot lies against the first: its pixel (u + x, v + y) shows what the first shows at (u, v).
-struct ShotShift {
-  float x = 0, y = 0;  ///< pixels
-  bool found = true;   ///< false: the pictures would not be registered, x and y are 0
-  /// How far the parts of the picture, each by itself, are from x and y: the camera moves all of them alike,
-  /// other light does not. In standard deviations (1.48 of the median); 0 where there are too few to tell.
-  float spreadX = 0, spreadY = 0;
-};
 
 /// Registers every shot to the first: a translation, to a fraction of a pixel. The light differs between the
 /// shots, so that what is compared is the strength of the edges of log luminance over their local mean, by

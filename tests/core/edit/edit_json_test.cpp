@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/json.h"
 #include "core/edit/stack/edit.h"
 #include "tests/support/temporary_folder.h"
 

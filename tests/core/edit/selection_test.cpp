@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/edit/apply/edited_set.h"
 #include "core/edit/mask/drag_shape.h"
 #include "core/edit/mask/mask_outline.h"

@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "core/base/json.h"
 #include "core/capture/capture.h"
 #include "core/file/json_file.h"
 #include "core/image/io/image_io.h"

@@ -190,13 +190,11 @@ TEST(CaptureDraft, AnUnknownColourIsFoundAndSaidByTheSolve) {
   Capture capture = truth;
   capture.shots[0].lightColors[1].reset();
   const SolvedSet set = solve(capture, pixels, {});
-  EXPECT_THAT(set.report["message"].get<std::string>(),
-              HasSubstr("The colour of light1 in shot 1 was not known: estimated"));
+  EXPECT_THAT(set.report->message, HasSubstr("The colour of light1 in shot 1 was not known: estimated"));
   const Rgb wanted = *truth.shots[0].lightColors[1];
   // Up to a factor: how bright the light was there can only be seen against its other shots.
-  const auto& found = set.report["refined_colors"][1];
-  for (size_t c = 0; c < 3; ++c)
-    EXPECT_NEAR(found[c].get<float>() / found[1].get<float>(), wanted[static_cast<int>(c)] / wanted.g, 0.1);
+  const Rgb& found = set.report->refinedColors[1];
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / found.g, wanted[c] / wanted.g, 0.1);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/look/rig_blend.h"
 #include "core/look/saved_look.h"
 #include "core/look/three_point.h"

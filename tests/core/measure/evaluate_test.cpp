@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/base/json.h"
 #include "core/image/io/image_io.h"
 #include "tests/support/temporary_folder.h"
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 
 namespace swaplight {
 namespace {

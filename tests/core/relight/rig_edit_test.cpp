@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/base/json.h"
 #include "core/ocio/color_config.h"
 #include "core/relight/relight.h"
 #include "core/relight/rig_edit.h"

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/edit/apply/edited_set.h"
 #include "core/file/json_file.h"
 #include "core/session/document_editor.h"

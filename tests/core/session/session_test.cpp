@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/json_file.h"
 #include "core/relight/setting.h"
 #include "core/session/document_editor.h"
@@ -140,7 +141,7 @@ TEST(SessionFile, ComesBackAsItWasWritten) {
   session.document.solve.model = Model::Transport;
   session.document.display = {"sRGB", "Raw", "+warm, -bleach"};
   session.document.workingSpace = "acescg";
-  session.studio = {{"zoom", 2.5}};
+  session.studio = Json{{"zoom", 2.5}};
   writeSession(session, folder.path() / "a.swaplight");
   const Session read = readSession(folder.path() / "a.swaplight");
   EXPECT_EQ(read.document, session.document);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/edit/apply/edited_set.h"
 #include "core/shadow/detect/detect_shadows.h"
 #include "core/shadow/detect/shadow_preview.h"

@@ -57,7 +57,7 @@ TEST(MovedPixels, WhatMovedIsMarkedAndWhatShinesIsNot) {
     printf("%d lights: %d of %d marked, %d outside\n", lights, moved.inside, kSize * kSize, moved.outside);
     EXPECT_GT(moved.inside, kSize * kSize / 2) << lights;
     EXPECT_EQ(moved.outside, 0) << lights;
-    EXPECT_EQ(size_t(set.report["moved"]), size_t(moved.all));
+    EXPECT_EQ(set.report->moved, size_t(moved.all));
   }
 }
 

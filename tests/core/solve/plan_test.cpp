@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/color/srgb.h"
 #include "core/plan/plan_search.h"
 #include "core/solve/solve.h"

@@ -182,7 +182,7 @@ TEST(Solve, BrokenPixelsAreSolvedFromTheOtherShotsAndFlagged) {
     const SolvedSet set = solve(capture, pixels, using_(solver));
     for (size_t p = 10; p <= 13; ++p) EXPECT_TRUE(int(set.quality.plane(kFlags)[p]) & kNotFinite) << p;
     EXPECT_TRUE(int(set.quality.plane(kFlags)[13]) & kFilled);
-    EXPECT_EQ(set.report["not_finite"], 4);
+    EXPECT_EQ(set.report->notFinite, 4U);
     for (size_t p = 10; p <= 12; ++p)
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(set.contributions[0].plane(c)[p], truth.truth[0].plane(c)[p], 2e-2) << solver << p;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <stdexcept>
 
 #include "core/color/srgb.h"
 #include "core/view/display/exact_view.h"

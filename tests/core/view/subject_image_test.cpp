@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/json.h"
 #include "core/plot/color_map.h"
 #include "core/relight/setting.h"
 #include "core/view/probe.h"

@@ -3,10 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json.h"
-#include "core/set/solved_set.h"
-#include "core/solve/model/light_plan.h"
-#include "core/solve/registration/align_shots.h"
+#include "core/base/json_fwd.h"
+#include "core/base/kept_json.h"
+#include "core/capture/capture.h"
+#include "core/color/rgb.h"
+#include "core/set/conditioning.h"
+#include "core/set/shot_shift.h"
 
 namespace swaplight {
 
@@ -23,20 +25,24 @@ struct SolveReport {
   std::vector<Rgb> refinedColors;  ///< [shot * lights + light], exposure included; empty: as given
   std::vector<std::string> estimated;  ///< colours that were not given, and what they were found to be
   Conditioning conditioning;
-  std::vector<ShotShift> shifts;  ///< of each shot against the first; empty: not measured
-  double residualMedian = 0;      ///< in units of the expected noise
-  double sigmaMedian = 0;         ///< relative to the sum of all lights
+  std::vector<ShotShift>
+      shifts;                 ///< of each shot against the first; empty: not measured. A file keeps no spread
+  double residualMedian = 0;  ///< in units of the expected noise
+  double sigmaMedian = 0;     ///< relative to the sum of all lights
   size_t pixels = 0;
   size_t clipped = 0, tooDark = 0, moved = 0, notFinite = 0, filled = 0;  ///< counts of pixels
   double seconds = 0;
   std::vector<std::string> warnings;
-
-  /// Fills in the statistics and the message from a set that is solved.
-  void summarize(const SolvedSet& set);
+  KeptJson options;  ///< what was asked for, as SolveOptions are written: for a person who looks later
+  KeptJson unknown;  ///< what another version of the program has reported
 };
 
 /// What is infinite is null.
 [[nodiscard]] Json jsonFromConditioning(const Conditioning& conditioning);
 [[nodiscard]] Json jsonFromSolveReport(const SolveReport& report);
+/// What travels with a picture that was made of the set: the figures without the details.
+[[nodiscard]] Json jsonFromSolveSummary(const SolveReport& report);
+/// What is missing is at its default. `where` begins the messages. Throws InputError.
+[[nodiscard]] SolveReport solveReportFromJson(const Json& json, const std::string& where);
 
 }  // namespace swaplight

@@ -1,0 +1,195 @@
+#include "core/set/solve_report.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/json.h"
+#include "core/file/json_fields.h"
+
+namespace swaplight {
+namespace {
+
+constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// JSON has no infinity.
+Json finiteOrNull(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+double finiteOrInfinity(JsonFields& fields, const std::string& key, double missing = 0) {
+  const Json* value = fields.find(key);
+  if (value && value->is_null()) return kInfinity;
+  return fields.number(key, -kMost, kMost).value_or(missing);
+}
+
+size_t count(JsonFields& fields, const std::string& key) {
+  return static_cast<size_t>(fields.number(key, 0, 1e15).value_or(0));
+}
+
+/// Hands each element of a list, if there is one, to `take`.
+template <typename Take>
+void each(JsonFields& fields, const std::string& key, const std::string& what, Take take) {
+  if (!fields.find(key)) return;
+  for (const Json& item : fields.list(key, what)) take(item);
+}
+
+std::vector<std::string> texts(JsonFields& fields, const std::string& key) {
+  std::vector<std::string> result;
+  each(fields, key, "a list of texts", [&](const Json& text) {
+    if (!text.is_string())
+      throw InputError("{}: \"{}\" holds {}, expected texts.", fields.where(), key, describeJson(text));
+    result.push_back(text.get<std::string>());
+  });
+  return result;
+}
+
+/// [1.5, 2] and the like.
+std::vector<float> numbers(const JsonFields& fields, const std::string& key, const Json& list, size_t size) {
+  std::vector<float> result;
+  if (list.is_array())
+    for (const Json& number : list)
+      if (number.is_number()) result.push_back(number.get<float>());
+  if (result.size() != size || list.size() != size)
+    throw InputError("{}: \"{}\" holds {}, expected a list of {} numbers.", fields.where(), key, list.dump(),
+                     size);
+  return result;
+}
+
+Json jsonFromNoise(const SolveReport& report) {
+  return {
+      {"read", report.noise.read}, {"full_well", report.noise.fullWell}, {"estimated", !report.noiseGiven}};
+}
+
+void readNoise(JsonFields& fields, SolveReport& report) {
+  const Json* json = fields.find("noise");
+  if (!json) return;
+  JsonFields noise(*json, fields.where() + ": noise");
+  report.noise.read = finiteOrInfinity(noise, "read", report.noise.read);
+  report.noise.fullWell = finiteOrInfinity(noise, "full_well", report.noise.fullWell);
+  report.noiseGiven = !noise.boolean("estimated").value_or(true);
+}
+
+Conditioning conditioningFromJson(JsonFields& fields) {
+  Conditioning result;
+  const Json* json = fields.find("conditioning");
+  if (!json) return result;
+  JsonFields inner(*json, fields.where() + ": conditioning");
+  size_t c = 0;
+  each(inner, "channels", "a list of channels", [&](const Json& item) {
+    if (c == 3) throw InputError("{}: has more than three channels.", inner.where());
+    JsonFields channel(item, inner.where());
+    each(channel, "singular_values", "a list of numbers", [&](const Json& value) {
+      result.singularValues[c].push_back(value.is_number() ? value.get<double>() : 0);
+    });
+    result.condition[c] = finiteOrInfinity(channel, "condition");
+    result.amplification[c] = finiteOrInfinity(channel, "amplification");
+    ++c;
+  });
+  result.matteAmplification = finiteOrInfinity(inner, "matte_amplification");
+  result.advice = texts(inner, "advice");
+  return result;
+}
+
+KeptJson kept(JsonFields& fields, const std::string& key) {
+  const Json* json = fields.find(key);
+  return json ? KeptJson(*json) : KeptJson();
+}
+
+}  // namespace
+
+Json jsonFromConditioning(const Conditioning& conditioning) {
+  Json channels = Json::array();
+  for (size_t c = 0; c < 3; ++c)
+    channels.push_back({{"channel", std::string(1, "RGB"[c])},
+                        {"singular_values", conditioning.singularValues[c]},
+                        {"condition", finiteOrNull(conditioning.condition[c])},
+                        {"amplification", finiteOrNull(conditioning.amplification[c])}});
+  return {{"channels", channels},
+          {"matte_amplification", finiteOrNull(conditioning.matteAmplification)},
+          {"advice", conditioning.advice}};
+}
+
+Json jsonFromSolveReport(const SolveReport& report) {
+  Json refined = Json::array();
+  Json shifts = Json::array();
+  for (const ShotShift& shift : report.shifts)
+    shifts.push_back(shift.found ? Json{shift.x, shift.y} : Json(nullptr));
+  for (const Rgb& color : report.refinedColors) refined.push_back({color.r, color.g, color.b});
+  Json json = {{"message", report.message},
+               {"model", report.model},
+               {"solver", report.solver},
+               {"noise", jsonFromNoise(report)},
+               {"color_uncertainty", report.colorUncertainty},
+               {"color_disagreement", report.colorDisagreement},
+               {"color_change", report.colorChange},
+               {"refined_colors", refined},
+               {"estimated", report.estimated},
+               {"shifts", shifts},
+               {"conditioning", jsonFromConditioning(report.conditioning)},
+               {"residual_median", report.residualMedian},
+               {"sigma_median", report.sigmaMedian},
+               {"pixels", report.pixels},
+               {"clipped", report.clipped},
+               {"too_dark", report.tooDark},
+               {"moved", report.moved},
+               {"not_finite", report.notFinite},
+               {"filled", report.filled},
+               {"seconds", report.seconds},
+               {"warnings", report.warnings}};
+  if (!report.options.empty()) json["options"] = report.options.json();
+  json.update(report.unknown.json());
+  return json;
+}
+
+Json jsonFromSolveSummary(const SolveReport& report) {
+  return {{"message", report.message},
+          {"model", report.model},
+          {"solver", report.solver},
+          {"residual_median", report.residualMedian},
+          {"sigma_median", report.sigmaMedian},
+          {"noise", jsonFromNoise(report)},
+          {"pixels", report.pixels},
+          {"warnings", report.warnings}};
+}
+
+SolveReport solveReportFromJson(const Json& json, const std::string& where) {
+  JsonFields fields(json, where);
+  SolveReport report;
+  report.message = fields.text("message").value_or("");
+  report.model = fields.text("model").value_or("");
+  report.solver = fields.text("solver").value_or("");
+  readNoise(fields, report);
+  report.colorUncertainty = static_cast<float>(finiteOrInfinity(fields, "color_uncertainty"));
+  report.colorDisagreement = finiteOrInfinity(fields, "color_disagreement");
+  report.colorChange = finiteOrInfinity(fields, "color_change");
+  each(fields, "refined_colors", "a list of colours", [&](const Json& item) {
+    const std::vector<float> color = numbers(fields, "refined_colors", item, 3);
+    report.refinedColors.emplace_back(color[0], color[1], color[2]);
+  });
+  report.estimated = texts(fields, "estimated");
+  report.conditioning = conditioningFromJson(fields);
+  each(fields, "shifts", "a list of shifts", [&](const Json& item) {
+    ShotShift& shift = report.shifts.emplace_back();
+    shift.found = !item.is_null();
+    if (!shift.found) return;
+    const std::vector<float> offset = numbers(fields, "shifts", item, 2);
+    shift.x = offset[0], shift.y = offset[1];
+  });
+  report.residualMedian = finiteOrInfinity(fields, "residual_median");
+  report.sigmaMedian = finiteOrInfinity(fields, "sigma_median");
+  report.pixels = count(fields, "pixels");
+  report.clipped = count(fields, "clipped");
+  report.tooDark = count(fields, "too_dark");
+  report.moved = count(fields, "moved");
+  report.notFinite = count(fields, "not_finite");
+  report.filled = count(fields, "filled");
+  report.seconds = finiteOrInfinity(fields, "seconds");
+  report.warnings = texts(fields, "warnings");
+  report.options = kept(fields, "options");
+  report.unknown = fields.unknown();
+  return report;
+}
+
+}  // namespace swaplight

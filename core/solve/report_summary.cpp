@@ -1,0 +1,63 @@
+#include "core/solve/report_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swaplight {
+namespace {
+
+double medianOfPlane(const float* plane, size_t count) {
+  // A sample says it as well, and costs nothing at 8 megapixels.
+  std::vector<float> sample;
+  const size_t step = std::max<size_t>(1, count / 100000);
+  for (size_t p = 0; p < count; p += step) sample.push_back(plane[p]);
+  if (sample.empty()) return 0;
+  std::nth_element(sample.begin(), sample.begin() + long(sample.size() / 2), sample.end());
+  return sample[sample.size() / 2];
+}
+
+}  // namespace
+
+void summarize(const SolvedSet& set, SolveReport& report) {
+  report.pixels = set.beta.pixelCount();
+  report.residualMedian = medianOfPlane(set.quality.plane(kResidual), report.pixels);
+  report.sigmaMedian = medianOfPlane(set.quality.plane(kSigma), report.pixels);
+  for (size_t p = 0; p < report.pixels; ++p) {
+    const int flags = int(set.quality.plane(kFlags)[p]);
+    report.clipped += (flags & kClipped) != 0;
+    report.tooDark += (flags & kTooDark) != 0;
+    report.moved += (flags & kMoved) != 0;
+    report.notFinite += (flags & kNotFinite) != 0;
+    report.filled += (flags & kFilled) != 0;
+  }
+  const auto percent = [&](size_t count) {
+    return 100.0 * double(count) / double(std::max<size_t>(report.pixels, 1));
+  };
+  report.message = fmt::format(
+      "{} lights told apart in {:.2f} s ({}, {}). A light's part is known to {:.1f} % of the pixel "
+      "(median).",
+      set.lightCount(), report.seconds, report.model, report.solver, 100 * report.sigmaMedian);
+  if (report.residualMedian > 3)
+    report.message += fmt::format(
+        " The pictures disagree with the light colours by {:.1f} times their noise: check the "
+        "colours, and that nothing moved.",
+        report.residualMedian);
+  for (const std::string& color : report.estimated) report.message += " " + color + ".";
+  double farthest = 0;
+  for (const ShotShift& shift : report.shifts)
+    farthest = std::max(farthest, double(std::hypot(shift.x, shift.y)));
+  if (farthest > 0)
+    report.message += fmt::format(" Shots aligned; the farthest lay {:.2f} pixels off.", farthest);
+  if (report.clipped)
+    report.message += fmt::format(" Clipped in a shot: {:.2f} % of the pixels.", percent(report.clipped));
+  if (report.tooDark) report.message += fmt::format(" Too dark to tell: {:.2f} %.", percent(report.tooDark));
+  if (report.moved) report.message += fmt::format(" Moved between shots: {:.2f} %.", percent(report.moved));
+  if (report.notFinite)
+    report.message +=
+        fmt::format(" Not a number, infinite or negative in a shot: {} pixels.", report.notFinite);
+  for (const std::string& advice : report.conditioning.advice) report.message += " Note: " + advice + ".";
+}
+
+}  // namespace swaplight
