@@ -17,7 +17,8 @@ namespace {
 constexpr int kRowsOfRuns = 8;
 
 /// out = sum of in, for `writes` planes out: the plainest stream with that many planes.
-SWAPLIGHT_SIMD void streamRun(const float* const* in, int reads, float* const* out, int writes, int count) {
+SWAPLIGHT_SIMD(void, streamRun, (const float* const* in, int reads, float* const* out, int writes, int count),
+               (in, reads, out, writes, count)) {
   for (int w = 0; w < writes; ++w) {
     const int first = w * reads / writes;
     const int last = std::max(first + 1, (w + 1) * reads / writes);

@@ -9,12 +9,15 @@
 namespace swaplight {
 namespace {
 
-SWAPLIGHT_SIMD void multiply(const float* __restrict share, const float* __restrict reflectance,
-                             float* __restrict out, int count) {
+SWAPLIGHT_SIMD(void, multiply,
+               (const float* __restrict share, const float* __restrict reflectance, float* __restrict out,
+                int count),
+               (share, reflectance, out, count)) {
   for (int p = 0; p < count; ++p) out[p] = share[p] * reflectance[p];
 }
 
-SWAPLIGHT_SIMD void scaledRoot(const float* __restrict in, float scale, float* __restrict out, int count) {
+SWAPLIGHT_SIMD(void, scaledRoot, (const float* __restrict in, float scale, float* __restrict out, int count),
+               (in, scale, out, count)) {
   for (int p = 0; p < count; ++p) out[p] = std::sqrt(in[p] * scale);
 }
 

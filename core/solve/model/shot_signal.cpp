@@ -14,7 +14,8 @@ namespace {
 constexpr size_t kChunk = 1 << 14;
 
 /// Whether every value lies in lowest <= y < clip (false for NaN).
-SWAPLIGHT_SIMD bool allWithin(const float* y, size_t count, float lowest, float clip) {
+SWAPLIGHT_SIMD(bool, allWithin, (const float* y, size_t count, float lowest, float clip),
+               (y, count, lowest, clip)) {
   int outside = 0;
   for (size_t p = 0; p < count; ++p) outside |= !(y[p] >= lowest) | !(y[p] < clip);
   return outside == 0;
