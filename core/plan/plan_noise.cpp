@@ -134,7 +134,7 @@ double transportCost(const LightPlan& plan, const SensorNoise& noise,
 PlanNoise predictedNoise(const LightPlan& plan, const SensorNoise& noise,
                          const std::vector<TypicalPixel>& pixels, Model model) {
   const NoiseModel variance{float(noise.read * noise.read), float(1 / noise.fullWell), 0};
-  const auto solver = makeEstimator(std::string(estimatorFor(model).name), {plan, variance});
+  const auto solver = estimatorFor(model).make({plan, variance});
   const int n = plan.lights;
   const size_t count = pixels.size();
   const size_t padded = (count + kLanes - 1) / kLanes * kLanes;

@@ -82,10 +82,9 @@ void repairRun(const ShotSignal& signal, size_t first, int count, const Estimato
 /// One estimator, one stream over the shots.
 void solveWithEstimator(const EstimatorInfo& info, const EstimatorContext& context, const ShotSignal& signal,
                         SolvedSet& set, const Progress& progress) {
-  const auto estimator = makeEstimator(std::string(info.name), context);
-  const auto careful = info.masks || signal.flags().empty()
-                           ? nullptr
-                           : makeEstimator(std::string(estimatorFor(Model::Lambert).name), context);
+  const auto estimator = info.make(context);
+  const auto careful =
+      info.masks || signal.flags().empty() ? nullptr : estimatorFor(Model::Lambert).make(context);
   const int runs = int((signal.pixelCount() + kRun - 1) / kRun);
   std::atomic<int> done = 0;
   parallelRows(runs, 4, [&](int begin, int end) {
@@ -259,7 +258,7 @@ SolvedSet solve(const Capture& given, const CapturePixels& photographs, const So
 
   SolvedSet set = emptySet(capture, pixels);
   set.carried = photographs.carried;
-  if (info.name == "auto") {
+  if (info.model == Model::Auto) {
     if (solveAuto(context, signal, report.shifts, set, progress) > 0)
       report.warnings.emplace_back(
           options.align
