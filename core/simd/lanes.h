@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstring>
 
 namespace swaplight {
@@ -10,6 +11,11 @@ namespace swaplight {
 inline constexpr int kLanes = 16;
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 using LaneMask = int __attribute__((vector_size(kLanes * sizeof(int))));
+
+/// Pixels that a plane needs room for, so that the last lanes may reach beyond its `count`.
+constexpr size_t roundedUpToLanes(size_t count) {
+  return (count + kLanes - 1) / kLanes * kLanes;
+}
 
 #define SWAPLIGHT_LANES [[gnu::always_inline]] inline
 

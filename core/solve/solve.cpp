@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -17,6 +18,7 @@
 #include "core/solve/calibration/noise_calibration.h"
 #include "core/solve/denoise.h"
 #include "core/solve/model/estimator.h"
+#include "core/solve/model/pixel_batch.h"
 #include "core/solve/model/shot_signal.h"
 #include "core/solve/registration/align_shots.h"
 #include "core/solve/registration/moved_pixels.h"
@@ -25,7 +27,6 @@
 namespace swaplight {
 namespace {
 
-constexpr int kRun = 2048;              // pixels: all planes of a run fit into the second-level cache
 constexpr float kTooDarkSigma = 0.25F;  // a share known no better than this is no answer
 
 SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
@@ -53,30 +54,9 @@ void repairRun(const ShotSignal& signal, size_t first, int count, const Estimato
   std::vector<float> scratch;
   PixelRun all;
   signal.run(first, count, true, scratch, all);
-  const size_t padded = (index.size() + 15) / 16 * 16;
-  std::vector<float> packed(padded * size_t(3 * shots + 3 * lights + 2), 0.0F);
-  float* next = packed.data();
-  const auto take = [&] { return std::exchange(next, next + padded); };
-  PixelRun in;
-  in.count = int(index.size());
-  for (int k = 0; k < shots; ++k)
-    for (int c = 0; c < 3; ++c) {
-      float* plane = take();
-      for (size_t j = 0; j < index.size(); ++j) plane[j] = all.signal[k][c][index[j]];
-      in.signal[k][c] = plane;
-    }
-  SolvedRun again;
-  for (int i = 0; i < lights; ++i)
-    for (int c = 0; c < 3; ++c) again.contribution[i][c] = take();
-  again.residual = take();
-  again.sigma = take();
-  careful.estimate(in, again);
-  for (size_t j = 0; j < index.size(); ++j) {
-    for (int i = 0; i < lights; ++i)
-      for (int c = 0; c < 3; ++c) out.contribution[i][c][index[j]] = again.contribution[i][c][j];
-    out.residual[index[j]] = again.residual[j];
-    out.sigma[index[j]] = again.sigma[j];
-  }
+  const PixelBatch batch(all, std::move(index), shots, lights);
+  careful.estimate(batch.in(), batch.out());
+  batch.scatter(out);
 }
 
 /// One estimator, one stream over the shots.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/simd/lanes.h"
 #include "core/simd/simd.h"
 
 namespace swaplight {
@@ -23,20 +22,12 @@ SWAPLIGHT_SIMD(void, scaledRoot, (const float* __restrict in, float scale, float
 
 }  // namespace
 
-MatteScratch::MatteScratch(int lights, int count) {
-  const size_t padded = (size_t(count) + kLanes - 1) / kLanes * kLanes;
-  m_data.reset(new float[padded * size_t(lights + 6)]);  // not cleared: the fit writes all of it
-  float* next = m_data.get();
-  const auto take = [&] {
-    float* plane = next;
-    next += padded;
-    return plane;
-  };
-  for (int i = 0; i < lights; ++i) m_run.share[i] = take();
-  for (float*& plane : m_run.reflectance) plane = take();
-  m_run.misfit = take();
-  m_run.variance = take();
-  m_run.shareVariance = take();
+MatteScratch::MatteScratch(int lights, int count) : m_arena(size_t(count), size_t(lights + 6)) {
+  for (int i = 0; i < lights; ++i) m_run.share[i] = m_arena.take();
+  for (float*& plane : m_run.reflectance) plane = m_arena.take();
+  m_run.misfit = m_arena.take();
+  m_run.variance = m_arena.take();
+  m_run.shareVariance = m_arena.take();
 }
 
 void MatteScratch::readShares(int lights, int count, const SolvedRun& from) const {
