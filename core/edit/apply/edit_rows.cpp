@@ -120,11 +120,11 @@ SWAPLIGHT_SIMD(void, scaleAndAdd,
 
 }  // namespace
 
-void betaOfRow(const LightRow& light, const float* inverseGrey, int count, float* beta) {
+void betaOfRow(const ConstRgbRow& light, const float* inverseGrey, int count, float* beta) {
   betaOf(light.r, light.g, light.b, inverseGrey, count, beta);
 }
 
-void addRow(const LightRow& light, const WhiteRow& white, const float* beta, const float* target,
+void addRow(const RgbRow& light, const ConstRgbRow& white, const float* beta, const float* target,
             const float* mask, int count) {
   addTo(light.r, light.g, light.b, white.r, white.g, white.b, beta, target, mask, count);
 }
@@ -142,8 +142,8 @@ ShareScratch::ShareScratch(size_t lights, size_t pixels)
       potG(pixels),
       potB(pixels) {}
 
-void shareRow(const std::vector<LightRow>& lights, const std::vector<int>& chosen, const float* mask,
-              int count, ShareScratch& s) {
+void shareRow(const std::vector<RgbRow>& lights, const std::vector<int>& chosen, const float* mask, int count,
+              ShareScratch& s) {
   const auto isChosen = [&](size_t i) {
     return std::binary_search(chosen.begin(), chosen.end(), static_cast<int>(i));
   };

@@ -25,7 +25,7 @@ struct Rows {
     for (size_t p = 0; p < kCount; ++p) mask[p] = p % 4 == 0 ? float(p % 8 == 0) : unit(random);
   }
   [[nodiscard]] size_t lights() const { return planes.size() / 3; }
-  LightRow row(size_t light) {
+  RgbRow row(size_t light) {
     return {planes[light * 3].data(), planes[light * 3 + 1].data(), planes[light * 3 + 2].data()};
   }
   [[nodiscard]] double grey(size_t light, size_t p) const {
@@ -44,7 +44,8 @@ TEST(EditRows, BetaIsTheLightsShareAtEveryLevel) {
   for (size_t p = 0; p < kCount; ++p) inverseGrey[p] = rows.grey(p) > 0 ? float(1 / rows.grey(p)) : 0;
   test::atEveryLevel([&] {
     for (size_t i = 0; i < 3; ++i) {
-      betaOfRow(rows.row(i), inverseGrey.data(), kCount, beta.data());
+      const RgbRow row = rows.row(i);
+      betaOfRow({row.r, row.g, row.b}, inverseGrey.data(), kCount, beta.data());
       for (size_t p = 0; p < kCount; ++p)
         ASSERT_NEAR(beta[p], rows.grey(p) > 0 ? rows.grey(i, p) / rows.grey(p) : 0, 1e-6);
     }
@@ -79,7 +80,7 @@ TEST(EditRows, SharingKeepsEachChannelsSumAndReachesTheTargetAtEveryLevel) {
     test::atEveryLevel([&] {
       Rows rows = before;
       ShareScratch scratch(lights, kCount);
-      std::vector<LightRow> pointers;
+      std::vector<RgbRow> pointers;
       for (size_t i = 0; i < lights; ++i) {
         pointers.push_back(rows.row(i));
         for (size_t p = 0; p < kCount; ++p)
