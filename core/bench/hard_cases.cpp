@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "core/base/quantile.h"
 #include "core/bench/bench_picture.h"
 #include "core/bench/bench_scene.h"
 #include "core/bench/bench_truth.h"
@@ -150,9 +151,7 @@ float brightValue(const Capture& capture, const std::vector<Image>& truth, float
   for (const Image& shot : exact.shots)
     for (int c = 0; c < 3; ++c)
       for (size_t p = 0; p < brightest.size(); ++p) brightest[p] = std::max(brightest[p], shot.plane(c)[p]);
-  const auto at = brightest.begin() + long((1 - fraction) * float(brightest.size()));
-  std::nth_element(brightest.begin(), at, brightest.end());
-  return std::max(*at, 1e-6F);
+  return std::max(quantile(std::span(brightest), 1 - double(fraction)), 1e-6F);
 }
 
 void multiply(std::vector<Image>& images, float gain) {

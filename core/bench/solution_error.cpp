@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/base/quantile.h"
 #include "core/bench/matte_bound.h"
 #include "core/measure/delta_e.h"
 #include "core/relight/relight.h"
@@ -34,20 +35,17 @@ void compareFrames(const SolvedSet& set, const SolvedSet& truth, SolutionError& 
     std::vector<float> values;
     for (int c = 0; c < 3; ++c)
       values.insert(values.end(), reference.plane(c), reference.plane(c) + reference.pixelCount());
-    const size_t bright = values.size() * 995 / 1000;
-    std::nth_element(values.begin(), values.begin() + long(bright), values.end());
+    const float bright = quantile(std::span(values), .995);
     ImageSpec spec = reference.spec();
     spec.channels = {"de2000"};
     Image difference(spec);
-    deltaE2000(test.view(), reference.view(), 0.9F / std::max(values[bright], 1e-9F), difference.span());
+    deltaE2000(test.view(), reference.view(), 0.9F / std::max(bright, 1e-9F), difference.span());
     differences.insert(differences.end(), difference.plane(0), difference.plane(0) + difference.pixelCount());
   }
   double sum = 0;
   for (float d : differences) sum += d;
   row.deltaEMean = sum / double(differences.size());
-  const size_t high = differences.size() * 95 / 100;
-  std::nth_element(differences.begin(), differences.begin() + long(high), differences.end());
-  row.deltaE95 = differences[high];
+  row.deltaE95 = quantile(std::span(differences), .95);
 }
 
 void compareContributions(const SolvedSet& set, const SolvedSet& truth, SolutionError& row) {

@@ -17,7 +17,8 @@ namespace {
 constexpr int kRowsOfRuns = 8;
 
 /// out = sum of in, for `writes` planes out: the plainest stream with that many planes.
-SWAPLIGHT_SIMD void streamRun(const float* const* in, int reads, float* const* out, int writes, int count) {
+SWAPLIGHT_SIMD(void, streamRun, (const float* const* in, int reads, float* const* out, int writes, int count),
+               (in, reads, out, writes, count)) {
   for (int w = 0; w < writes; ++w) {
     const int first = w * reads / writes;
     const int last = std::max(first + 1, (w + 1) * reads / writes);
@@ -105,14 +106,15 @@ double solverSpeed(const std::string& solver, const BenchScene& scene, SolvedSet
   const size_t pixels = scene.pixels.shots.front().pixelCount();
   const EstimatorContext context = contextOf(scene);
   double best = 0;
-  if (solver == "auto") {
+  const EstimatorInfo& info = estimatorInfo(solver);
+  if (info.model == Model::Auto) {
     best = bestSeconds(seconds, [&] {
       const ShotSignal signal(scene.pixels, context.plan, context.noise,
                               std::vector<float>(size_t(context.plan.shots), 1.0F));
       solveAuto(context, signal, {}, set, {});
     });
   } else {
-    const auto estimator = makeEstimator(solver, context);
+    const auto estimator = info.make(context);
     best = bestSeconds(seconds, [&] {
       eachRun(pixels, [&](size_t first, int count) {
         SolvedRun out = runAt(set, first);
@@ -128,7 +130,7 @@ double solverSpeed(const std::string& solver, const BenchScene& scene, SolvedSet
 /// The literal search is timed on a part of the picture: it needs a minute for all of it.
 double bruteForceSpeed(const BenchScene& scene, SolvedSet& set, double seconds) {
   const size_t pixels = std::min<size_t>(scene.pixels.shots.front().pixelCount(), size_t(32) * kRun);
-  const auto estimator = makeEstimator("brute-force", contextOf(scene));
+  const auto estimator = estimatorInfo("brute-force").make(contextOf(scene));
   const double best = bestSeconds(seconds, [&] {
     const int runs = int(pixels / kRun);
     parallelRows(runs, 1, [&](int begin, int end) {

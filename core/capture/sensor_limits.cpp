@@ -17,8 +17,9 @@ constexpr int kGrain = 64;           // rows
 constexpr float kPileFrom = 0.999F;  // of the largest value: saturated pixels differ by their read noise
 constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
-SWAPLIGHT_SIMD
-PixelCounts countRange(const float* r, const float* g, const float* b, size_t count, float lowest) {
+SWAPLIGHT_SIMD(PixelCounts, countRange,
+               (const float* r, const float* g, const float* b, size_t count, float lowest),
+               (r, g, b, count, lowest)) {
   uint32_t notFinite = 0;
   uint32_t negative = 0;
   float largest = 0;
@@ -39,8 +40,7 @@ struct Pile {
   size_t below = 0;
 };
 
-SWAPLIGHT_SIMD
-Pile pileIn(const float* values, size_t count, float level) {
+SWAPLIGHT_SIMD(Pile, pileIn, (const float* values, size_t count, float level), (values, count, level)) {
   const float from = level * kPileFrom;
   const float lower = level * 0.95F;
   uint32_t at = 0;

@@ -1,5 +1,7 @@
 #include "core/image/half.h"
 
+#include "core/simd/simd.h"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -27,9 +29,7 @@ __attribute__((target("avx2,f16c"))) size_t floatFromHalfVector(const uint16_t* 
 }
 
 bool hasVector() {
-  // Every processor with AVX2 has F16C too; clang 14 cannot ask for the latter.
-  static const bool has = __builtin_cpu_supports("avx2");
-  return has;
+  return processorLevel() >= 3;
 }
 #else
 size_t halfFromFloatVector(const float*, uint16_t*, size_t) {

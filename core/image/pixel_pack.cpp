@@ -33,8 +33,8 @@ inline float quantised(float value, float steps) {
   return scaled > 0 ? (scaled < steps ? scaled : steps) : 0;  // NaN fails the first comparison
 }
 
-SWAPLIGHT_SIMD
-void unpackRow(const std::byte* in, size_t stride, PixelType type, float* out, int width) {
+SWAPLIGHT_SIMD(void, unpackRow, (const std::byte* in, size_t stride, PixelType type, float* out, int width),
+               (in, stride, type, out, width)) {
   const auto count = static_cast<size_t>(width);
   switch (type) {
     case PixelType::UInt8:
@@ -56,8 +56,8 @@ void unpackRow(const std::byte* in, size_t stride, PixelType type, float* out, i
   }
 }
 
-SWAPLIGHT_SIMD
-void packRow(const float* in, PixelType type, std::byte* out, size_t stride, int width) {
+SWAPLIGHT_SIMD(void, packRow, (const float* in, PixelType type, std::byte* out, size_t stride, int width),
+               (in, type, out, stride, width)) {
   const auto count = static_cast<size_t>(width);
   switch (type) {
     case PixelType::UInt8:
@@ -79,8 +79,7 @@ void packRow(const float* in, PixelType type, std::byte* out, size_t stride, int
   }
 }
 
-SWAPLIGHT_SIMD
-void clampRow(const float* in, float* out, size_t count) {
+SWAPLIGHT_SIMD(void, clampRow, (const float* in, float* out, size_t count), (in, out, count)) {
   for (size_t i = 0; i < count; ++i) out[i] = clampedToHalf(in[i]);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/quantile.h"
 #include "core/color/srgb.h"
 
 namespace swaplight {
@@ -37,10 +38,7 @@ float brightPartOf(const Image& image) {
   std::vector<float> values;
   for (int c = 0; c < 3; ++c)
     values.insert(values.end(), image.plane(c), image.plane(c) + image.pixelCount());
-  const auto place =
-      values.begin() + static_cast<ptrdiff_t>(kBrightPart * static_cast<float>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+  return quantile(std::span(values), kBrightPart);
 }
 
 }  // namespace

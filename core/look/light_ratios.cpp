@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/quantile.h"
 #include "core/ocio/luminance.h"
 
 namespace swaplight {
@@ -30,14 +31,6 @@ std::vector<float> sampledLuminances(const SolvedSet& set) {
   return luminances;
 }
 
-/// `values` are put out of order.
-float quantile(std::vector<float>& values, float part) {
-  const auto at = std::min(values.size() - 1, static_cast<size_t>(part * static_cast<float>(values.size())));
-  const auto place = values.begin() + static_cast<ptrdiff_t>(at);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 }  // namespace
 
 LightRatios::LightRatios(const SolvedSet& set)
@@ -49,7 +42,7 @@ LightRatios::LightRatios(const SolvedSet& set)
   std::vector<float> values(pixels);
   for (size_t i = 0; i < m_lights; ++i) {
     for (size_t p = 0; p < pixels; ++p) sums[i] += values[p] = luminances[p * m_lights + i];
-    if (pixels > 0) reach[i] = kReach * quantile(values, kBrightPart);
+    if (pixels > 0) reach[i] = kReach * quantile(std::span(values), kBrightPart);
   }
   std::vector<float> ratios;
   for (size_t a = 0; a < m_lights; ++a)
@@ -61,7 +54,7 @@ LightRatios::LightRatios(const SolvedSet& set)
       }
       float stops = 0;
       if (ratios.size() >= std::max(kFewPixels, pixels / 1000))
-        stops = quantile(ratios, 0.5F);
+        stops = median(std::span(ratios));
       else if (sums[a] > 0 && sums[b] > 0)
         stops = std::log2(sums[a] / sums[b]);
       m_stops[a * m_lights + b] = stops;

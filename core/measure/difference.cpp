@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/quantile.h"
 #include "core/color/srgb.h"
 #include "core/measure/delta_e.h"
 
@@ -90,12 +91,7 @@ float displayScale(ImageView reference) {
       std::copy_if(reference.row(c, y), reference.row(c, y) + reference.width, std::back_inserter(values),
                    [](float v) { return std::isfinite(v); });
   if (values.empty()) return 1;
-  const double position = .995 * static_cast<double>(values.size() - 1);
-  const auto below = values.begin() + static_cast<ptrdiff_t>(position);
-  std::nth_element(values.begin(), below, values.end());
-  const double low = *below;
-  const double high = below + 1 == values.end() ? low : *std::min_element(below + 1, values.end());
-  const double bright = low + (position - std::floor(position)) * (high - low);
+  const double bright = interpolatedQuantile(std::span(values), .995);
   return bright > 0 ? static_cast<float>(.9 / bright) : 1;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/json.h"
+#include "core/base/quantile.h"
 #include "core/ocio/color_config.h"
 #include "core/ocio/luminance.h"
 
@@ -35,11 +36,7 @@ LuminanceHistogram luminanceHistogram(const Image& picture) {
     else
       histogram.share[static_cast<size_t>((stops - histogram.low) * kBinsAStop)] += each;
   }
-  if (!lit.empty()) {
-    const auto middle = lit.begin() + static_cast<ptrdiff_t>(lit.size() / 2);
-    std::nth_element(lit.begin(), middle, lit.end());
-    histogram.median = *middle;
-  }
+  if (!lit.empty()) histogram.median = median(std::span(lit));
   return histogram;
 }
 

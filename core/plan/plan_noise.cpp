@@ -5,9 +5,8 @@
 #include <numeric>
 #include <random>
 #include <string>
-#include <utility>
 
-#include "core/simd/lanes.h"
+#include "core/simd/plane_arena.h"
 #include "core/solve/model/estimator.h"
 
 namespace swaplight {
@@ -134,13 +133,10 @@ double transportCost(const LightPlan& plan, const SensorNoise& noise,
 PlanNoise predictedNoise(const LightPlan& plan, const SensorNoise& noise,
                          const std::vector<TypicalPixel>& pixels, Model model) {
   const NoiseModel variance{float(noise.read * noise.read), float(1 / noise.fullWell), 0};
-  const auto solver = makeEstimator(std::string(estimatorFor(model).name), {plan, variance});
+  const auto solver = estimatorFor(model).make({plan, variance});
   const int n = plan.lights;
   const size_t count = pixels.size();
-  const size_t padded = (count + kLanes - 1) / kLanes * kLanes;
-  std::vector<float> room(padded * size_t(3 * plan.shots + 4 * n), 0.0F);
-  float* next = room.data();
-  const auto take = [&] { return std::exchange(next, next + padded); };
+  PlaneArena planes(count, size_t(3 * plan.shots + 4 * n));
 
   // Photograph the pixels and solve them.
   PixelRun shots;
@@ -149,7 +145,7 @@ PlanNoise predictedNoise(const LightPlan& plan, const SensorNoise& noise,
   std::normal_distribution<double> gauss;
   for (int k = 0; k < plan.shots; ++k)
     for (int c = 0; c < 3; ++c) {
-      float* plane = take();
+      float* plane = planes.take(0);
       for (size_t p = 0; p < count; ++p) {
         const double y = signalOf(plan, pixels[p], k, c);
         plane[p] = float(y + gauss(random) * std::sqrt(varianceOf(noise, y)));
@@ -158,8 +154,8 @@ PlanNoise predictedNoise(const LightPlan& plan, const SensorNoise& noise,
     }
   SolvedRun solved;
   for (int i = 0; i < n; ++i) {
-    for (int c = 0; c < 3; ++c) solved.contribution[i][c] = take();
-    solved.beta[i] = take();
+    for (int c = 0; c < 3; ++c) solved.contribution[i][c] = planes.take();
+    solved.beta[i] = planes.take();
   }
   solver->estimate(shots, solved);
   writeBeta(n, int(count), solved);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/check.h"
 #include "core/base/parallel.h"
 #include "core/relight/weighted_sum.h"
 
@@ -30,11 +30,10 @@ std::vector<Term> termsOf(const SolvedSet& set, std::span<const Rgb> factors, fl
 }  // namespace
 
 void relight(const SolvedSet& set, std::span<const Rgb> factors, float ambientFactor, ImageSpan out) {
-  if (factors.size() != set.contributions.size())
-    throw InputError("{} light factors for a set of {} lights", factors.size(), set.contributions.size());
-  if (out.width != set.width() || out.height != set.height() || out.channels < 3)
-    throw InputError("a picture of {} x {} pixels for a set of {} x {}", out.width, out.height, set.width(),
-                     set.height());
+  SWAPLIGHT_CHECK_EQ(factors.size(), set.contributions.size());
+  SWAPLIGHT_CHECK_EQ(out.width, set.width());
+  SWAPLIGHT_CHECK_EQ(out.height, set.height());
+  SWAPLIGHT_CHECK_LE(3, out.channels);
   for (int channel = 0; channel < 3; ++channel) {
     const std::vector<Term> terms = termsOf(set, factors, ambientFactor, channel);
     parallelRows(out.height, kRowsABand, [&](int begin, int end) {

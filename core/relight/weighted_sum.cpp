@@ -17,19 +17,22 @@ struct Sweep {
   std::array<float, kRows> factors;
 };
 
-SWAPLIGHT_SIMD void setToSum(float* __restrict out, const Sweep& sweep, ptrdiff_t count) {
+SWAPLIGHT_SIMD(void, setToSum, (float* __restrict out, const Sweep& sweep, ptrdiff_t count),
+               (out, sweep, count)) {
   const auto [a, b, c, d] = sweep.rows;
   const auto [fa, fb, fc, fd] = sweep.factors;
   for (ptrdiff_t p = 0; p < count; ++p) out[p] = fa * a[p] + fb * b[p] + fc * c[p] + fd * d[p];
 }
 
-SWAPLIGHT_SIMD void addSum(float* __restrict out, const Sweep& sweep, ptrdiff_t count) {
+SWAPLIGHT_SIMD(void, addSum, (float* __restrict out, const Sweep& sweep, ptrdiff_t count),
+               (out, sweep, count)) {
   const auto [a, b, c, d] = sweep.rows;
   const auto [fa, fb, fc, fd] = sweep.factors;
   for (ptrdiff_t p = 0; p < count; ++p) out[p] += fa * a[p] + fb * b[p] + fc * c[p] + fd * d[p];
 }
 
-SWAPLIGHT_SIMD void setToSumOfTwo(float* __restrict out, const Sweep& sweep, ptrdiff_t count) {
+SWAPLIGHT_SIMD(void, setToSumOfTwo, (float* __restrict out, const Sweep& sweep, ptrdiff_t count),
+               (out, sweep, count)) {
   const float *a = sweep.rows[0], *b = sweep.rows[1];
   const float fa = sweep.factors[0], fb = sweep.factors[1];
   for (ptrdiff_t p = 0; p < count; ++p) out[p] = fa * a[p] + fb * b[p];

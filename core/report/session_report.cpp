@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/json.h"
+#include "core/base/quantile.h"
 #include "core/color/srgb.h"
 #include "core/image/io/image_bytes.h"
 #include "core/image/shrunk_image.h"
@@ -81,10 +82,8 @@ std::string photograph(const Image& linear, const DisplayChoice& choice, const s
 }
 
 double percentile(const float* values, size_t count, double share) {
-  std::vector<float> sorted(values, values + count);
-  const auto at = sorted.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(count - 1));
-  std::nth_element(sorted.begin(), at, sorted.end());
-  return *at;
+  std::vector<float> copy(values, values + count);
+  return quantile(std::span(copy), share);
 }
 
 /// A map in false colour with its scale.

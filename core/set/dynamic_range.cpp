@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/quantile.h"
 #include "core/ocio/color_config.h"
 #include "core/ocio/luminance.h"
 
@@ -14,10 +14,7 @@ namespace swaplight {
 namespace {
 
 double percentile(std::vector<float>& values, double share) {
-  if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return values.empty() ? 0 : quantile(std::span(values), share);
 }
 
 constexpr size_t kMostPixels = size_t{1} << 18;

@@ -1,14 +1,21 @@
 #pragma once
 
+#include <cstddef>
 #include <cstring>
 
 namespace swaplight {
 
 /// Sixteen pixels at once: the compiler turns arithmetic on it into whatever the processor has (one AVX-512
-/// register, two of AVX2, four of SSE). Use inside functions marked SWAPLIGHT_SIMD.
+/// register, two of AVX2, four of SSE). Use in files that are compiled for each class (*_kernel.cpp, see
+/// core/simd/simd.h): elsewhere it is cut into pieces of SSE's width before anything else is done.
 inline constexpr int kLanes = 16;
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 using LaneMask = int __attribute__((vector_size(kLanes * sizeof(int))));
+
+/// Pixels that a plane needs room for, so that the last lanes may reach beyond its `count`.
+constexpr size_t roundedUpToLanes(size_t count) {
+  return (count + kLanes - 1) / kLanes * kLanes;
+}
 
 #define SWAPLIGHT_LANES [[gnu::always_inline]] inline
 
@@ -61,7 +68,7 @@ SWAPLIGHT_LANES Lanes logarithm(Lanes x) {
   return e * 0.69314718F + 2 * t * (1 + t2 * (1.0F / 3 + t2 * (0.2F + t2 * (1.0F / 7 + t2 * (1.0F / 9)))));
 }
 
-/// exp(x), relative error below 1e-5; x below -80 gives 0.
+/// exp(x), relative error below 1e-5; x below -80 gives 0, above 80 exp(80).
 SWAPLIGHT_LANES Lanes exponential(Lanes x) {
   const LaneMask tiny = x < -80;
   const Lanes y = smaller(larger(x, splat(-80)), splat(80)) * 1.44269504F;

@@ -1,22 +1,42 @@
 #pragma once
 
-/// Put before a function whose loops the compiler should vectorise: it is compiled once for each class of
-/// x86-64 processor (v4: AVX-512, v3: AVX2 and FMA, default: SSE2), and the best one that the machine has is
-/// chosen when the program starts; one build runs anywhere. Only the function itself is cloned, with what is
-/// inlined into it: write loops in it, not lambdas, and mark helpers `inline`. Not for templates. Results may
-/// differ in the last bit between machines, because v3 and v4 fuse multiplications and additions.
+/// Loops that the compiler should vectorise, compiled once for each class of x86-64 processor (v4: AVX-512,
+/// v3: AVX2 and FMA, else SSE2); one build runs anywhere, and takes the best one that the machine has:
 ///
-/// Empty under the sanitizers, which cannot run the resolver, and for compilers other than g++.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(SWAPLIGHT_SANITIZE)
-#define SWAPLIGHT_SIMD __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+///   SWAPLIGHT_SIMD(void, scale, (float* values, float factor, int count), (values, factor, count)) {
+///     for (int p = 0; p < count; ++p) values[p] *= factor;
+///   }
+///
+/// defines `static void scale(float* values, float factor, int count)`. Only the function itself is compiled
+/// again, with what is inlined into it: write loops in it, not lambdas, and mark helpers `inline`. Not for
+/// templates. Results may differ in the last bit between machines, because v3 and v4 fuse multiplications and
+/// additions. (GCC's target_clones would save the list of arguments, but what it chooses no test can force.)
+#if defined(__x86_64__)
+#define SWAPLIGHT_SIMD(result, name, parameters, arguments)                 \
+  [[gnu::always_inline]] static inline result name##Loop parameters;        \
+  [[gnu::target("arch=x86-64-v4")]] static result name##Level4 parameters { \
+    return name##Loop arguments;                                            \
+  }                                                                         \
+  [[gnu::target("arch=x86-64-v3")]] static result name##Level3 parameters { \
+    return name##Loop arguments;                                            \
+  }                                                                         \
+  static result name##Level1 parameters {                                   \
+    return name##Loop arguments;                                            \
+  }                                                                         \
+  static result name parameters {                                           \
+    if (swaplight::processorLevel() == 4) return name##Level4 arguments;    \
+    if (swaplight::processorLevel() == 3) return name##Level3 arguments;    \
+    return name##Level1 arguments;                                          \
+  }                                                                         \
+  static inline result name##Loop parameters
 #else
-#define SWAPLIGHT_SIMD
+#define SWAPLIGHT_SIMD(result, name, parameters, arguments) static result name parameters
 #endif
 
 /// Kernels written in lanes (core/simd/lanes.h) are files named *_kernel.cpp. They are compiled whole, once
-/// for each class of processor (SWAPLIGHT_LEVEL: level1, level3, level4; see core/CMakeLists.txt): vectors
-/// wider than the processor that a helper is first compiled for would be taken apart before it is inlined.
-/// They include nothing that a linker could mistake for code of the rest of the program.
+/// for each class of processor (SWAPLIGHT_LEVEL: level1, level3, level4; see cmake/SwaplightLibrary.cmake):
+/// vectors wider than the processor that a helper is first compiled for would be taken apart before it is
+/// inlined. They include nothing that a linker could mistake for code of the rest of the program.
 ///
 /// SWAPLIGHT_DECLARE_KERNEL(name, parameters...) declares void name(parameters...) for every class;
 /// SWAPLIGHT_KERNEL(name) is the one for this machine.
@@ -46,6 +66,14 @@
 namespace swaplight {
 
 /// The class of this machine's processor, as in x86-64-v4: 4, 3 or 1.
+[[nodiscard]] int machineLevel();
+
+/// The class whose code runs: the machine's, or a lower one where the environment variable
+/// SWAPLIGHT_PROCESSOR_LEVEL (1, 3 or 4) asks for it. Throws InputError where that holds anything else.
 [[nodiscard]] int processorLevel();
+
+/// Makes the code of a lower class run from now on, on all threads; never that of a higher one than the
+/// machine's. For tests.
+void setProcessorLevel(int level);
 
 }  // namespace swaplight

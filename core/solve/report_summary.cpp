@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
+
+#include "core/base/quantile.h"
 
 namespace swaplight {
 namespace {
@@ -14,8 +18,7 @@ double medianOfPlane(const float* plane, size_t count) {
   const size_t step = std::max<size_t>(1, count / 100000);
   for (size_t p = 0; p < count; p += step) sample.push_back(plane[p]);
   if (sample.empty()) return 0;
-  std::nth_element(sample.begin(), sample.begin() + long(sample.size() / 2), sample.end());
-  return sample[sample.size() / 2];
+  return median(std::span(sample));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -18,6 +19,7 @@
 #include "core/solve/calibration/noise_calibration.h"
 #include "core/solve/denoise.h"
 #include "core/solve/model/estimator.h"
+#include "core/solve/model/pixel_batch.h"
 #include "core/solve/model/shot_signal.h"
 #include "core/solve/registration/align_shots.h"
 #include "core/solve/registration/moved_pixels.h"
@@ -26,7 +28,6 @@
 namespace swaplight {
 namespace {
 
-constexpr int kRun = 2048;              // pixels: all planes of a run fit into the second-level cache
 constexpr float kTooDarkSigma = 0.25F;  // a share known no better than this is no answer
 
 SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
@@ -54,39 +55,17 @@ void repairRun(const ShotSignal& signal, size_t first, int count, const Estimato
   std::vector<float> scratch;
   PixelRun all;
   signal.run(first, count, true, scratch, all);
-  const size_t padded = (index.size() + 15) / 16 * 16;
-  std::vector<float> packed(padded * size_t(3 * shots + 3 * lights + 2), 0.0F);
-  float* next = packed.data();
-  const auto take = [&] { return std::exchange(next, next + padded); };
-  PixelRun in;
-  in.count = int(index.size());
-  for (int k = 0; k < shots; ++k)
-    for (int c = 0; c < 3; ++c) {
-      float* plane = take();
-      for (size_t j = 0; j < index.size(); ++j) plane[j] = all.signal[k][c][index[j]];
-      in.signal[k][c] = plane;
-    }
-  SolvedRun again;
-  for (int i = 0; i < lights; ++i)
-    for (int c = 0; c < 3; ++c) again.contribution[i][c] = take();
-  again.residual = take();
-  again.sigma = take();
-  careful.estimate(in, again);
-  for (size_t j = 0; j < index.size(); ++j) {
-    for (int i = 0; i < lights; ++i)
-      for (int c = 0; c < 3; ++c) out.contribution[i][c][index[j]] = again.contribution[i][c][j];
-    out.residual[index[j]] = again.residual[j];
-    out.sigma[index[j]] = again.sigma[j];
-  }
+  const PixelBatch batch(all, std::move(index), shots, lights);
+  careful.estimate(batch.in(), batch.out());
+  batch.scatter(out);
 }
 
 /// One estimator, one stream over the shots.
 void solveWithEstimator(const EstimatorInfo& info, const EstimatorContext& context, const ShotSignal& signal,
                         SolvedSet& set, const Progress& progress) {
-  const auto estimator = makeEstimator(std::string(info.name), context);
-  const auto careful = info.masks || signal.flags().empty()
-                           ? nullptr
-                           : makeEstimator(std::string(estimatorFor(Model::Lambert).name), context);
+  const auto estimator = info.make(context);
+  const auto careful =
+      info.masks || signal.flags().empty() ? nullptr : estimatorFor(Model::Lambert).make(context);
   const int runs = int((signal.pixelCount() + kRun - 1) / kRun);
   std::atomic<int> done = 0;
   parallelRows(runs, 4, [&](int begin, int end) {
@@ -260,7 +239,7 @@ SolvedSet solve(const Capture& given, const CapturePixels& photographs, const So
 
   SolvedSet set = emptySet(capture, pixels);
   set.carried = photographs.carried;
-  if (info.name == "auto") {
+  if (info.model == Model::Auto) {
     if (solveAuto(context, signal, report.shifts, set, progress) > 0)
       report.warnings.emplace_back(
           options.align

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/plot/color_map.h"
 
@@ -88,7 +88,7 @@ Image subjectImage(const SolvedSet& set, const ViewSubject& subject) {
     case ViewSubject::Kind::Visibility:
       break;
   }
-  throw InputError("this subject is made from other pictures");
+  throw std::logic_error("this subject is made from other pictures");
 }
 
 ViewSubject subjectWithin(const SolvedSet& set, ViewSubject subject) {

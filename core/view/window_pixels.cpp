@@ -39,12 +39,14 @@ struct Axis {
   }
 };
 
-SWAPLIGHT_SIMD void blendRows(const float* a, const float* b, float weight, int count, float* out) {
+SWAPLIGHT_SIMD(void, blendRows, (const float* a, const float* b, float weight, int count, float* out),
+               (a, b, weight, count, out)) {
   for (int i = 0; i < count; ++i) out[i] = a[i] + weight * (b[i] - a[i]);
 }
 
-SWAPLIGHT_SIMD void interpolateRow(const float* in, const int* first, const float* weight, int last,
-                                   int count, float* out) {
+SWAPLIGHT_SIMD(void, interpolateRow,
+               (const float* in, const int* first, const float* weight, int last, int count, float* out),
+               (in, first, weight, last, count, out)) {
   for (int i = 0; i < count; ++i) {
     const int next = std::min(first[i] + 1, last);
     out[i] = in[first[i]] + weight[i] * (in[next] - in[first[i]]);

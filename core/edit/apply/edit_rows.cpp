@@ -10,15 +10,18 @@ namespace {
 constexpr float kNothing = 1e-20f;
 constexpr float kTrace = 1e-12f;
 
-SWAPLIGHT_SIMD void betaOf(const float* __restrict r, const float* __restrict g, const float* __restrict b,
-                           const float* __restrict inverseGrey, int count, float* __restrict beta) {
+SWAPLIGHT_SIMD(void, betaOf,
+               (const float* __restrict r, const float* __restrict g, const float* __restrict b,
+                const float* __restrict inverseGrey, int count, float* __restrict beta),
+               (r, g, b, inverseGrey, count, beta)) {
   for (int i = 0; i < count; ++i) beta[i] = (r[i] + g[i] + b[i]) * inverseGrey[i];
 }
 
-SWAPLIGHT_SIMD void addTo(float* __restrict r, float* __restrict g, float* __restrict b,
-                          const float* __restrict wr, const float* __restrict wg, const float* __restrict wb,
-                          const float* __restrict beta, const float* __restrict target,
-                          const float* __restrict mask, int count) {
+SWAPLIGHT_SIMD(void, addTo,
+               (float* __restrict r, float* __restrict g, float* __restrict b, const float* __restrict wr,
+                const float* __restrict wg, const float* __restrict wb, const float* __restrict beta,
+                const float* __restrict target, const float* __restrict mask, int count),
+               (r, g, b, wr, wg, wb, beta, target, mask, count)) {
   for (int i = 0; i < count; ++i) {
     const float step = mask[i] * (target[i] - beta[i]);
     const float gain = step > 0 ? step : 0.f;
@@ -31,8 +34,10 @@ SWAPLIGHT_SIMD void addTo(float* __restrict r, float* __restrict g, float* __res
 
 // target = beta moved by the mask; its sum is added up. A trace of beta stays, so that lights that are all
 // asked to go keep their proportions where there is no other light to take over.
-SWAPLIGHT_SIMD void moveTarget(const float* __restrict beta, const float* __restrict mask, int count,
-                               float* __restrict target, float* __restrict sum) {
+SWAPLIGHT_SIMD(void, moveTarget,
+               (const float* __restrict beta, const float* __restrict mask, int count,
+                float* __restrict target, float* __restrict sum),
+               (beta, mask, count, target, sum)) {
   for (int i = 0; i < count; ++i) {
     const float moved = beta[i] + mask[i] * (target[i] - beta[i]);
     const float trace = kTrace * beta[i];
@@ -41,15 +46,17 @@ SWAPLIGHT_SIMD void moveTarget(const float* __restrict beta, const float* __rest
   }
 }
 
-SWAPLIGHT_SIMD void accumulate(const float* __restrict in, int count, float* __restrict sum) {
+SWAPLIGHT_SIMD(void, accumulate, (const float* __restrict in, int count, float* __restrict sum),
+               (in, count, sum)) {
   for (int i = 0; i < count; ++i) sum[i] += in[i];
 }
 
 // The factor on the chosen lights' targets (no more light than there is), that on the others, and what each
 // of the others gets where none of them has light.
-SWAPLIGHT_SIMD void shareOut(const float* __restrict chosen, const float* __restrict others, int otherCount,
-                             int count, float* __restrict wanted, float* __restrict otherFactor,
-                             float* __restrict otherGift) {
+SWAPLIGHT_SIMD(void, shareOut,
+               (const float* __restrict chosen, const float* __restrict others, int otherCount, int count,
+                float* __restrict wanted, float* __restrict otherFactor, float* __restrict otherGift),
+               (chosen, others, otherCount, count, wanted, otherFactor, otherGift)) {
   const float perOther = otherCount > 0 ? 1.f / static_cast<float>(otherCount) : 0.f;
   for (int i = 0; i < count; ++i) {
     const float all = chosen[i] + others[i];
@@ -63,10 +70,11 @@ SWAPLIGHT_SIMD void shareOut(const float* __restrict chosen, const float* __rest
 }
 
 // What a light keeps, and gains; what it loses goes into the pot.
-SWAPLIGHT_SIMD void takeAway(float* __restrict r, float* __restrict g, float* __restrict b,
-                             const float* __restrict beta, const float* __restrict mask, int count,
-                             float* __restrict target, float* __restrict gains, float* __restrict potR,
-                             float* __restrict potG, float* __restrict potB) {
+SWAPLIGHT_SIMD(void, takeAway,
+               (float* __restrict r, float* __restrict g, float* __restrict b, const float* __restrict beta,
+                const float* __restrict mask, int count, float* __restrict target, float* __restrict gains,
+                float* __restrict potR, float* __restrict potG, float* __restrict potB),
+               (r, g, b, beta, mask, count, target, gains, potR, potG, potB)) {
   for (int i = 0; i < count; ++i) {
     const float step = mask[i] > 0 ? target[i] - beta[i] : 0.f;
     const float lost = step < 0 && beta[i] > 0 ? -step / beta[i] : 0.f;
@@ -85,10 +93,11 @@ SWAPLIGHT_SIMD void takeAway(float* __restrict r, float* __restrict g, float* __
   }
 }
 
-SWAPLIGHT_SIMD void giveOut(const float* __restrict gain, const float* __restrict gains,
-                            const float* __restrict potR, const float* __restrict potG,
-                            const float* __restrict potB, int count, float* __restrict r, float* __restrict g,
-                            float* __restrict b) {
+SWAPLIGHT_SIMD(void, giveOut,
+               (const float* __restrict gain, const float* __restrict gains, const float* __restrict potR,
+                const float* __restrict potG, const float* __restrict potB, int count, float* __restrict r,
+                float* __restrict g, float* __restrict b),
+               (gain, gains, potR, potG, potB, count, r, g, b)) {
   for (int i = 0; i < count; ++i) {
     const float share = gains[i] > kNothing ? gain[i] / gains[i] : 0.f;
     r[i] += share * potR[i];
@@ -97,22 +106,25 @@ SWAPLIGHT_SIMD void giveOut(const float* __restrict gain, const float* __restric
   }
 }
 
-SWAPLIGHT_SIMD void scaleBy(const float* __restrict factor, int count, float* __restrict values) {
+SWAPLIGHT_SIMD(void, scaleBy, (const float* __restrict factor, int count, float* __restrict values),
+               (factor, count, values)) {
   for (int i = 0; i < count; ++i) values[i] *= factor[i];
 }
 
-SWAPLIGHT_SIMD void scaleAndAdd(const float* __restrict beta, const float* __restrict factor,
-                                const float* __restrict gift, int count, float* __restrict target) {
+SWAPLIGHT_SIMD(void, scaleAndAdd,
+               (const float* __restrict beta, const float* __restrict factor, const float* __restrict gift,
+                int count, float* __restrict target),
+               (beta, factor, gift, count, target)) {
   for (int i = 0; i < count; ++i) target[i] = beta[i] * factor[i] + gift[i];
 }
 
 }  // namespace
 
-void betaOfRow(const LightRow& light, const float* inverseGrey, int count, float* beta) {
+void betaOfRow(const ConstRgbRow& light, const float* inverseGrey, int count, float* beta) {
   betaOf(light.r, light.g, light.b, inverseGrey, count, beta);
 }
 
-void addRow(const LightRow& light, const WhiteRow& white, const float* beta, const float* target,
+void addRow(const RgbRow& light, const ConstRgbRow& white, const float* beta, const float* target,
             const float* mask, int count) {
   addTo(light.r, light.g, light.b, white.r, white.g, white.b, beta, target, mask, count);
 }
@@ -130,8 +142,8 @@ ShareScratch::ShareScratch(size_t lights, size_t pixels)
       potG(pixels),
       potB(pixels) {}
 
-void shareRow(const std::vector<LightRow>& lights, const std::vector<int>& chosen, const float* mask,
-              int count, ShareScratch& s) {
+void shareRow(const std::vector<RgbRow>& lights, const std::vector<int>& chosen, const float* mask, int count,
+              ShareScratch& s) {
   const auto isChosen = [&](size_t i) {
     return std::binary_search(chosen.begin(), chosen.end(), static_cast<int>(i));
   };

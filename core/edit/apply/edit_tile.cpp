@@ -58,7 +58,7 @@ const float* EditTile::row(int light, int channel, int y) const {
 }
 
 float* EditTile::writableRow(int light, int channel, int y) {
-  return const_cast<float*>(row(light, channel, y));
+  return m_data.data() + (row(light, channel, y) - m_data.data());
 }
 
 const float* EditTile::whiteRow(int channel, int y) const {
@@ -71,9 +71,7 @@ const float* EditTile::inverseGreyRow(int y) const {
 
 void EditTile::betaRow(int light, int y, int x, int count, float* out) const {
   const int skip = x - m_area.x;
-  auto* self = const_cast<EditTile*>(this);
-  const LightRow pixels{self->writableRow(light, 0, y) + skip, self->writableRow(light, 1, y) + skip,
-                        self->writableRow(light, 2, y) + skip};
+  const ConstRgbRow pixels{row(light, 0, y) + skip, row(light, 1, y) + skip, row(light, 2, y) + skip};
   betaOfRow(pixels, inverseGreyRow(y) + skip, count, out);
 }
 
@@ -132,7 +130,7 @@ void EditTile::apply(const PreparedEdit& edit, const PixelRect& part) {
   const bool shadow = std::holds_alternative<ShadowOperation>(edit.edit->operation);
   const bool share = edit.edit->meaning == Meaning::Share;
 
-  std::vector<LightRow> rows;
+  std::vector<RgbRow> rows;
   std::vector<float> maskRow(static_cast<size_t>(area.width));
   ShareScratch scratch(static_cast<size_t>(m_lights), maskRow.size());
   for (int y = area.y; y < area.bottom(); ++y) {
@@ -171,7 +169,7 @@ void EditTile::apply(const PreparedEdit& edit, const PixelRect& part) {
       shareRow(rows, edit.lights, mask, count, scratch);
       continue;
     }
-    const WhiteRow white{whiteRow(0, y) + skip, whiteRow(1, y) + skip, whiteRow(2, y) + skip};
+    const ConstRgbRow white{whiteRow(0, y) + skip, whiteRow(1, y) + skip, whiteRow(2, y) + skip};
     for (const int i : edit.lights) {
       const auto k = static_cast<size_t>(i);
       addRow(rows[k], white, scratch.beta[k].data(), scratch.target[k].data(), mask, count);

@@ -42,8 +42,7 @@ std::vector<uint8_t>& scratch(size_t size) {
   return own;
 }
 
-SWAPLIGHT_SIMD
-void splitBytes(const uint8_t* in, uint8_t* out, size_t count) {
+SWAPLIGHT_SIMD(void, splitBytes, (const uint8_t* in, uint8_t* out, size_t count), (in, out, count)) {
   uint8_t* even = out;
   uint8_t* odd = out + (count + 1) / 2;
   for (size_t i = 0; i < count / 2; ++i) {
@@ -53,8 +52,7 @@ void splitBytes(const uint8_t* in, uint8_t* out, size_t count) {
   if (count % 2 == 1) even[count / 2] = in[count - 1];
 }
 
-SWAPLIGHT_SIMD
-void joinBytes(const uint8_t* in, uint8_t* out, size_t count) {
+SWAPLIGHT_SIMD(void, joinBytes, (const uint8_t* in, uint8_t* out, size_t count), (in, out, count)) {
   const uint8_t* even = in;
   const uint8_t* odd = in + (count + 1) / 2;
   for (size_t i = 0; i < count / 2; ++i) {
@@ -64,8 +62,7 @@ void joinBytes(const uint8_t* in, uint8_t* out, size_t count) {
   if (count % 2 == 1) out[count - 1] = even[count / 2];
 }
 
-SWAPLIGHT_SIMD
-void differences(const uint8_t* in, uint8_t* out, size_t count) {
+SWAPLIGHT_SIMD(void, differences, (const uint8_t* in, uint8_t* out, size_t count), (in, out, count)) {
   out[0] = in[0];
   for (size_t i = 1; i < count; ++i) out[i] = static_cast<uint8_t>(in[i] - in[i - 1] + 128);
 }

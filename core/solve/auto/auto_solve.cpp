@@ -16,8 +16,10 @@ namespace swaplight {
 namespace {
 
 /// Pooling took away part of the variance of the shares, which is nearly all of the contributions'.
-SWAPLIGHT_SIMD void takeAway(const float* __restrict alone, const float* __restrict pooled,
-                             float* __restrict variance, int count) {
+SWAPLIGHT_SIMD(void, takeAway,
+               (const float* __restrict alone, const float* __restrict pooled, float* __restrict variance,
+                int count),
+               (alone, pooled, variance, count)) {
   for (int p = 0; p < count; ++p) {
     const float after = pooled[p] < alone[p] ? pooled[p] : alone[p];
     const float left = variance[p] - (alone[p] - after);
@@ -25,22 +27,26 @@ SWAPLIGHT_SIMD void takeAway(const float* __restrict alone, const float* __restr
   }
 }
 
-SWAPLIGHT_SIMD void multiply(const float* __restrict factor, float* __restrict values, size_t count) {
+SWAPLIGHT_SIMD(void, multiply, (const float* __restrict factor, float* __restrict values, size_t count),
+               (factor, values, count)) {
   for (size_t p = 0; p < count; ++p) values[p] *= factor[p];
 }
 
-SWAPLIGHT_SIMD void divide(const float* __restrict factor, float* __restrict values, size_t count) {
+SWAPLIGHT_SIMD(void, divide, (const float* __restrict factor, float* __restrict values, size_t count),
+               (factor, values, count)) {
   for (size_t p = 0; p < count; ++p) values[p] /= factor[p];
 }
 
 /// Nothing between 0 and 1 has a variance above 1/4 (Popoviciu).
-SWAPLIGHT_SIMD void limitVariance(float* __restrict variance, int count) {
+SWAPLIGHT_SIMD(void, limitVariance, (float* __restrict variance, int count), (variance, count)) {
   for (int p = 0; p < count; ++p) variance[p] /= 1 + 4 * variance[p];
 }
 
 /// The guide of pooling: the brightness of the set in steps that noise does not depend on.
-SWAPLIGHT_SIMD void writeGuide(const float* __restrict red, const float* __restrict green,
-                               const float* __restrict blue, float* __restrict guide, int count) {
+SWAPLIGHT_SIMD(void, writeGuide,
+               (const float* __restrict red, const float* __restrict green, const float* __restrict blue,
+                float* __restrict guide, int count),
+               (red, green, blue, guide, count)) {
   for (int p = 0; p < count; ++p) guide[p] = std::sqrt((red[p] + green[p] + blue[p]) * (1.0F / 3));
 }
 

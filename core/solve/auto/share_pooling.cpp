@@ -16,8 +16,10 @@ namespace {
 constexpr int kBand = 32;           // rows
 constexpr float kCertain = 1e-12F;  // a variance below which beta is not touched
 
-SWAPLIGHT_SIMD void invert(const float* __restrict variance, float* __restrict raised,
-                           float* __restrict precision, int count) {
+SWAPLIGHT_SIMD(void, invert,
+               (const float* __restrict variance, float* __restrict raised, float* __restrict precision,
+                int count),
+               (variance, raised, precision, count)) {
   for (int x = 0; x < count; ++x) {
     raised[x] = variance[x] > kCertain ? variance[x] : kCertain;
     precision[x] = 1 / raised[x];

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/quantile.h"
 #include "core/solve/estimators/demultiplex.h"
 #include "core/solve/model/pixel_sample.h"
 
@@ -19,12 +20,6 @@ constexpr size_t kFewest = 200;  // pixels that see enough of the ambient light
 constexpr float kSeen = 5;       // ambient light over its standard error, in each channel
 constexpr float kLeast = .02F;   // part of the light that is of the lights, in each channel
 constexpr float kStrongest = 3;  // factor between its channels and their mean that is believed
-
-float medianOf(std::vector<float>& values) {
-  const auto middle = values.begin() + long(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -85,7 +80,7 @@ Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal) {
   }
   if (ratios[0].size() < kFewest) return Rgb(1);
   Rgb color;
-  for (size_t c = 0; c < 3; ++c) color[int(c)] = medianOf(ratios[c]);
+  for (size_t c = 0; c < 3; ++c) color[int(c)] = median(std::span(ratios[c]));
   return 3.0F * color / (color.r + color.g + color.b);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/quantile.h"
 #include "core/solve/estimators/run_scratch.h"
 #include "core/solve/model/pixel_sample.h"
 
@@ -84,9 +85,7 @@ PixelEquation equationOf(const EstimatorContext& context, const PixelRun& in, co
 }
 
 double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(), values.begin() + long(values.size() / 2), values.end());
-  return values[values.size() / 2];
+  return values.empty() ? 0 : median(std::span(values));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/quantile.h"
 #include "core/solve/estimators/matte_fit.h"
 #include "core/solve/estimators/run_scratch.h"
 #include "core/solve/model/pixel_sample.h"
@@ -71,8 +72,7 @@ NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& si
       misfit.push_back(fit.run().misfit[order[j].second]);
       brightness[bin] += std::max(order[j].first, 0.0F) / float(last - first);
     }
-    std::nth_element(misfit.begin(), misfit.begin() + long(misfit.size() / 2), misfit.end());
-    factor[bin] = misfit[misfit.size() / 2] / medianChiSquare(matte.freedom());
+    factor[bin] = median(std::span(misfit)) / medianChiSquare(matte.freedom());
   }
   // Less than expected is believed only where all bins say so.
   const double most = *std::max_element(factor.begin(), factor.end());

@@ -2,53 +2,15 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/simd/lanes.h"
-#include "core/simd/simd.h"
+#include "core/solve/estimators/demultiplex_kernel.h"
 
 namespace swaplight {
 namespace {
 
 constexpr double kSingular = 1e-4;
-
-/// out[i] = sum over k of inverse[i][k] in[k], clamped to >= 0 or not; returns whether anything was negative
-/// before.
-template <int kLights, int kShots, bool kClamp>
-SWAPLIGHT_LANES bool demultiplexChannel(int count, const float* const* in, float* const* out,
-                                        const float* inverse, int lights, int shots) {
-  constexpr int kMostShots = kShots > 0 ? kShots : kMaxShots;
-  const int n = kLights > 0 ? kLights : lights;
-  const int m = kShots > 0 ? kShots : shots;
-  Lanes lowest = splat(0);
-  for (int at = 0; at < count; at += kLanes) {
-    Lanes y[kMostShots];
-    for (int k = 0; k < m; ++k) y[k] = load(in[k] + at);
-    for (int i = 0; i < n; ++i) {
-      Lanes sum = splat(0);
-      for (int k = 0; k < m; ++k) sum += inverse[i * m + k] * y[k];
-      // The last lanes of a run may lie beyond it: what is there does not count.
-      if (!kClamp && at + kLanes <= count) lowest = smaller(sum, lowest);
-      store(out[i] + at, kClamp ? larger(sum, splat(0)) : sum);
-    }
-  }
-  return kClamp || count % kLanes != 0 || any(lowest < 0);
-}
-
-#define SWAPLIGHT_DEMULTIPLEX(name, clamp)                                                                \
-  SWAPLIGHT_SIMD bool name(int count, const float* const* in, float* const* out, const float* inverse,    \
-                           int lights, int shots) {                                                       \
-    if (lights == 2 && shots == 2) return demultiplexChannel<2, 2, clamp>(count, in, out, inverse, 2, 2); \
-    if (lights == 3 && shots == 3) return demultiplexChannel<3, 3, clamp>(count, in, out, inverse, 3, 3); \
-    if (lights == 4 && shots == 4) return demultiplexChannel<4, 4, clamp>(count, in, out, inverse, 4, 4); \
-    if (lights == 8 && shots == 8) return demultiplexChannel<8, 8, clamp>(count, in, out, inverse, 8, 8); \
-    return demultiplexChannel<0, 0, clamp>(count, in, out, inverse, lights, shots);                       \
-  }
-SWAPLIGHT_DEMULTIPLEX(demultiplexClamped, true)
-SWAPLIGHT_DEMULTIPLEX(demultiplexFree, false)
-#undef SWAPLIGHT_DEMULTIPLEX
 
 }  // namespace
 
@@ -90,24 +52,21 @@ Demultiplex::Demultiplex(const EstimatorContext& context, Bound bound)
 
 void Demultiplex::estimate(const PixelRun& in, const SolvedRun& out) const {
   for (int c = 0; c < 3; ++c) {
-    std::array<const float*, kMaxShots> y;
-    std::array<float*, kMaxLights> t;
-    for (int k = 0; k < m_shots; ++k) y[size_t(k)] = in.signal[k][c];
-    for (int i = 0; i < m_lights; ++i) t[size_t(i)] = out.contribution[i][c];
-    if (m_bound == Bound::Clamp) {
-      demultiplexClamped(in.count, y.data(), t.data(), m_inverse[c].data(), m_lights, m_shots);
-      continue;
-    }
-    if (!demultiplexFree(in.count, y.data(), t.data(), m_inverse[c].data(), m_lights, m_shots)) continue;
+    DemultiplexRun run{m_lights, m_shots, in.count, m_inverse[c].data()};
+    for (int k = 0; k < m_shots; ++k) run.in[k] = in.signal[k][c];
+    for (int i = 0; i < m_lights; ++i) run.out[i] = out.contribution[i][c];
+    bool negative = false;
+    SWAPLIGHT_KERNEL(demultiplexRun)(run, m_bound == Bound::Clamp ? nullptr : &negative);
+    if (!negative) continue;
     for (int p = 0; p < in.count; ++p) {
       float lowest = 0;
-      for (int i = 0; i < m_lights; ++i) lowest = std::min(lowest, t[size_t(i)][p]);
+      for (int i = 0; i < m_lights; ++i) lowest = std::min(lowest, run.out[i][p]);
       if (lowest >= 0) continue;
       float pixel[kMaxShots];
       float x[kMaxLights];
-      for (int k = 0; k < m_shots; ++k) pixel[k] = y[size_t(k)][p];
+      for (int k = 0; k < m_shots; ++k) pixel[k] = run.in[k][p];
       solveBounded(pixel, c, x);
-      for (int i = 0; i < m_lights; ++i) t[size_t(i)][p] = x[i];
+      for (int i = 0; i < m_lights; ++i) run.out[i][p] = x[i];
     }
   }
   assess(in, out);

@@ -15,22 +15,34 @@
 namespace swaplight {
 namespace {
 
+template <typename Kind, auto... kHow>
+std::unique_ptr<Estimator> make(const EstimatorContext& context) {
+  return std::make_unique<Kind>(context, kHow...);
+}
+
 constexpr std::array kEstimators = {
-    EstimatorInfo{"brute-force", Model::Lambert,
+    EstimatorInfo{"brute-force", Model::Lambert, false,
                   "the dissertation's search of 1000 steps and its relight formula; two lights; reference",
-                  false},
-    EstimatorInfo{"published", Model::Lambert,
-                  "the same minimum in closed form, with its relight formula; two lights", false},
-    EstimatorInfo{"closed-form", Model::Lambert,
-                  "the same minimum in closed form, reflectance from both shots; two lights; fastest", false},
-    EstimatorInfo{"single", Model::Single, "the one light that explains the pixel best", true},
-    EstimatorInfo{"maximum-likelihood", Model::Lambert,
-                  "proportions x reflectance, fitted to all shots by their noise", true},
-    EstimatorInfo{"dichromatic", Model::Gloss, "the same, and a highlight of each light's colour", true},
-    EstimatorInfo{"demultiplex", Model::Transport, "pseudo-inverse a channel, negative values cut off",
-                  false},
-    EstimatorInfo{"nnls", Model::Transport, "least squares a channel over contributions >= 0", false},
-    EstimatorInfo{"auto", Model::Auto, "what each pixel needs, by evidence, with its neighbours' help", true},
+                  false, make<TwoLights, BetaSearch::BruteForce, Reflectance::Published>},
+    EstimatorInfo{"published", Model::Lambert, false,
+                  "the same minimum in closed form, with its relight formula; two lights", false,
+                  make<TwoLights, BetaSearch::ClosedForm, Reflectance::Published>},
+    EstimatorInfo{"closed-form", Model::Lambert, false,
+                  "the same minimum in closed form, reflectance from both shots; two lights; fastest", false,
+                  make<TwoLights, BetaSearch::ClosedForm, Reflectance::BothShots>},
+    EstimatorInfo{"single", Model::Single, true, "the one light that explains the pixel best", true,
+                  make<SingleLight>},
+    EstimatorInfo{"maximum-likelihood", Model::Lambert, true,
+                  "proportions x reflectance, fitted to all shots by their noise", true, make<Lambert>},
+    EstimatorInfo{"dichromatic", Model::Gloss, true, "the same, and a highlight of each light's colour", true,
+                  make<GlossFit>},
+    EstimatorInfo{"demultiplex", Model::Transport, false, "pseudo-inverse a channel, negative values cut off",
+                  false, make<Demultiplex, Demultiplex::Bound::Clamp>},
+    EstimatorInfo{"nnls", Model::Transport, true, "least squares a channel over contributions >= 0", false,
+                  make<Demultiplex, Demultiplex::Bound::LeastSquares>},
+    // Of pixels by themselves it is the matte fit; what their neighbours say of them is solveAuto's.
+    EstimatorInfo{"auto", Model::Auto, true, "what each pixel needs, by evidence, with its neighbours' help",
+                  true, make<Lambert>},
 };
 
 }  // namespace
@@ -63,34 +75,8 @@ const EstimatorInfo& estimatorInfo(const std::string& name) {
 }
 
 const EstimatorInfo& estimatorFor(Model model) {
-  switch (model) {
-    case Model::Single:
-      return estimatorInfo("single");
-    case Model::Lambert:
-      return estimatorInfo("maximum-likelihood");
-    case Model::Transport:
-      return estimatorInfo("nnls");
-    case Model::Gloss:
-      return estimatorInfo("dichromatic");
-    case Model::Auto:
-      break;
-  }
-  return estimatorInfo("auto");
-}
-
-std::unique_ptr<Estimator> makeEstimator(const std::string& name, const EstimatorContext& context) {
-  const EstimatorInfo& info = estimatorInfo(name);
-  if (info.name == "brute-force")
-    return std::make_unique<TwoLights>(context, BetaSearch::BruteForce, Reflectance::Published);
-  if (info.name == "published")
-    return std::make_unique<TwoLights>(context, BetaSearch::ClosedForm, Reflectance::Published);
-  if (info.name == "closed-form")
-    return std::make_unique<TwoLights>(context, BetaSearch::ClosedForm, Reflectance::BothShots);
-  if (info.name == "single") return std::make_unique<SingleLight>(context);
-  if (info.name == "dichromatic") return std::make_unique<GlossFit>(context);
-  if (info.name == "demultiplex") return std::make_unique<Demultiplex>(context, Demultiplex::Bound::Clamp);
-  if (info.name == "nnls") return std::make_unique<Demultiplex>(context, Demultiplex::Bound::LeastSquares);
-  return std::make_unique<Lambert>(context);
+  return *std::find_if(kEstimators.begin(), kEstimators.end(),
+                       [&](const EstimatorInfo& info) { return info.model == model && info.standsForModel; });
 }
 
 }  // namespace swaplight

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "core/base/error.h"
-#include "core/simd/lanes.h"
 #include "core/solve/estimators/run_scratch.h"
+#include "core/solve/model/solved_planes.h"
 
 namespace swaplight {
 
@@ -33,15 +31,8 @@ void GlossFit::estimate(const PixelRun& in, const SolvedRun& out) const {
   const int n = m_plan.lights;
   const MatteScratch matte(n, in.count);
   m_matte.fit(in, matte.run());
-  const size_t padded = (size_t(in.count) + kLanes - 1) / kLanes * kLanes;
-  std::vector<float> room(padded * size_t(3 * n + 2));
-  float* next = room.data();
-  SolvedRun solved;
-  const auto take = [&] { return std::exchange(next, next + padded); };
-  for (int i = 0; i < n; ++i)
-    for (int c = 0; c < 3; ++c) solved.contribution[i][c] = take();
-  solved.residual = take();
-  solved.sigma = take();
+  const SolvedPlanes planes(n, size_t(in.count));
+  const SolvedRun& solved = planes.run();
   SWAPLIGHT_KERNEL(fitGloss)(m_plan, in, matte.run(), solved);
   for (int c = 0; c < 3; ++c)
     for (int i = 0; i < n; ++i) {

@@ -3,37 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/simd/lanes.h"
 #include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {
 
-SWAPLIGHT_SIMD void multiply(const float* __restrict share, const float* __restrict reflectance,
-                             float* __restrict out, int count) {
+SWAPLIGHT_SIMD(void, multiply,
+               (const float* __restrict share, const float* __restrict reflectance, float* __restrict out,
+                int count),
+               (share, reflectance, out, count)) {
   for (int p = 0; p < count; ++p) out[p] = share[p] * reflectance[p];
 }
 
-SWAPLIGHT_SIMD void scaledRoot(const float* __restrict in, float scale, float* __restrict out, int count) {
+SWAPLIGHT_SIMD(void, scaledRoot, (const float* __restrict in, float scale, float* __restrict out, int count),
+               (in, scale, out, count)) {
   for (int p = 0; p < count; ++p) out[p] = std::sqrt(in[p] * scale);
 }
 
 }  // namespace
 
-MatteScratch::MatteScratch(int lights, int count) {
-  const size_t padded = (size_t(count) + kLanes - 1) / kLanes * kLanes;
-  m_data.reset(new float[padded * size_t(lights + 6)]);  // not cleared: the fit writes all of it
-  float* next = m_data.get();
-  const auto take = [&] {
-    float* plane = next;
-    next += padded;
-    return plane;
-  };
-  for (int i = 0; i < lights; ++i) m_run.share[i] = take();
-  for (float*& plane : m_run.reflectance) plane = take();
-  m_run.misfit = take();
-  m_run.variance = take();
-  m_run.shareVariance = take();
+MatteScratch::MatteScratch(int lights, int count) : m_arena(size_t(count), size_t(lights + 6)) {
+  for (int i = 0; i < lights; ++i) m_run.share[i] = m_arena.take();
+  for (float*& plane : m_run.reflectance) plane = m_arena.take();
+  m_run.misfit = m_arena.take();
+  m_run.variance = m_arena.take();
+  m_run.shareVariance = m_arena.take();
 }
 
 void MatteScratch::readShares(int lights, int count, const SolvedRun& from) const {

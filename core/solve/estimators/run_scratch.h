@@ -1,7 +1,6 @@
 #pragma once
 
-#include <memory>
-
+#include "core/simd/plane_arena.h"
 #include "core/solve/estimators/matte_fit.h"
 
 namespace swaplight {
@@ -16,7 +15,7 @@ class MatteScratch {
   void readShares(int lights, int count, const SolvedRun& from) const;
 
  private:
-  std::unique_ptr<float[]> m_data;
+  PlaneArena m_arena;
   MatteRun m_run;
 };
 

@@ -3,60 +3,13 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/simd/lanes.h"
-#include "core/simd/simd.h"
 #include "core/solve/estimators/run_scratch.h"
+#include "core/solve/estimators/two_lights_kernel.h"
 
 namespace swaplight {
 namespace {
 
 constexpr int kSteps = 1000;
-
-struct Colors {
-  float a[3], b[3];  ///< of light 1 and 2 in shot 1
-  float c[3], d[3];  ///< in shot 2
-};
-
-/// beta of (5.7) and the matte contributions, in one stream over a run.
-template <bool kPublished>
-SWAPLIGHT_LANES void closedForm(const PixelRun& in, const SolvedRun& out, const Colors& l) {
-  for (int at = 0; at < in.count; at += kLanes) {
-    Lanes y1[3];
-    Lanes y2[3];
-    Lanes aa = splat(1e-30F);
-    Lanes ab = splat(0);
-    for (int c = 0; c < 3; ++c) {
-      y1[c] = load(in.signal[0][c] + at);
-      y2[c] = load(in.signal[1][c] + at);
-      // The residual y1 g2(beta) - y2 g1(beta) = slope beta + offset.
-      const Lanes slope = y1[c] * (l.c[c] - l.d[c]) - y2[c] * (l.a[c] - l.b[c]);
-      const Lanes offset = y1[c] * l.d[c] - y2[c] * l.b[c];
-      aa += slope * slope;
-      ab += slope * offset;
-    }
-    const Lanes beta = smaller(larger(-ab / aa, splat(0)), splat(1));
-    for (int c = 0; c < 3; ++c) {
-      const Lanes g1 = l.b[c] + beta * (l.a[c] - l.b[c]);
-      const Lanes g2 = l.d[c] + beta * (l.c[c] - l.d[c]);
-      Lanes rho;
-      if constexpr (kPublished)
-        rho = y1[c] / (g1 + 0.01F);
-      else
-        rho = (y1[c] * g1 + y2[c] * g2) / (g1 * g1 + g2 * g2 + 1e-20F);
-      rho = larger(rho, splat(0));
-      const Lanes first = beta * rho;
-      store(out.contribution[0][c] + at, first);
-      store(out.contribution[1][c] + at, rho - first);
-    }
-  }
-}
-
-SWAPLIGHT_SIMD void closedFormBothShots(const PixelRun& in, const SolvedRun& out, const Colors& l) {
-  closedForm<false>(in, out, l);
-}
-SWAPLIGHT_SIMD void closedFormPublished(const PixelRun& in, const SolvedRun& out, const Colors& l) {
-  closedForm<true>(in, out, l);
-}
 
 }  // namespace
 
@@ -94,14 +47,13 @@ TwoLights::TwoLights(const EstimatorContext& context, BetaSearch search, Reflect
 }
 
 void TwoLights::estimate(const PixelRun& in, const SolvedRun& out) const {
-  Colors l;
+  TwoLightColors l;
   for (int c = 0; c < 3; ++c) {
     l.a[c] = m_color[0][0][c], l.b[c] = m_color[0][1][c];
     l.c[c] = m_color[1][0][c], l.d[c] = m_color[1][1][c];
   }
   if (m_search == BetaSearch::ClosedForm) {
-    m_reflectance == Reflectance::Published ? closedFormPublished(in, out, l)
-                                            : closedFormBothShots(in, out, l);
+    SWAPLIGHT_KERNEL(closedFormRun)(in, out, l, m_reflectance == Reflectance::Published);
     assess(in, out);
     return;
   }

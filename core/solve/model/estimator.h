@@ -34,12 +34,15 @@ class Estimator {
   virtual void estimate(const PixelRun& in, const SolvedRun& out) const = 0;
 };
 
-/// An estimator as the person sees it.
+/// An estimator as the person sees it, and how it is made.
 struct EstimatorInfo {
   std::string_view name;     ///< as in --solver
   Model model;               ///< what it assumes
+  bool standsForModel;       ///< what --model means, where several assume the same
   std::string_view summary;  ///< one line
   bool masks;                ///< copes with NaN in some of a pixel's values
+  /// Throws InputError where the estimator does not fit the plan (some know two lights only).
+  std::unique_ptr<Estimator> (*make)(const EstimatorContext& context);
 };
 
 /// All estimators, the published ones first.
@@ -48,8 +51,4 @@ struct EstimatorInfo {
 [[nodiscard]] const EstimatorInfo& estimatorInfo(const std::string& name);
 /// The estimator that stands for a model.
 [[nodiscard]] const EstimatorInfo& estimatorFor(Model model);
-/// Throws InputError where the estimator does not fit the plan (some know two lights only).
-[[nodiscard]] std::unique_ptr<Estimator> makeEstimator(const std::string& name,
-                                                       const EstimatorContext& context);
-
 }  // namespace swaplight

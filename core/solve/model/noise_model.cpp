@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/quantile.h"
+
 namespace swaplight {
 namespace {
 
@@ -81,9 +83,7 @@ SensorNoise estimateSensorNoise(const CapturePixels& pixels) {
     ss = sx = sxx = sy = sxy = 0;
     for (Bin& bin : bins) {
       if (bin.variances.size() < 20) continue;
-      const size_t q = size_t(kQuietFraction * double(bin.variances.size()));
-      std::nth_element(bin.variances.begin(), bin.variances.begin() + long(q), bin.variances.end());
-      const double variance = bin.variances[q] / kQuietBias;
+      const double variance = quantile(std::span(bin.variances), kQuietFraction) / kQuietBias;
       const double signal = bin.signal / double(bin.variances.size());
       const double expected = std::max(round ? a0 + b0 * signal : variance, 1e-14);
       const double w = std::sqrt(double(bin.variances.size())) / (expected * expected);

@@ -1,31 +1,29 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "core/simd/lanes.h"
-#include "core/solve/model/estimator.h"
+#include "core/simd/plane_arena.h"
+#include "core/solve/model/pixel_run.h"
 
 namespace swaplight {
 
 /// Pixels from anywhere, gathered into planes that a kernel can run over.
 class PackedRun {
  public:
-  PackedRun(int shots, size_t capacity)
-      : m_shots(shots), m_padded((capacity + kLanes - 1) / kLanes * kLanes) {
-    m_data.resize(m_padded * size_t(3 * shots), 0.0F);
+  PackedRun(int shots, size_t capacity) : m_shots(shots), m_arena(capacity, size_t(3 * shots)) {
+    // What lies beyond the last pixel takes part in its lanes' steps: it must not differ from run to run.
     for (int k = 0; k < shots; ++k)
-      for (int c = 0; c < 3; ++c) m_run.signal[k][c] = plane(k, c);
+      for (int c = 0; c < 3; ++c) m_run.signal[k][c] = m_plane[k][c] = m_arena.take(0);
   }
   void add(const PixelRun& from, int index) {
     for (int k = 0; k < m_shots; ++k)
-      for (int c = 0; c < 3; ++c) plane(k, c)[m_run.count] = from.signal[k][c][index];
+      for (int c = 0; c < 3; ++c) m_plane[k][c][m_run.count] = from.signal[k][c][index];
     ++m_run.count;
   }
   void add(const PixelRun& from, std::span<const int> indices) {
     for (int k = 0; k < m_shots; ++k)
       for (int c = 0; c < 3; ++c) {
-        float* to = plane(k, c) + m_run.count;
+        float* to = m_plane[k][c] + m_run.count;
         for (const int index : indices) *to++ = from.signal[k][c][index];
       }
     m_run.count += int(indices.size());
@@ -33,11 +31,10 @@ class PackedRun {
   [[nodiscard]] const PixelRun& run() const { return m_run; }
 
  private:
-  float* plane(int shot, int channel) { return m_data.data() + size_t(shot * 3 + channel) * m_padded; }
   int m_shots;
-  size_t m_padded;
-  std::vector<float> m_data;
+  PlaneArena m_arena;
   PixelRun m_run;
+  float* m_plane[kMaxShots][3];
 };
 
 }  // namespace swaplight

@@ -14,7 +14,8 @@ namespace {
 constexpr size_t kChunk = 1 << 14;
 
 /// Whether every value lies in lowest <= y < clip (false for NaN).
-SWAPLIGHT_SIMD bool allWithin(const float* y, size_t count, float lowest, float clip) {
+SWAPLIGHT_SIMD(bool, allWithin, (const float* y, size_t count, float lowest, float clip),
+               (y, count, lowest, clip)) {
   int outside = 0;
   for (size_t p = 0; p < count; ++p) outside |= !(y[p] >= lowest) | !(y[p] < clip);
   return outside == 0;
@@ -99,11 +100,12 @@ void ShotSignal::run(size_t first, int count, bool mask, std::vector<float>& scr
       for (int c = 0; c < 3; ++c) run.signal[k][c] = shots[k].plane(c) + first;
     return;
   }
-  const size_t padded = (size_t(count) + kLanes - 1) / kLanes * kLanes;
+  const size_t padded = roundedUpToLanes(size_t(count));
   scratch.assign(padded * shots.size() * 3, 0.0F);
-  float* next = scratch.data();
+  const auto planeOf = [&](size_t k, int c) { return scratch.data() + (k * 3 + size_t(c)) * padded; };
   for (size_t k = 0; k < shots.size(); ++k)
-    for (int c = 0; c < 3; ++c, next += padded) {
+    for (int c = 0; c < 3; ++c) {
+      float* next = planeOf(k, c);
       run.signal[k][c] = next;
       const float* y = shots[k].plane(c) + first;
       if (m_pixels->ambient) {
@@ -132,10 +134,11 @@ void ShotSignal::run(size_t first, int count, bool mask, std::vector<float>& scr
         const float y = shots[k].plane(c)[first + size_t(p)];
         const bool broken = !std::isfinite(y) || y < m_lowest;
         const bool clipped = !broken && y >= m_pixels->clipLevel[k];
+        float& usable = planeOf(k, c)[p];
         if (broken || (clipped && dropClipped))
-          const_cast<float*>(run.signal[k][c])[p] = mask ? NAN : 0.0F;  // NOLINT: our own scratch
-        else if (m_pixels->ambient && !std::isfinite(run.signal[k][c][p]))
-          const_cast<float*>(run.signal[k][c])[p] = y;  // NOLINT: the ambient picture is broken there
+          usable = mask ? NAN : 0.0F;
+        else if (m_pixels->ambient && !std::isfinite(usable))
+          usable = y;  // the ambient picture is broken there
       }
   }
 }

@@ -9,6 +9,7 @@
 #include <opencv2/video/tracking.hpp>
 
 #include "core/base/parallel.h"
+#include "core/base/quantile.h"
 
 namespace swaplight {
 namespace {
@@ -68,9 +69,7 @@ double improve(const cv::Mat& first, const cv::Mat& shot, cv::Mat& warp) {
 
 float spreadAround(float middle, std::vector<float> values) {
   for (float& value : values) value = std::abs(value - middle);
-  const auto half = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), half, values.end());
-  return 1.4826F * *half;
+  return 1.4826F * median(std::span(values));
 }
 
 /// Registers parts of the picture by themselves, beginning with what the whole has found.

@@ -10,7 +10,8 @@
 #include "core/base/parallel.h"
 #include "core/solve/estimators/demultiplex.h"
 #include "core/solve/estimators/matte_fit.h"
-#include "core/solve/model/packed_run.h"
+#include "core/solve/model/pixel_batch.h"
+#include "core/solve/model/shot_signal.h"
 
 namespace swaplight {
 namespace {
@@ -21,24 +22,6 @@ constexpr float kColor = 0.02F;    // relative
 constexpr int kWindow = 9;         // pixels
 constexpr double kDense = 0.2;     // of the window are witnesses
 constexpr int kSmallestArea = 40;  // pixels
-
-/// Planes to solve into.
-class SolvedScratch {
- public:
-  SolvedScratch(int lights, size_t count) : m_data((count + kLanes) * size_t(3 * lights + 2)) {
-    float* next = m_data.data();
-    const auto take = [&] { return std::exchange(next, next + count); };
-    for (int i = 0; i < lights; ++i)
-      for (int c = 0; c < 3; ++c) m_run.contribution[i][c] = take();
-    m_run.residual = take();
-    m_run.sigma = take();
-  }
-  [[nodiscard]] const SolvedRun& run() const { return m_run; }
-
- private:
-  std::vector<float> m_data;
-  SolvedRun m_run;
-};
 
 /// Solves the marked pixels with an estimator, and hands each answer on: use(pixel, scratch, index).
 template <typename Use>
@@ -57,12 +40,9 @@ void eachMarked(const cv::Mat& marked, const ShotSignal& signal, const Estimator
       if (index.empty()) continue;
       PixelRun in;
       signal.run(first, count, masks, scratch, in);
-      PackedRun packed(context.plan.shots, index.size());
-      packed.add(in, index);
-      const size_t padded = (index.size() + kLanes - 1) / kLanes * kLanes;
-      const SolvedScratch solved(context.plan.lights, padded);
-      estimator.estimate(packed.run(), solved.run());
-      for (size_t j = 0; j < index.size(); ++j) use(first + size_t(index[j]), solved.run(), j);
+      const PixelBatch batch(in, std::move(index), context.plan.shots, context.plan.lights);
+      estimator.estimate(batch.in(), batch.out());
+      for (size_t j = 0; j < batch.index().size(); ++j) use(first + size_t(batch.index()[j]), batch.out(), j);
     }
   });
 }

@@ -95,8 +95,8 @@ bool explains(const glm::mat3& matrix, const std::array<std::vector<float>, 3>& 
   return true;
 }
 
-SWAPLIGHT_SIMD
-void applyMatrix(const float* matrix, float* r, float* g, float* b, size_t count) {
+SWAPLIGHT_SIMD(void, applyMatrix, (const float* matrix, float* r, float* g, float* b, size_t count),
+               (matrix, r, g, b, count)) {
   for (size_t i = 0; i < count; ++i) {
     const float x = r[i], y = g[i], z = b[i];
     r[i] = matrix[0] * x + matrix[3] * y + matrix[6] * z;

@@ -41,8 +41,8 @@ inline Float4 vertexAt(const float* vertices, int index) {
 /// fractions: from the lowest corner along the axis with the largest fraction, then the middle one's, then
 /// the smallest's. In three steps, because only the middle one (four loads a pixel) cannot be done for many
 /// pixels at once.
-SWAPLIGHT_SIMD
-void interpolate(const float* vertices, const float* in, float* out, size_t count) {
+SWAPLIGHT_SIMD(void, interpolate, (const float* vertices, const float* in, float* out, size_t count),
+               (vertices, in, out, count)) {
   constexpr size_t kBlock = ColorCube::kBlock;
   alignas(64) float at[3][kBlock];
   for (size_t c = 0; c < 3; ++c)

@@ -21,8 +21,8 @@ uint8_t byteOf(float code) {
 }
 
 /// Infinities become the largest half float, because a view's matrix would make NaN of them; NaN becomes 0.
-SWAPLIGHT_SIMD
-void expose(const float* in, float factor, float* out, size_t count) {
+SWAPLIGHT_SIMD(void, expose, (const float* in, float factor, float* out, size_t count),
+               (in, factor, out, count)) {
   constexpr float kLargest = 65504;
   for (size_t i = 0; i < count; ++i) {
     const float value = in[i] * factor;
@@ -31,16 +31,17 @@ void expose(const float* in, float factor, float* out, size_t count) {
   }
 }
 
-SWAPLIGHT_SIMD
-void weightedSum(const float* r, const float* g, const float* b, const float* weights, float* out,
-                 size_t count) {
+SWAPLIGHT_SIMD(void, weightedSum,
+               (const float* r, const float* g, const float* b, const float* weights, float* out,
+                size_t count),
+               (r, g, b, weights, out, count)) {
   const float wr = weights[0], wg = weights[1], wb = weights[2];
   for (size_t i = 0; i < count; ++i) out[i] = wr * r[i] + wg * g[i] + wb * b[i];
 }
 
 /// Shows one channel, or the luma of the codes, as grey. Weights add up to 2^16.
-SWAPLIGHT_SIMD
-void mixToGrey(uint32_t* rgba, size_t count, uint32_t wr, uint32_t wg, uint32_t wb) {
+SWAPLIGHT_SIMD(void, mixToGrey, (uint32_t* rgba, size_t count, uint32_t wr, uint32_t wg, uint32_t wb),
+               (rgba, count, wr, wg, wb)) {
   for (size_t i = 0; i < count; ++i) {
     const uint32_t p = rgba[i];
     const uint32_t grey = ((p & 255) * wr + (p >> 8 & 255) * wg + (p >> 16 & 255) * wb + (1U << 15)) >> 16;

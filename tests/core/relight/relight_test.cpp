@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <stdexcept>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -138,9 +139,9 @@ TEST(Relight, KeepsTheColorSpaceOfTheSet) {
 
 TEST(Relight, RefusesFactorsOrAPictureThatDoNotFit) {
   const SolvedSet set = randomSet(2, 4, 4, false);
-  EXPECT_THROW(static_cast<void>(relight(set, std::vector<Rgb>(3))), InputError);
+  EXPECT_THROW(static_cast<void>(relight(set, std::vector<Rgb>(3))), std::logic_error);
   Image small(ImageSpec::rgb(3, 4));
-  EXPECT_THROW(relight(set, std::vector<Rgb>(2), 1, small.span()), InputError);
+  EXPECT_THROW(relight(set, std::vector<Rgb>(2), 1, small.span()), std::logic_error);
 }
 
 }  // namespace

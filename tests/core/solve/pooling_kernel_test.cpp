@@ -1,0 +1,106 @@
+#include "core/solve/auto/pooling_kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "tests/support/processor_levels.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kWidth = 48;
+
+/// A band of one row with its margin, of random shares that sum to 1.
+struct Scene {
+  int lights, margin, stride;
+  std::vector<std::vector<float>> planes;  ///< shares, variance, precision, guide
+  PoolBand band;
+
+  Scene(int lightCount, int step, bool cutAtZero)
+      : lights(lightCount), margin(kPoolRadius * step), stride(kWidth + 2 * margin) {
+    std::mt19937 random(unsigned(lights * 10 + step));
+    std::uniform_real_distribution<float> unit(0, 1);
+    planes.assign(size_t(lights) + 3, std::vector<float>(size_t(stride) * size_t(2 * margin + 1)));
+    for (size_t p = 0; p < planes[0].size(); ++p) {
+      float sum = 0;
+      for (int i = 0; i < lights; ++i) sum += planes[size_t(i)][p] = unit(random) - .15F;
+      for (int i = 0; i < lights; ++i) planes[size_t(i)][p] += (1 - sum) / float(lights);
+      const bool outside = p % 11 == 5;  // as beyond the picture's edge
+      planes[size_t(lights)][p] = outside ? 1 : .02F + .05F * unit(random);
+      planes[size_t(lights) + 1][p] = outside ? 0 : 1 / planes[size_t(lights)][p];
+      planes[size_t(lights) + 2][p] = .4F + .1F * unit(random);
+    }
+    const size_t first = size_t(margin) * size_t(stride) + size_t(margin);
+    band.lights = lights, band.stride = stride, band.step = step, band.cutAtZero = cutAtZero;
+    band.overlap = 1.5F, band.doubt = .1F, band.guideScale = 1 / (.2F * .2F);
+    for (int i = 0; i < lights; ++i) band.share[i] = planes[size_t(i)].data() + first;
+    band.variance = planes[size_t(lights)].data() + first;
+    band.precision = planes[size_t(lights) + 1].data() + first;
+    band.guide = planes[size_t(lights) + 2].data() + first;
+  }
+
+  /// A pixel as pooling_kernel.h and share_pooling.h define it, in double.
+  struct Pixel {
+    std::vector<double> share;
+    double left = 0;
+  };
+  [[nodiscard]] Pixel expected(int x) const {
+    const int tested = lights == 2 ? 1 : lights;
+    Pixel out{std::vector<double>(size_t(lights))};
+    double total = 0, squares = 0;
+    for (int dy = -kPoolRadius; dy <= kPoolRadius; ++dy)
+      for (int dx = -kPoolRadius; dx <= kPoolRadius; ++dx) {
+        const long there = x + (long(dy) * stride + dx) * band.step;
+        double difference = 0;
+        for (int i = 0; i < tested; ++i)
+          difference += square(double(band.share[i][there]) - band.share[i][x]);
+        const double noise = double(band.variance[there]) + band.variance[x];
+        const double alike = std::max(0.0, 1 - difference / (double(band.cut) * tested * noise));
+        const double near =
+            std::max(0.0, 1 - square(double(band.guide[there]) - band.guide[x]) * band.guideScale);
+        const double weight = square(alike * near) * band.precision[there];
+        total += weight, squares += weight * weight * band.variance[there];
+        for (int i = 0; i < lights; ++i) out.share[size_t(i)] += weight * band.share[i][there];
+      }
+    double sum = 0;
+    for (double& share : out.share) {
+      share /= total;
+      if (band.cutAtZero) share = std::max(share, 0.0);
+      sum += share;
+    }
+    if (band.cutAtZero)
+      for (double& share : out.share) share /= sum;
+    out.left = std::min(squares / (total * total) * band.overlap + double(band.doubt) * band.variance[x],
+                        double(band.variance[x]));
+    return out;
+  }
+  static double square(double x) { return x * x; }
+};
+
+TEST(PoolingKernel, IsTheSigmaFilterAtEveryLevel) {
+  for (const int lights : {2, 3, 4, 7, 16})
+    for (const int step : {1, 2})
+      for (const bool cut : {false, true}) {
+        const Scene scene(lights, step, cut);
+        std::vector<std::vector<float>> pooled(static_cast<size_t>(lights), std::vector<float>(kWidth));
+        std::vector<float*> out;
+        for (std::vector<float>& row : pooled) out.push_back(row.data());
+        std::vector<float> left(kWidth);
+        test::atEveryLevel([&] {
+          SWAPLIGHT_KERNEL(poolRow)(scene.band, 0, kWidth, out.data(), left.data());
+          for (int x = 0; x < kWidth; ++x) {
+            if (scene.band.precision[x] == 0) continue;  // no pixel of the picture
+            const Scene::Pixel expected = scene.expected(x);
+            for (size_t i = 0; i < size_t(lights); ++i)
+              ASSERT_NEAR(pooled[i][size_t(x)], expected.share[i], 1e-5) << lights << " lights, x " << x;
+            ASSERT_NEAR(left[size_t(x)], expected.left, 1e-5 * expected.left + 1e-7) << x;
+          }
+        });
+      }
+}
+
+}  // namespace
+}  // namespace swaplight
