@@ -145,8 +145,8 @@ SolvedSet LightingArguments::openFile(const std::filesystem::path& file,
 
 RigAnimation LightingArguments::animation(const std::optional<Session>& session) const {
   RigAnimation animation;
-  if (session && session->unknown.contains(kAnimation))
-    animation = animationFromJson(session->unknown[kAnimation], "session: animation");
+  if (session && session->unknown.json().contains(kAnimation))
+    animation = animationFromJson(session->unknown.json()[kAnimation], "session: animation");
   if (!m_rig.empty()) {
     const Json json = readJson(m_rig);
     if (json.contains(kAnimation)) animation = animationFromJson(json[kAnimation], m_rig + ": animation");
