@@ -79,10 +79,7 @@ DisplayProgram::DisplayProgram(const ColorConfig& config, const std::string& col
   shader->setFunctionName("displayFromScene");
   shader->setResourcePrefix("ocio_");
   try {
-    config.impl()
-        .view(colorSpace, namedDisplay(config, choice))
-        ->getDefaultGPUProcessor()
-        ->extractGpuShaderInfo(shader);
+    config.impl().shaderView(colorSpace, namedDisplay(config, choice))->extractGpuShaderInfo(shader);
   } catch (const OCIO::Exception& error) {
     throw InputError("{}: OpenColorIO writes no shader for {}: {}", config.name(),
                      displayWords(namedDisplay(config, choice)), error.what());

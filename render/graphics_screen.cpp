@@ -68,10 +68,10 @@ void GraphicsScreen::changed(const Pyramid& picture, const TileRect& where) {
   }
 }
 
-void GraphicsScreen::setConfig(const ColorConfig& config) {
-  if (m_config == &config) return;
-  m_config = &config;
+void GraphicsScreen::setConfig(const std::shared_ptr<const ColorConfig>& config) {
+  if (m_config == config) return;
   m_viewers.clear();
+  m_config = config;
   forget();
 }
 

@@ -15,11 +15,11 @@ namespace swaplight {
 /// half floats, until it is told to forget.
 class GraphicsScreen : public PictureScreen {
  public:
-  explicit GraphicsScreen(const ColorConfig& config) : m_config(&config) {}
+  explicit GraphicsScreen(std::shared_ptr<const ColorConfig> config) : m_config(std::move(config)) {}
 
   unsigned texture(const ScreenRequest& request, int place) override;
   void changed(const Pyramid& picture, const TileRect& where) override;
-  void setConfig(const ColorConfig& config) override;
+  void setConfig(const std::shared_ptr<const ColorConfig>& config) override;
   void forget() override;
   [[nodiscard]] std::string words() const override;
 
@@ -39,7 +39,7 @@ class GraphicsScreen : public PictureScreen {
   const TiledTexture& uploaded(const Pyramid& picture);
   ViewRenderer& viewerFor(const std::string& colorSpace);
 
-  const ColorConfig* m_config;
+  std::shared_ptr<const ColorConfig> m_config;  ///< what is made of it refers to it: it stays first
   LayerRenderer m_layers;
   std::map<const Pyramid*, TiledTexture> m_pictures;
   std::map<std::string, ViewRenderer> m_viewers;  ///< by colour space

@@ -6,10 +6,10 @@
 
 namespace swaplight {
 
-std::unique_ptr<PictureScreen> makePictureScreen(Engine engine, const ColorConfig& config) {
+std::unique_ptr<PictureScreen> makePictureScreen(Engine engine, std::shared_ptr<const ColorConfig> config) {
   const bool processor = engine == Engine::Processor || (engine == Engine::Auto && glInfo().software);
-  if (processor) return std::make_unique<ProcessorScreen>(config);
-  return std::make_unique<GraphicsScreen>(config);
+  if (processor) return std::make_unique<ProcessorScreen>(std::move(config));
+  return std::make_unique<GraphicsScreen>(std::move(config));
 }
 
 }  // namespace swaplight

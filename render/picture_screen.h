@@ -54,8 +54,8 @@ class PictureScreen {
 
   /// To be called when pixels of a picture have changed, after its pyramid was refreshed.
   virtual void changed(const Pyramid& picture, const TileRect& where) = 0;
-  /// From now on views are those of this configuration, which must outlive it.
-  virtual void setConfig(const ColorConfig& config) = 0;
+  /// From now on views are those of this configuration.
+  virtual void setConfig(const std::shared_ptr<const ColorConfig>& config) = 0;
   /// To be called when pictures have gone.
   virtual void forget() = 0;
 
@@ -63,7 +63,7 @@ class PictureScreen {
   [[nodiscard]] virtual std::string words() const = 0;
 };
 
-/// `config` must outlive it.
-[[nodiscard]] std::unique_ptr<PictureScreen> makePictureScreen(Engine engine, const ColorConfig& config);
+[[nodiscard]] std::unique_ptr<PictureScreen> makePictureScreen(Engine engine,
+                                                               std::shared_ptr<const ColorConfig> config);
 
 }  // namespace swaplight

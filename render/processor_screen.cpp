@@ -161,10 +161,10 @@ void ProcessorScreen::changed(const Pyramid& picture, const TileRect& where) {
   }
 }
 
-void ProcessorScreen::setConfig(const ColorConfig& config) {
-  if (m_config == &config) return;
-  m_config = &config;
+void ProcessorScreen::setConfig(const std::shared_ptr<const ColorConfig>& config) {
+  if (m_config == config) return;
   m_tables.clear();
+  m_config = config;
   forget();
 }
 

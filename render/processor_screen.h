@@ -15,11 +15,11 @@ namespace swaplight {
 /// Computes the window's pixels on the processor.
 class ProcessorScreen : public PictureScreen {
  public:
-  explicit ProcessorScreen(const ColorConfig& config) : m_config(&config) {}
+  explicit ProcessorScreen(std::shared_ptr<const ColorConfig> config) : m_config(std::move(config)) {}
 
   unsigned texture(const ScreenRequest& request, int place) override;
   void changed(const Pyramid& picture, const TileRect& where) override;
-  void setConfig(const ColorConfig& config) override;
+  void setConfig(const std::shared_ptr<const ColorConfig>& config) override;
   void forget() override;
   [[nodiscard]] std::string words() const override;
 
@@ -38,7 +38,7 @@ class ProcessorScreen : public PictureScreen {
   void drawB(const ScreenRequest& request, const ViewWindow& window, LayerSum* sum, uint8_t* pixels);
   const DisplayTable& tableFor(const std::string& colorSpace, const ViewSettings& settings);
 
-  const ColorConfig* m_config;
+  std::shared_ptr<const ColorConfig> m_config;   ///< what is made of it refers to it: it stays first
   std::map<std::string, DisplayTable> m_tables;  ///< by colour space
   std::map<int, Place> m_places;
 };

@@ -5,7 +5,7 @@
 #include "core/file/json_file.h"
 #include "core/look/look.h"
 #include "core/look/rig_blend.h"
-#include "core/ocio/color_config.h"
+#include "core/ocio/chosen_config.h"
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
 #include "core/set/set_color_space.h"
@@ -88,9 +88,11 @@ void LightingArguments::addTo(CLI::App& verb) {
 std::optional<Session> LightingArguments::session() const {
   const std::string& file = m_session.empty() && isSessionFile(m_source) ? m_source : m_session;
   if (file.empty()) return std::nullopt;
-  Session session = readSession(file);
-  ColorConfig::choose(session.document.colorConfig);
-  return session;
+  return readSession(file);
+}
+
+std::shared_ptr<const ColorConfig> LightingArguments::colors(const std::optional<Session>& session) {
+  return programConfig(session ? session->document.colorConfig : std::filesystem::path());
 }
 
 std::filesystem::path LightingArguments::source(const std::optional<Session>& session) const {
@@ -124,22 +126,23 @@ std::string LightingArguments::workingSpace(const std::optional<Session>& sessio
   return session && m_workingSpace.empty() ? session->document.workingSpace : m_workingSpace;
 }
 
-void LightingArguments::check(const std::optional<Session>& session) const {
+void LightingArguments::check(const ColorConfig& config, const std::optional<Session>& session) const {
   checkSetColorSpace(workingSpace(session));
   const std::filesystem::path set = source(session);
   const bool moreLights = !m_edits.file.empty() || (session && !session->document.edits.newLights.empty());
   if (sourceKind(set) == SourceKind::Capture && !moreLights)
-    static_cast<void>(rig(session, readCapture(sourceFile(set))));
+    static_cast<void>(rig(session, readCapture(config, sourceFile(set))));
 }
 
-SolvedSet LightingArguments::open(const std::optional<Session>& session, const Progress& progress) const {
-  return openFile(source(session), session, progress);
+SolvedSet LightingArguments::open(const ColorConfig& config, const std::optional<Session>& session,
+                                  const Progress& progress) const {
+  return openFile(config, source(session), session, progress);
 }
 
-SolvedSet LightingArguments::openFile(const std::filesystem::path& file,
+SolvedSet LightingArguments::openFile(const ColorConfig& config, const std::filesystem::path& file,
                                       const std::optional<Session>& session, const Progress& progress) const {
-  SolvedSet set = openSource(file, solveOptions(session), progress);
-  return m_edits.applyTo(inColorSpace(std::move(set), workingSpace(session)),
+  SolvedSet set = openSource(config, file, solveOptions(session), progress);
+  return m_edits.applyTo(inColorSpace(config, std::move(set), workingSpace(session)),
                          session ? session->document.edits : EditStack{});
 }
 

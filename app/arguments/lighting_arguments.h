@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "app/arguments/edit_arguments.h"
 #include "app/arguments/solve_arguments.h"
 #include "app/program/program.h"
+#include "core/ocio/color_config.h"
 #include "core/relight/rig.h"
 #include "core/relight/rig_animation.h"
 #include "core/session/session_file.h"
@@ -20,9 +22,10 @@ class LightingArguments {
  public:
   void addTo(CLI::App& verb);
 
-  /// The session that is named, or is the source itself; its colour configuration is chosen. Throws
-  /// InputError.
+  /// The session that is named, or is the source itself. Throws InputError.
   [[nodiscard]] std::optional<Session> session() const;
+  /// The colour configuration of $OCIO, else that of the session, else the built-in one. Throws InputError.
+  [[nodiscard]] static std::shared_ptr<const ColorConfig> colors(const std::optional<Session>& session);
   /// The set's file. Throws InputError where nothing names one.
   [[nodiscard]] std::filesystem::path source(const std::optional<Session>& session) const;
   /// The rig of the session, that of the rig file, the look, and the command line's lights, one over the
@@ -36,15 +39,16 @@ class LightingArguments {
   [[nodiscard]] SolveOptions solveOptions(const std::optional<Session>& session) const;
   /// Says what is wrong with the rig or the working space before a capture is solved, where that can be
   /// known.
-  void check(const std::optional<Session>& session) const;
+  void check(const ColorConfig& config, const std::optional<Session>& session) const;
   /// How lights change over the frames of a sequence: of the session, the rig file, and the command line's
   /// keys, one over the other. Throws InputError.
   [[nodiscard]] RigAnimation animation(const std::optional<Session>& session) const;
   /// The set in the working space, edited.
-  [[nodiscard]] SolvedSet open(const std::optional<Session>& session, const Progress& progress) const;
+  [[nodiscard]] SolvedSet open(const ColorConfig& config, const std::optional<Session>& session,
+                               const Progress& progress) const;
   /// The same from another file: a frame of a sequence.
-  [[nodiscard]] SolvedSet openFile(const std::filesystem::path& file, const std::optional<Session>& session,
-                                   const Progress& progress) const;
+  [[nodiscard]] SolvedSet openFile(const ColorConfig& config, const std::filesystem::path& file,
+                                   const std::optional<Session>& session, const Progress& progress) const;
 
  private:
   std::string m_source;

@@ -44,9 +44,10 @@ double peakMegabytes() {
 class Inputs {
  public:
   /// `firstFrame`: the one that the photographs' time code belongs to.
-  Inputs(const LightingArguments& lighting, const std::optional<Session>& session, int firstFrame,
-         bool withText, const Progress& progress)
-      : m_lighting(lighting),
+  Inputs(const ColorConfig& config, const LightingArguments& lighting, const std::optional<Session>& session,
+         int firstFrame, bool withText, const Progress& progress)
+      : m_config(config),
+        m_lighting(lighting),
         m_session(session),
         m_firstFrame(firstFrame),
         m_animation(lighting.animation(session)),
@@ -72,12 +73,13 @@ class Inputs {
   [[nodiscard]] std::optional<FrameInput> open(const std::filesystem::path& source,
                                                const Progress& progress) const {
     FrameInput input;
-    input.set = std::make_shared<const SolvedSet>(m_lighting.openFile(source, m_session, progress));
+    input.set = std::make_shared<const SolvedSet>(m_lighting.openFile(m_config, source, m_session, progress));
     input.rig = m_lighting.rig(m_session, input.set->capture, input.set.get());
     if (m_withText) input.text = provenanceOf(*input.set, input.rig, source);
     return input;
   }
 
+  const ColorConfig& m_config;
   const LightingArguments& m_lighting;
   const std::optional<Session>& m_session;
   int m_firstFrame;
@@ -152,8 +154,9 @@ std::vector<int> SequenceArguments::frames() const {
   return all;
 }
 
-int SequenceArguments::run(const LightingArguments& lighting, const std::optional<Session>& session,
-                           const std::string& output, const FrameOptions& frame, Terminal& terminal) const {
+int SequenceArguments::run(const ColorConfig& config, const LightingArguments& lighting,
+                           const std::optional<Session>& session, const std::string& output,
+                           const FrameOptions& frame, Terminal& terminal) const {
   SequenceOptions options{frames(), output, frame, m_workers, m_skipExisting, m_goOn};
   if (!hasFrameNumber(output))
     throw InputError("{}: has no place for the frame's number; write name.%04d.exr or name.####.exr", output);
@@ -164,9 +167,9 @@ int SequenceArguments::run(const LightingArguments& lighting, const std::optiona
   quiet.stop = progress.stop;
   const std::vector<int> all = framesFromRange(m_frames);  // of all tasks of an array job
   const int first = all.empty() ? 0 : *std::min_element(all.begin(), all.end());
-  const Inputs inputs(lighting, session, first, isSceneLinear(output), progress);
+  const Inputs inputs(config, lighting, session, first, isSceneLinear(output), progress);
   const SequenceSummary summary = exportSequence(
-      options, [&](int number) { return inputs.at(number, quiet); },
+      config, options, [&](int number) { return inputs.at(number, quiet); },
       [&](const FrameOutcome& outcome) { sayFrame(outcome, terminal); }, quiet);
 
   const int failed = summary.count(State::Failed);

@@ -17,8 +17,9 @@ class SequenceArguments {
   [[nodiscard]] bool given() const { return !m_frames.empty(); }
 
   /// Makes the frames. The exit code: 0, 1 where some failed, 2 where none could be made. Throws InputError.
-  [[nodiscard]] int run(const LightingArguments& lighting, const std::optional<Session>& session,
-                        const std::string& output, const FrameOptions& frame, Terminal& terminal) const;
+  [[nodiscard]] int run(const ColorConfig& config, const LightingArguments& lighting,
+                        const std::optional<Session>& session, const std::string& output,
+                        const FrameOptions& frame, Terminal& terminal) const;
 
  private:
   [[nodiscard]] std::vector<int> frames() const;

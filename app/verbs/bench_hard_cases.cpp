@@ -5,6 +5,7 @@
 
 #include "core/base/json.h"
 #include "core/bench/hard_case_error.h"
+#include "core/ocio/chosen_config.h"
 
 namespace swaplight {
 namespace {
@@ -77,7 +78,8 @@ Description benchHardCases(const std::vector<std::string>& captures, unsigned se
     rows.push_back(measureHardCase(hardCase));
   };
   for (int i = 0; i < own; ++i) measure(makeHardCase(i, seed, quick ? 48 : 192));
-  for (const std::string& capture : captures) measure(hardCaseOfCapture(capture, seed));
+  const std::shared_ptr<const ColorConfig> config = programConfig();
+  for (const std::string& capture : captures) measure(hardCaseOfCapture(readCapture(*config, capture), seed));
 
   Description d;
   d.text += table(

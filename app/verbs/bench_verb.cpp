@@ -8,6 +8,7 @@
 #include "core/bench/solver_error.h"
 #include "core/bench/solver_speed.h"
 #include "core/image/io/image_io.h"
+#include "core/ocio/chosen_config.h"
 #include "core/plot/plot.h"
 
 namespace swaplight {
@@ -94,9 +95,10 @@ int run(const Arguments& arguments, Terminal& terminal) {
     terminal.result(suite.text, suite.json);
     return 0;
   }
+  const std::shared_ptr<const ColorConfig> config = programConfig();
   std::vector<SolverError> errors;
   for (const std::string& capture : arguments.captures) {
-    const auto rows = measureSolverError(capture, arguments.seed, progress);
+    const auto rows = measureSolverError(readCapture(*config, capture), arguments.seed, progress);
     errors.insert(errors.end(), rows.begin(), rows.end());
   }
   std::vector<SolverSpeed> speeds;

@@ -6,6 +6,7 @@
 #include "core/base/json.h"
 #include "core/edit/stack/beta_file.h"
 #include "core/file/atomic_file.h"
+#include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
 
 namespace swaplight {
@@ -21,7 +22,8 @@ struct Arguments {
 int run(const Arguments& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolve();
   checkWritable(arguments.output);
-  const SolvedSet set = arguments.edits.applyTo(openSource(arguments.source, options, terminal.progress()));
+  const SolvedSet set =
+      arguments.edits.applyTo(openSource(*programConfig(), arguments.source, options, terminal.progress()));
   Json files = Json::array();
   for (const auto& file : writeBetaMaps(set, arguments.output)) {
     terminal.say("wrote {}", file.string());

@@ -9,7 +9,6 @@
 #include "core/export/look_export.h"
 #include "core/export/provenance.h"
 #include "core/file/atomic_file.h"
-#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {
@@ -50,10 +49,10 @@ LayerOptions optionsOf(const Arguments& arguments) {
   return options;
 }
 
-int exportLook(const Arguments& arguments, const std::optional<Session>& session, const SolvedSet& set,
-               const Rig& rig, Terminal& terminal) {
-  const GlobalLook look = globalLook(set, rig);
-  writeLook(look, displayOver(session, arguments.display), arguments.file);
+int exportLook(const ColorConfig& config, const Arguments& arguments, const std::optional<Session>& session,
+               const SolvedSet& set, const Rig& rig, Terminal& terminal) {
+  const GlobalLook look = globalLook(config, set, rig);
+  writeLook(config, look, displayOver(session, arguments.display), arguments.file);
   terminal.say(
       "wrote {}: the global part of the look, {:.1f} % of the relit picture; what each light does on its "
       "own is spatial and not in it",
@@ -66,22 +65,23 @@ int exportLook(const Arguments& arguments, const std::optional<Session>& session
 
 int run(const Arguments& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
+  const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
   if (session)
     for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
   LayerOptions options = optionsOf(arguments);
   const bool look = isLookFile(arguments.file);
-  if (look) ColorConfig::current().checkView(displayOver(session, arguments.display));
-  if (!options.colorSpace.empty()) ColorConfig::current().checkColorSpace(options.colorSpace);
+  if (look) config->checkView(displayOver(session, arguments.display));
+  if (!options.colorSpace.empty()) config->checkColorSpace(options.colorSpace);
   checkWritable(arguments.file);
-  arguments.lighting.check(session);
+  arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();
-  const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.6F));
+  const SolvedSet set = arguments.lighting.open(*config, session, progress.part(0, 0.6F));
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
-  if (look) return exportLook(arguments, session, set, rig, terminal);
+  if (look) return exportLook(*config, arguments, session, set, rig, terminal);
   options.dataWindow = windowOf(arguments.window, set);
   options.text = provenanceOf(set, rig, arguments.lighting.source(session));
-  exportLayers(set, rig, arguments.file, options, progress.part(0.6F, 1));
+  exportLayers(*config, set, rig, arguments.file, options, progress.part(0.6F, 1));
   const std::vector<std::string> layers = exportedLayers(set, options);
   terminal.say("wrote {}, {} x {} pixels; the layers {} add up to the picture", arguments.file, set.width(),
                set.height(), fmt::join(layers, ", "));

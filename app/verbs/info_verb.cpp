@@ -6,6 +6,7 @@
 #include "core/base/json.h"
 #include "core/file/json_file.h"
 #include "core/image/io/image_io.h"
+#include "core/ocio/chosen_config.h"
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
 #include "core/session/session_file.h"
@@ -51,7 +52,7 @@ std::string shotsText(const Capture& capture) {
 }
 
 Description describeCapture(const fs::path& file) {
-  const Capture capture = readCapture(file);
+  const Capture capture = readCapture(*programConfig(), file);
   ImageFileInfo info;
   const ImageSpec spec = readImageSpec(capture.folder / capture.shots.front().image, &info);
   Description d;

@@ -7,6 +7,7 @@
 #include "core/base/json.h"
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
+#include "core/ocio/chosen_config.h"
 
 namespace swaplight {
 namespace {
@@ -160,8 +161,9 @@ Description describe(const CaptureDraft& draft, const std::filesystem::path& fil
 }
 
 int run(const Arguments& arguments, Terminal& terminal) {
-  ShotFolder folder = scanShotFolder(arguments.folder);
-  if (!arguments.files.empty()) folder = withShots(std::move(folder), partsOf(arguments.files));
+  const std::shared_ptr<const ColorConfig> config = programConfig();
+  ShotFolder folder = scanShotFolder(*config, arguments.folder);
+  if (!arguments.files.empty()) folder = withShots(*config, std::move(folder), partsOf(arguments.files));
   CaptureDraft draft = draftOf(folder, partsOf(arguments.lights));
   if (!arguments.colorSpace.empty()) draft.colorSpace = arguments.colorSpace;
   const std::vector<ShotColor> ring = ringOf(arguments);
@@ -170,7 +172,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
         "say which colours the lights had: --gels L106,L119 or --colors as in the first shot, --shot "
         "FILE=COLOUR,COLOUR, --card LIGHT=X,Y, or --one-at-a-time");
 
-  const CapturePixels pixels = loadCapturePixels(captureOf(draft), terminal.progress());
+  const CapturePixels pixels = loadCapturePixels(*config, captureOf(draft), terminal.progress());
   std::string how;
   if (!ring.empty()) how = placeRing(arguments, ring, pixels, draft);
   if (arguments.oneAtATime) placeOneAtATime(draft);

@@ -37,10 +37,11 @@ FrameOptions outputOf(const Arguments& arguments, const std::optional<Session>& 
 }
 
 /// Luminance under unit white and under the rig, as a plot; gives the figures.
-Json writeHistogram(const SolvedSet& set, const Rig& rig, const std::string& file) {
+Json writeHistogram(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
+                    const std::string& file) {
   const std::vector<NamedHistogram> histograms = {
       {"before", luminanceHistogram(allWhite(set))},
-      {"after", luminanceHistogram(relight(set, rigFactors(rig, set.colorSpace()), rig.ambient))}};
+      {"after", luminanceHistogram(relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient))}};
   writeImage(drawLuminanceHistograms(histograms), file);
   return {{"before", jsonFromHistogram(histograms[0].histogram)},
           {"after", jsonFromHistogram(histograms[1].histogram)}};
@@ -48,27 +49,28 @@ Json writeHistogram(const SolvedSet& set, const Rig& rig, const std::string& fil
 
 int run(const Arguments& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
+  const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
   if (session)
     for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
   const std::filesystem::path source = arguments.lighting.source(session);
   FrameOptions output = outputOf(arguments, session);
 
   // Say what is wrong before the work, not after it.
-  checkFrame(arguments.frame, output);
+  checkFrame(*config, arguments.frame, output);
   if (arguments.sequence.given() && !arguments.histogram.empty())
     throw InputError("--histogram is of one frame: leave it out, or --frames");
   if (arguments.sequence.given())
-    return arguments.sequence.run(arguments.lighting, session, arguments.frame, output, terminal);
+    return arguments.sequence.run(*config, arguments.lighting, session, arguments.frame, output, terminal);
   checkWritable(arguments.frame);
-  if (!arguments.histogram.empty()) checkFrame(arguments.histogram, {});
+  if (!arguments.histogram.empty()) checkFrame(*config, arguments.histogram, {});
   if (!arguments.histogram.empty()) checkWritable(arguments.histogram);
-  arguments.lighting.check(session);
+  arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();
-  const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.8F));
+  const SolvedSet set = arguments.lighting.open(*config, session, progress.part(0, 0.8F));
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
   if (isSceneLinear(arguments.frame)) output.write.text = provenanceOf(set, rig, source);
-  exportFrame(set, rig, arguments.frame, output, progress.part(0.9F, 1));
+  exportFrame(*config, set, rig, arguments.frame, output, progress.part(0.9F, 1));
 
   Json json{{"frame", arguments.frame}, {"source", source.string()},       {"width", set.width()},
             {"height", set.height()},   {"color_space", set.colorSpace()}, {"rig", jsonFromRig(rig)}};
@@ -76,7 +78,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
     terminal.detail("  {:<12} {}", light.light, settingText(light));
   terminal.say("wrote {}, {} x {} pixels", arguments.frame, set.width(), set.height());
   if (!arguments.histogram.empty()) {
-    json["luminance"] = writeHistogram(set, rig, arguments.histogram);
+    json["luminance"] = writeHistogram(*config, set, rig, arguments.histogram);
     terminal.say("wrote {}", arguments.histogram);
   }
   terminal.result("", json);

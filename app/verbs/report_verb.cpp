@@ -5,7 +5,6 @@
 #include "core/base/json.h"
 #include "core/file/atomic_file.h"
 #include "core/image/io/image_io.h"
-#include "core/ocio/color_config.h"
 #include "core/report/session_report.h"
 
 namespace swaplight {
@@ -20,17 +19,18 @@ struct Arguments {
 
 int run(const Arguments& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
+  const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
   if (session)
     for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
-  ColorConfig::current().checkView(arguments.display);
+  config->checkView(arguments.display);
   for (const std::string& file : {arguments.page, arguments.histogram})
     if (!file.empty()) checkWritable(file);
-  arguments.lighting.check(session);
+  arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();
-  const SolvedSet set = arguments.lighting.open(session, progress.part(0, 0.7F));
+  const SolvedSet set = arguments.lighting.open(*config, session, progress.part(0, 0.7F));
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
-  const SessionReport report({set, rig, displayOver(session, arguments.display),
+  const SessionReport report({*config, set, rig, displayOver(session, arguments.display),
                               arguments.lighting.source(session).filename().string()});
   progress.update(0.8F, "writing");
   writeFile(arguments.page, report.html());

@@ -8,6 +8,7 @@
 #include "core/base/json.h"
 #include "core/file/atomic_file.h"
 #include "core/image/io/image_io.h"
+#include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
 #include "core/shadow/detect/detect_shadows.h"
 #include "core/shadow/result/shadow_file.h"
@@ -72,7 +73,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   checkWritable(overlay);
 
   const Progress progress = terminal.progress();
-  const SolvedSet set = openSource(arguments.source, solving, progress.part(0, .4f));
+  const SolvedSet set = openSource(*programConfig(), arguments.source, solving, progress.part(0, .4f));
   const std::vector<std::string> names = chosenLights(arguments, set.capture);
   const std::vector<LightShadows> all = detectShadows(set, options, progress.part(.4f, .95f));
 

@@ -4,6 +4,7 @@
 #include "core/capture/capture_pixels.h"
 #include "core/file/atomic_file.h"
 #include "core/file/json_file.h"
+#include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
 #include "core/set/set_color_space.h"
 #include "core/set/solved_file.h"
@@ -23,17 +24,18 @@ struct Arguments {
 
 int run(const Arguments& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolve();
-  const Capture capture = readCapture(sourceFile(arguments.capture));
+  const std::shared_ptr<const ColorConfig> config = programConfig();
+  const Capture capture = readCapture(*config, sourceFile(arguments.capture));
   for (const std::string& warning : capture.warnings) terminal.say("warning: {}", warning);
   checkSetColorSpace(arguments.colorSpace);
   checkWritable(arguments.output);
   if (!arguments.report.empty()) checkWritable(arguments.report);
 
   const Progress progress = terminal.progress();
-  const CapturePixels pixels = loadCapturePixels(capture, progress.part(0, 0.2f));
+  const CapturePixels pixels = loadCapturePixels(*config, capture, progress.part(0, 0.2f));
   for (const std::string& warning : pixels.warnings) terminal.say("warning: {}", warning);
   SolvedSet set = solve(capture, pixels, options, progress.part(0.2f, 0.8f));
-  set = inColorSpace(std::move(set), arguments.colorSpace);
+  set = inColorSpace(*config, std::move(set), arguments.colorSpace);
   writeSolvedSet(set, arguments.output, arguments.file, progress.part(0.8f, 1));
   if (!arguments.report.empty()) writeJson(jsonFromSolveReport(*set.report), arguments.report);
 

@@ -277,8 +277,7 @@ HardCase makeHardCase(int index, unsigned seed, int width) {
   return made;
 }
 
-HardCase hardCaseOfCapture(const std::filesystem::path& file, unsigned seed) {
-  Capture capture = readCapture(file);
+HardCase hardCaseOfCapture(Capture capture, unsigned seed) {
   if (!capture.noise) capture.noise = SensorNoise{.002, 20000};
   HardCase made;
   made.name = capture.name;

@@ -32,6 +32,6 @@ struct HardCase {
 
 /// A capture with truth, photographed again: its own colours, its noise or the usual. Throws InputError where
 /// it has no truth.
-[[nodiscard]] HardCase hardCaseOfCapture(const std::filesystem::path& capture, unsigned seed);
+[[nodiscard]] HardCase hardCaseOfCapture(Capture capture, unsigned seed);
 
 }  // namespace swaplight

@@ -9,9 +9,8 @@
 
 namespace swaplight {
 
-std::vector<SolverError> measureSolverError(const std::filesystem::path& file, unsigned seed,
-                                            const Progress& progress) {
-  const HardCase test = hardCaseOfCapture(file, seed);
+std::vector<SolverError> measureSolverError(Capture capture, unsigned seed, const Progress& progress) {
+  const HardCase test = hardCaseOfCapture(std::move(capture), seed);
   const LightPlan plan = planFromCapture(test.capture);
   const BoundedTruth truth(benchTruth(test.capture, test.truth), plan, test.noise,
                            test.pixels.clipLevel.front());

@@ -20,7 +20,7 @@ struct SolverError {
 /// Photographs the truth of a capture again with seeded noise (the capture's, or full well 20000 and read
 /// noise .002), solves it with every estimator that fits, and compares. The matte bound is exceeded by gloss
 /// and bounced light, which it does not know. Throws InputError where the capture has no truth.
-[[nodiscard]] std::vector<SolverError> measureSolverError(const std::filesystem::path& capture, unsigned seed,
+[[nodiscard]] std::vector<SolverError> measureSolverError(Capture capture, unsigned seed,
                                                           const Progress& progress = {});
 
 }  // namespace swaplight

@@ -13,6 +13,8 @@
 
 namespace swaplight {
 
+class ColorConfig;
+
 /// What a light is for on the set.
 enum class Role { Key, Fill, Back, Practical, Kicker, Background, Other };
 [[nodiscard]] std::string roleName(Role role);
@@ -67,9 +69,10 @@ struct Capture {
 [[nodiscard]] std::optional<SensorNoise> noiseInFrame(const Capture& capture);
 
 /// Reads and checks a manifest. Throws InputError: one line that names the file, what is wrong, what to do
-/// (JSON errors with line and column). Does not open the pictures.
-[[nodiscard]] Capture readCapture(const std::filesystem::path& file);
-/// The same from JSON that is already parsed; `folder` is what its paths are relative to.
+/// (JSON errors with line and column). Does not open the pictures. Where "color_space" is missing, it is that
+/// of the first shot by the configuration's file rules, else lin_rec709.
+[[nodiscard]] Capture readCapture(const ColorConfig& config, const std::filesystem::path& file);
+/// The same from JSON that is already parsed, without file rules; `folder` is what its paths are relative to.
 [[nodiscard]] Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
                                       const std::filesystem::path& file = {});
 [[nodiscard]] Json jsonFromCapture(const Capture& capture);

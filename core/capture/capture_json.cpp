@@ -184,12 +184,12 @@ Json jsonFromShot(const Shot& shot) {
   return json;
 }
 
-/// What the colour configuration's file rules say about the first shot; else linear Rec.709.
-void assumeColorSpace(Capture& capture, const std::string& where) {
-  const std::string byRule =
-      capture.shots.empty()
-          ? ""
-          : ColorConfig::current().colorSpaceOfFile(capture.folder / capture.shots.front().image);
+/// What the file rules of a colour configuration, where there is one, say about the first shot; else linear
+/// Rec.709.
+void assumeColorSpace(const ColorConfig* config, Capture& capture, const std::string& where) {
+  const std::string byRule = config && !capture.shots.empty()
+                                 ? config->colorSpaceOfFile(capture.folder / capture.shots.front().image)
+                                 : "";
   if (!byRule.empty()) capture.colorSpace = byRule;
   capture.warnings.push_back(fmt::format("{}: \"color_space\" is missing, {} assumed{}", where,
                                          capture.colorSpace,
@@ -213,10 +213,8 @@ CaptureFrame frameFromJson(JsonFields& fields) {
   return frame;
 }
 
-}  // namespace
-
-Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
-                        const std::filesystem::path& file) {
+Capture captureBy(const ColorConfig* config, const Json& json, const std::filesystem::path& folder,
+                  const std::filesystem::path& file) {
   Capture capture;
   capture.folder = folder;
   capture.file = file;
@@ -227,7 +225,7 @@ Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
   if (colorSpace) capture.colorSpace = *colorSpace;
   capture.lights = lightsFromJson(fields, capture.warnings);
   capture.shots = shotsFromJson(fields, capture.lights, capture.warnings);
-  if (!colorSpace) assumeColorSpace(capture, fields.where());
+  if (!colorSpace) assumeColorSpace(config, capture, fields.where());
   capture.ambient = optionalPath(fields, "ambient");
   capture.dark = optionalPath(fields, "dark");
   Json noiseExtra = Json::object();
@@ -238,6 +236,13 @@ Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
   extra.update(noiseExtra, true);
   capture.extra = std::move(extra);
   return capture;
+}
+
+}  // namespace
+
+Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
+                        const std::filesystem::path& file) {
+  return captureBy(nullptr, json, folder, file);
 }
 
 Json jsonFromCapture(const Capture& capture) {
@@ -262,8 +267,8 @@ Json jsonFromCapture(const Capture& capture) {
   return json;
 }
 
-Capture readCapture(const std::filesystem::path& file) {
-  return captureFromJson(readJson(file), file.parent_path(), file);
+Capture readCapture(const ColorConfig& config, const std::filesystem::path& file) {
+  return captureBy(&config, readJson(file), file.parent_path(), file);
 }
 
 void writeCapture(const Capture& capture, const std::filesystem::path& file) {

@@ -32,9 +32,9 @@ struct Picture {
 };
 
 /// A code value, the same in all channels, in linear light.
-float linearOf(float code, const std::string& from, const std::string& to) {
+float linearOf(const ColorConfig& config, float code, const std::string& from, const std::string& to) {
   Image pixel(ImageSpec::rgb(1, 1), code);
-  ColorConfig::current().convert(pixel.span(), from, to);
+  config.convert(pixel.span(), from, to);
   return std::min({pixel.plane(0)[0], pixel.plane(1)[0], pixel.plane(2)[0]});
 }
 
@@ -44,12 +44,13 @@ bool isEncoded(const ImageFileInfo& info, const Capture& capture) {
 }
 
 /// Where an integer file saturates, and the step below that, in linear light.
-void describeCoding(Picture& picture, const std::string& from, const std::string& to) {
+void describeCoding(const ColorConfig& config, Picture& picture, const std::string& from,
+                    const std::string& to) {
   if (picture.info.isFloat) return;
   const int bits = codingBits(picture.image, picture.info.bits);
   const float step = 1.0F / static_cast<float>((1 << std::clamp(bits, 1, 16)) - 1);
-  const float white = linearOf(1, from, to);
-  picture.quantum = white - linearOf(1 - step, from, to);
+  const float white = linearOf(config, 1, from, to);
+  picture.quantum = white - linearOf(config, 1 - step, from, to);
   picture.clip = white - picture.quantum / 4;
 }
 
@@ -69,7 +70,7 @@ void warnOfPixels(Picture& picture) {
                                            counts.negative == 1 ? " is" : "s are"));
 }
 
-Picture readPicture(const Capture& capture, const std::string& path) {
+Picture readPicture(const ColorConfig& config, const Capture& capture, const std::string& path) {
   Picture picture;
   picture.file = capture.folder / path;
   ImageFile file = readImage(picture.file);
@@ -87,9 +88,9 @@ Picture readPicture(const Capture& capture, const std::string& path) {
                                            picture.file.string(), from));
     from = to;
   }
-  describeCoding(picture, from, to);
+  describeCoding(config, picture, from, to);
   if (picture.info.format == "raw") spreadSaturation(picture.image, picture.clip);
-  ColorConfig::current().convert(picture.image.span(), from, to);
+  config.convert(picture.image.span(), from, to);
   picture.image.setColorSpace(to);
   picture.counts = countPixels(picture.image, lowestCredible(capture));
   warnOfPixels(picture);
@@ -137,7 +138,8 @@ void scaleDown(CapturePixels& pixels, double scale) {
 }
 
 /// Reads every picture, several at a time: most decoders use one core.
-std::vector<Picture> readPictures(const Capture& capture, const Progress& progress) {
+std::vector<Picture> readPictures(const ColorConfig& config, const Capture& capture,
+                                  const Progress& progress) {
   const std::vector<std::string> paths = PictureList(capture).paths;
   std::vector<Picture> pictures(paths.size());
   std::atomic<int> done = 0;
@@ -145,7 +147,7 @@ std::vector<Picture> readPictures(const Capture& capture, const Progress& progre
   parallelRows(static_cast<int>(paths.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const auto index = static_cast<size_t>(i);
-      pictures[index] = readPicture(capture, paths[index]);
+      pictures[index] = readPicture(config, capture, paths[index]);
       progress.update(static_cast<float>(++done) / static_cast<float>(paths.size()), "reading pictures");
     }
   });
@@ -158,14 +160,13 @@ std::string linearSpaceOf(const std::string& colorSpace) {
   return chromaticitiesOf(colorSpace) ? colorSpace : "lin_rec709";
 }
 
-CapturePixels loadCapturePixels(const Capture& capture, const Progress& progress) {
-  const ColorConfig& config = ColorConfig::current();
+CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& capture, const Progress& progress) {
   try {
     config.checkColorSpace(capture.colorSpace);
   } catch (const InputError& error) {
     throw InputError("{}: {}", capture.file.empty() ? "the capture" : capture.file.string(), error.what());
   }
-  std::vector<Picture> pictures = readPictures(capture, progress);
+  std::vector<Picture> pictures = readPictures(config, capture, progress);
   checkSizes(pictures);
 
   CapturePixels pixels;

@@ -41,6 +41,7 @@ struct CapturePixels {
 /// Reads the pictures and brings them to linear light: see linearSpaceOf. Throws InputError: missing or
 /// broken file, sizes that differ (both named with their sizes), unknown colour space (the known ones
 /// listed).
-[[nodiscard]] CapturePixels loadCapturePixels(const Capture& capture, const Progress& progress = {});
+[[nodiscard]] CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& capture,
+                                              const Progress& progress = {});
 
 }  // namespace swaplight

@@ -11,17 +11,18 @@
 
 namespace swaplight {
 
-void checkExport(const ExportRequest& request) {
-  if (request.kind == ExportKind::Frame) checkFrame(request.file, request.frame);
+void checkExport(const ColorConfig& config, const ExportRequest& request) {
+  if (request.kind == ExportKind::Frame) checkFrame(config, request.file, request.frame);
   if (request.kind == ExportKind::Look && !isLookFile(request.file))
     throw InputError("{}: the global part of a look is written as .cube, .ccc or .cc", request.file.string());
   checkWritable(request.file);
 }
 
-std::vector<std::filesystem::path> exportDocument(const std::shared_ptr<const SolvedSet>& set,
+std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
+                                                  const std::shared_ptr<const SolvedSet>& set,
                                                   const Document& document, const ExportRequest& request,
                                                   const Progress& progress) {
-  checkExport(request);
+  checkExport(config, request);
   const bool edited = document.edits != EditStack{};
   const SolvedSet withThem = edited ? withEdits(set, document.edits) : SolvedSet();
   const SolvedSet& shown = edited ? withThem : *set;
@@ -30,13 +31,13 @@ std::vector<std::filesystem::path> exportDocument(const std::shared_ptr<const So
     case ExportKind::Frame: {
       FrameOptions options = frameOptionsFor(document.display, file, request.frame);
       if (isSceneLinear(file)) options.write.text = provenanceOf(shown, document.rig, document.source);
-      exportFrame(shown, document.rig, file, options, progress);
+      exportFrame(config, shown, document.rig, file, options, progress);
       break;
     }
     case ExportKind::Layers: {
       LayerOptions options = request.layers;
       options.text = provenanceOf(shown, document.rig, document.source);
-      exportLayers(shown, document.rig, file, options, progress);
+      exportLayers(config, shown, document.rig, file, options, progress);
       break;
     }
     case ExportKind::Beta:
@@ -44,13 +45,13 @@ std::vector<std::filesystem::path> exportDocument(const std::shared_ptr<const So
       return writeBetaMaps(shown, file);
     case ExportKind::Look:
       progress.update(0, "finding what is global");
-      writeLook(globalLook(shown, document.rig), document.display, file);
+      writeLook(config, globalLook(config, shown, document.rig), document.display, file);
       break;
     case ExportKind::Report:
       progress.update(0, "drawing");
-      writeFile(
-          file,
-          SessionReport({shown, document.rig, document.display, document.source.filename().string()}).html());
+      writeFile(file, SessionReport({config, shown, document.rig, document.display,
+                                     document.source.filename().string()})
+                          .html());
       break;
   }
   return {file};

@@ -29,11 +29,12 @@ struct ExportRequest {
 };
 
 /// Says what is wrong before the work. Throws InputError.
-void checkExport(const ExportRequest& request);
+void checkExport(const ColorConfig& config, const ExportRequest& request);
 
 /// Writes it as the command line does of the saved session. `set` is without the document's edits. Gives the
 /// files that were written. Throws InputError; Stopped.
-std::vector<std::filesystem::path> exportDocument(const std::shared_ptr<const SolvedSet>& set,
+std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
+                                                  const std::shared_ptr<const SolvedSet>& set,
                                                   const Document& document, const ExportRequest& request,
                                                   const Progress& progress = {});
 

@@ -12,14 +12,14 @@ FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem
   return asked;
 }
 
-void exportFrame(const SolvedSet& set, const Rig& rig, const std::filesystem::path& file,
-                 FrameOptions options, const Progress& progress) {
+void exportFrame(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
+                 const std::filesystem::path& file, FrameOptions options, const Progress& progress) {
   progress.update(0, "relighting");
-  Image frame = relight(set, rigFactors(rig, set.colorSpace()), rig.ambient);
+  Image frame = relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient);
   progress.update(0.4F, "writing");
   options.write.text["swaplight/rig"] = jsonFromRig(rig).dump();
   if (!options.write.carried) options.write.carried = set.carried;
-  writeFrame(std::move(frame), file, options, progress.part(0.4F, 1));
+  writeFrame(config, std::move(frame), file, options, progress.part(0.4F, 1));
 }
 
 }  // namespace swaplight

@@ -18,7 +18,7 @@ namespace swaplight {
 /// Relights a set under a rig and writes the frame, with the rig in its header: the one way by which frames
 /// leave the studio and the command line, so that they are the same to the bit. Throws InputError as
 /// writeFrame does.
-void exportFrame(const SolvedSet& set, const Rig& rig, const std::filesystem::path& file,
-                 FrameOptions options, const Progress& progress = {});
+void exportFrame(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
+                 const std::filesystem::path& file, FrameOptions options, const Progress& progress = {});
 
 }  // namespace swaplight

@@ -6,7 +6,6 @@
 #include "core/image/half.h"
 #include "core/image/io/image_format.h"
 #include "core/image/io/image_write_progress.h"
-#include "core/ocio/color_config.h"
 #include "core/ocio/icc_profile.h"
 
 namespace swaplight {
@@ -26,11 +25,11 @@ bool isSceneLinear(const std::filesystem::path& file) {
   return format == "openexr" || format == "hdr";
 }
 
-void checkFrame(const std::filesystem::path& file, const FrameOptions& options) {
+void checkFrame(const ColorConfig& config, const std::filesystem::path& file, const FrameOptions& options) {
   static_cast<void>(imageFormatForWriting(file));
   if (options.tone && (options.linear || !options.display.empty()))
     throw InputError("a tone mapping takes the place of a view: ask for one of them");
-  if (!options.colorSpace.empty()) ColorConfig::current().checkColorSpace(options.colorSpace);
+  if (!options.colorSpace.empty()) config.checkColorSpace(options.colorSpace);
   if (!options.colorSpace.empty() && (options.tone || !options.display.empty()))
     throw InputError("a colour space is for scene-linear light, a view gives its own: ask for one of them");
   if (options.tone && isSceneLinear(file))
@@ -41,14 +40,13 @@ void checkFrame(const std::filesystem::path& file, const FrameOptions& options) 
     throw InputError("a frame is either linear or seen through a view: ask for one of them");
   if (options.display.view.empty() && options.display.display.empty() && isSceneLinear(file))
     throw InputError("{}: holds scene-linear light, which no look is for; name a view too", file.string());
-  ColorConfig::current().checkView(options.display);
+  config.checkView(options.display);
 }
 
-void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions options,
-                const Progress& progress) {
-  checkFrame(file, options);
+void writeFrame(const ColorConfig& config, Image frame, const std::filesystem::path& file,
+                FrameOptions options, const Progress& progress) {
+  checkFrame(config, file, options);
   const std::string space = frame.spec().colorSpace;
-  const ColorConfig& config = ColorConfig::current();
   std::optional<CodePoints> codePoints;
   if (options.tone) {
     config.convert(frame.span(), space, "lin_rec709");

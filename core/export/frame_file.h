@@ -8,6 +8,7 @@
 #include "core/export/still_tone.h"
 #include "core/image/image.h"
 #include "core/image/io/image_io.h"
+#include "core/ocio/color_config.h"
 #include "core/ocio/display_choice.h"
 
 namespace swaplight {
@@ -33,11 +34,11 @@ struct FrameOptions {
 /// What can be said before the frame is there. Throws InputError, listing the known ones, where the file's
 /// format, the display, the view or a look is unknown, and where more than one of linear, a view and a
 /// tone mapping is asked for, or a tone mapping or a look alone for a scene-linear format.
-void checkFrame(const std::filesystem::path& file, const FrameOptions& options);
+void checkFrame(const ColorConfig& config, const std::filesystem::path& file, const FrameOptions& options);
 
 /// Writes R G B of a scene-linear frame, in its colour space's primaries, to a temporary name that is then
 /// renamed. Throws InputError as checkFrame and writeImage do; Stopped.
-void writeFrame(Image frame, const std::filesystem::path& file, FrameOptions options,
-                const Progress& progress = {});
+void writeFrame(const ColorConfig& config, Image frame, const std::filesystem::path& file,
+                FrameOptions options, const Progress& progress = {});
 
 }  // namespace swaplight

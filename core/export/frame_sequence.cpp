@@ -6,6 +6,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 #include "core/base/error.h"
@@ -23,9 +24,11 @@ double secondsSince(Clock::time_point start) {
 /// The workers of a sequence and what they share.
 class SequenceRun {
  public:
-  SequenceRun(const SequenceOptions& options, const std::function<FrameInput(int)>& input,
+  SequenceRun(const ColorConfig& config, const SequenceOptions& options,
+              const std::function<FrameInput(int)>& input,
               const std::function<void(const FrameOutcome&)>& done, const Progress& progress)
-      : m_options(options),
+      : m_config(config),
+        m_options(options),
         m_input(input),
         m_done(done),
         m_progress(progress),
@@ -34,10 +37,13 @@ class SequenceRun {
   SequenceSummary run() {
     const auto started = Clock::now();
     const int workers = std::clamp(m_options.workers, 1, std::max(1, static_cast<int>(m_outcomes.size())));
-    std::vector<std::thread> threads;
-    for (int i = 1; i < workers; ++i) threads.emplace_back([this] { work(); });
+    std::vector<std::jthread> threads;
+    try {
+      for (int i = 1; i < workers; ++i) threads.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {  // no thread is left: fewer workers make the same frames
+    }
     work();
-    for (std::thread& thread : threads) thread.join();
+    threads.clear();  // waits for them
     if (m_thrown) std::rethrow_exception(m_thrown);
     SequenceSummary summary;
     for (std::optional<FrameOutcome>& outcome : m_outcomes)
@@ -90,7 +96,7 @@ class SequenceRun {
     progress.report = [&](float, std::string_view what) {
       if (what == "writing" && writing == started) writing = Clock::now();
     };
-    exportFrame(*input.set, input.rig, file, options, progress);
+    exportFrame(m_config, *input.set, input.rig, file, options, progress);
     const std::lock_guard lock(m_mutex);
     m_inputSeconds += read;
     m_writeSeconds += secondsSince(writing);
@@ -105,6 +111,7 @@ class SequenceRun {
     m_progress.update(static_cast<float>(++m_finished) / static_cast<float>(m_outcomes.size()), "frames");
   }
 
+  const ColorConfig& m_config;
   const SequenceOptions& m_options;
   const std::function<FrameInput(int)>& m_input;
   const std::function<void(const FrameOutcome&)>& m_done;
@@ -125,10 +132,11 @@ int SequenceSummary::count(FrameOutcome::State state) const {
                                         [&](const FrameOutcome& outcome) { return outcome.state == state; }));
 }
 
-SequenceSummary exportSequence(const SequenceOptions& options, const std::function<FrameInput(int)>& input,
+SequenceSummary exportSequence(const ColorConfig& config, const SequenceOptions& options,
+                               const std::function<FrameInput(int)>& input,
                                const std::function<void(const FrameOutcome&)>& done,
                                const Progress& progress) {
-  return SequenceRun(options, input, done, progress).run();
+  return SequenceRun(config, options, input, done, progress).run();
 }
 
 }  // namespace swaplight

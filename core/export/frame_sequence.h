@@ -50,7 +50,7 @@ struct SequenceSummary {
 /// Makes the frames, several at a time; each is the same whatever the number of workers, and is there whole
 /// or not at all. `input` is called from several threads. `done` is told of each frame, one call at a time.
 /// Throws Stopped when asked to; what fails a frame is kept in its outcome.
-[[nodiscard]] SequenceSummary exportSequence(const SequenceOptions& options,
+[[nodiscard]] SequenceSummary exportSequence(const ColorConfig& config, const SequenceOptions& options,
                                              const std::function<FrameInput(int frame)>& input,
                                              const std::function<void(const FrameOutcome&)>& done,
                                              const Progress& progress = {});

@@ -28,8 +28,8 @@ struct Source {
   Rgb factor;
 };
 
-std::vector<Source> sourcesOf(const SolvedSet& set, const Rig& rig) {
-  const std::vector<Rgb> factors = rigFactors(rig, set.colorSpace());
+std::vector<Source> sourcesOf(const ColorConfig& config, const SolvedSet& set, const Rig& rig) {
+  const std::vector<Rgb> factors = rigFactors(config, rig, set.colorSpace());
   std::vector<Source> sources;
   for (size_t i = 0; i < set.contributions.size(); ++i)
     sources.push_back({&set.contributions[i], factors.at(i)});
@@ -38,8 +38,9 @@ std::vector<Source> sourcesOf(const SolvedSet& set, const Rig& rig) {
 }
 
 /// Each light as it shines, in the colour space that is asked for.
-std::vector<Image> shining(const SolvedSet& set, const Rig& rig, const std::string& colorSpace) {
-  const std::vector<Source> sources = sourcesOf(set, rig);
+std::vector<Image> shining(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
+                           const std::string& colorSpace) {
+  const std::vector<Source> sources = sourcesOf(config, set, rig);
   std::vector<Image> pictures;
   for (const Source& source : sources) {
     Image& picture = pictures.emplace_back(ImageSpec::rgb(set.width(), set.height()));
@@ -52,7 +53,7 @@ std::vector<Image> shining(const SolvedSet& set, const Rig& rig, const std::stri
         for (ptrdiff_t p = first; p < last; ++p) out[p] = source.factor[c] * in[p];
       }
     });
-    ColorConfig::current().convert(picture.span(), set.colorSpace(), colorSpace);
+    config.convert(picture.span(), set.colorSpace(), colorSpace);
   }
   return pictures;
 }
@@ -160,12 +161,12 @@ std::vector<std::string> exportedLayers(const SolvedSet& set, const LayerOptions
   return names;
 }
 
-void exportLayers(const SolvedSet& set, const Rig& rig, const std::filesystem::path& file,
-                  const LayerOptions& options, const Progress& progress) {
+void exportLayers(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
+                  const std::filesystem::path& file, const LayerOptions& options, const Progress& progress) {
   check(options, file, options.dataWindow.value_or(PixelRect{0, 0, set.width(), set.height()}), set);
   progress.update(0, "relighting");
   const std::string& colorSpace = options.colorSpace.empty() ? set.colorSpace() : options.colorSpace;
-  std::vector<Image> pictures = shining(set, rig, colorSpace);
+  std::vector<Image> pictures = shining(config, set, rig, colorSpace);
   LayerOptions written = options;
   if (!allFitHalf(pictures)) written.pictures = PixelType::Float;
   const Layers layers = layersOf(std::move(pictures), written.pictures);

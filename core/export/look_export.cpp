@@ -3,7 +3,6 @@
 #include "core/base/error.h"
 #include "core/export/frame_file.h"
 #include "core/file/atomic_file.h"
-#include "core/ocio/color_config.h"
 #include "core/relight/relight.h"
 
 namespace swaplight {
@@ -49,8 +48,7 @@ Image lattice() {
   return image;
 }
 
-std::string cubeText(const GlobalLook& look, const DisplayChoice& choice) {
-  const ColorConfig& config = ColorConfig::current();
+std::string cubeText(const ColorConfig& config, const GlobalLook& look, const DisplayChoice& choice) {
   const DisplayChoice seen = namedDisplay(config, choice);
   Image image = lattice();
   ColorConfig("").convert(image.span(), "acescct", "lin_rec709");
@@ -68,9 +66,9 @@ std::string cubeText(const GlobalLook& look, const DisplayChoice& choice) {
 
 }  // namespace
 
-GlobalLook globalLook(const SolvedSet& set, const Rig& rig) {
+GlobalLook globalLook(const ColorConfig& config, const SolvedSet& set, const Rig& rig) {
   const Image white = allWhite(set);
-  const Image relit = relight(set, rigFactors(rig, set.colorSpace()), rig.ambient);
+  const Image relit = relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient);
   GlobalLook look;
   double energy = 0;
   double missed = 0;
@@ -99,9 +97,10 @@ bool isLookFile(const std::filesystem::path& file) {
   return extension == ".cube" || extension == ".ccc" || extension == ".cc";
 }
 
-void writeLook(const GlobalLook& look, const DisplayChoice& display, const std::filesystem::path& file) {
+void writeLook(const ColorConfig& config, const GlobalLook& look, const DisplayChoice& display,
+               const std::filesystem::path& file) {
   const bool cube = file.extension() == ".cube";
-  writeFile(file, cube ? cubeText(look, display) : correctionXml(look, file.extension() == ".ccc"));
+  writeFile(file, cube ? cubeText(config, look, display) : correctionXml(look, file.extension() == ".ccc"));
 }
 
 }  // namespace swaplight

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/ocio/color_config.h"
 #include "core/relight/rig.h"
 #include "core/session/document.h"
 #include "core/set/solved_set.h"
@@ -17,7 +18,7 @@ struct GlobalLook {
   Rgb gain{1, 1, 1};
   double explained = 1;  ///< how much of the relit picture's energy the gain reproduces, 0..1
 };
-[[nodiscard]] GlobalLook globalLook(const SolvedSet& set, const Rig& rig);
+[[nodiscard]] GlobalLook globalLook(const ColorConfig& config, const SolvedSet& set, const Rig& rig);
 
 /// True for .cube, .ccc and .cc: see writeLook.
 [[nodiscard]] bool isLookFile(const std::filesystem::path& file);
@@ -26,6 +27,7 @@ struct GlobalLook {
 ///   .ccc, .cc  an ASC CDL colour correction: slope = gain, on scene-linear light
 ///   .cube      33 x 33 x 33 table from ACEScct through gain and view to the display's code values
 /// Throws InputError where the file cannot be written, or the display, the view or a look is unknown.
-void writeLook(const GlobalLook& look, const DisplayChoice& display, const std::filesystem::path& file);
+void writeLook(const ColorConfig& config, const GlobalLook& look, const DisplayChoice& display,
+               const std::filesystem::path& file);
 
 }  // namespace swaplight

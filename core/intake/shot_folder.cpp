@@ -7,7 +7,6 @@
 
 #include "core/base/error.h"
 #include "core/image/io/image_io.h"
-#include "core/ocio/color_config.h"
 #include "core/set/solved_file.h"
 
 namespace swaplight {
@@ -65,10 +64,10 @@ std::optional<double> exposureOf(const ImageFileInfo& info) {
   return std::log2(seconds * iso / (stop * stop));
 }
 
-FoundShot describe(const fs::path& file) {
+FoundShot describe(const ColorConfig& config, const fs::path& file) {
   ImageFileInfo info;
   const ImageSpec spec = readImageSpec(file, &info);
-  const std::string byRule = ColorConfig::current().colorSpaceOfFile(file);
+  const std::string byRule = config.colorSpaceOfFile(file);
   return {file.filename().string(),
           takenAt(info),
           byRule.empty() ? spec.colorSpace : byRule,
@@ -111,7 +110,7 @@ void putInOrder(ShotFolder& found) {
 
 }  // namespace
 
-ShotFolder scanShotFolder(const fs::path& folder) {
+ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
   if (!fs::is_directory(folder))
     throw InputError("{}: is no folder, expected one with the photographs of a set", folder.string());
   ShotFolder found;
@@ -123,7 +122,7 @@ ShotFolder scanShotFolder(const fs::path& folder) {
   for (const fs::path& file : files) {
     const std::string name = file.filename().string();
     try {
-      FoundShot shot = describe(file);
+      FoundShot shot = describe(config, file);
       if (shot.format == "openexr" && isSolvedSet(file))
         found.notes.push_back(name + " is left out: it is a solved set");
       else if (lower(name).starts_with("ambient"))
@@ -143,12 +142,12 @@ ShotFolder scanShotFolder(const fs::path& folder) {
   return found;
 }
 
-ShotFolder withShots(ShotFolder folder, const std::vector<std::string>& files) {
+ShotFolder withShots(const ColorConfig& config, ShotFolder folder, const std::vector<std::string>& files) {
   std::vector<FoundShot> shots;
   for (const std::string& file : files) {
     if (!fs::exists(folder.folder / file))
       throw InputError("{}: there is no such picture in {}", file, folder.folder.string());
-    shots.push_back(describe(folder.folder / file));
+    shots.push_back(describe(config, folder.folder / file));
     shots.back().file = file;
   }
   folder.shots = std::move(shots);

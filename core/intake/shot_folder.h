@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/ocio/color_config.h"
+
 namespace swaplight {
 
 /// A picture as its header describes it.
@@ -28,13 +30,15 @@ struct ShotFolder {
   std::vector<std::string> notes;      ///< what was left out and why, in words
 };
 
-/// Looks at the pictures directly in a folder. Solved sets are left out, and of a camera's pair the JPEG
+/// Looks at the pictures directly in a folder; their colour spaces are those of the configuration's file
+/// rules, else of their headers. Solved sets are left out, and of a camera's pair the JPEG
 /// beside its raw file. Numbers in names count as numbers: shot_10 comes after shot_9. Throws InputError
 /// where it is no folder or has no picture; a picture that cannot be read is left out with a note.
-[[nodiscard]] ShotFolder scanShotFolder(const std::filesystem::path& folder);
+[[nodiscard]] ShotFolder scanShotFolder(const ColorConfig& config, const std::filesystem::path& folder);
 
 /// The same with these files as its shots, in this order. Throws InputError for one that is not there.
-[[nodiscard]] ShotFolder withShots(ShotFolder folder, const std::vector<std::string>& files);
+[[nodiscard]] ShotFolder withShots(const ColorConfig& config, ShotFolder folder,
+                                   const std::vector<std::string>& files);
 
 /// The space of the shots, as a capture's file names it. Throws InputError where they differ.
 [[nodiscard]] std::string colorSpaceOf(const ShotFolder& folder);

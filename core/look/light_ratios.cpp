@@ -16,7 +16,7 @@ constexpr float kReach = 1.0F / 8;
 
 /// The luminance of each light at evenly spread pixels that can be trusted: [pixel * lights + light].
 std::vector<float> sampledLuminances(const SolvedSet& set) {
-  const Rgb weights = luminanceWeights(ColorConfig::current(), set.colorSpace());
+  const Rgb weights = luminanceWeights(set.colorSpace());
   const size_t pixels = set.beta.pixelCount();
   const size_t step = std::max<size_t>(1, pixels / kMostPixels);
   const bool hasFlags = set.quality.pixelCount() == pixels && set.quality.channelCount() > kFlags;

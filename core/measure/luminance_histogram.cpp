@@ -19,7 +19,7 @@ constexpr double kBinsAStop = 4;
 }  // namespace
 
 LuminanceHistogram luminanceHistogram(const Image& picture) {
-  const Rgb weights = luminanceWeights(ColorConfig::current(), picture.spec().colorSpace);
+  const Rgb weights = luminanceWeights(picture.spec().colorSpace);
   LuminanceHistogram histogram;
   histogram.share.assign(static_cast<size_t>((histogram.high - histogram.low) * kBinsAStop), 0);
   std::vector<float> lit;

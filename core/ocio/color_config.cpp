@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -25,6 +26,12 @@ std::string oneLine(std::string words) {
   std::replace(words.begin(), words.end(), '\n', ' ');
   while (!words.empty() && words.back() == ' ') words.pop_back();
   return words.ends_with('.') ? words : words + ".";
+}
+
+/// Held while a processor is made, by any configuration: see color_config_impl.h.
+std::mutex& processorMutex() {
+  static std::mutex mutex;
+  return mutex;
 }
 
 template <typename Work>
@@ -89,12 +96,16 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Runs a processor over the first three planes, bands of rows in parallel.
-void applyProcessor(const OCIO::ConstProcessorRcPtr& processor, const ImageSpan& image) {
-  if (processor->isNoOp()) return;
-  // Lossless: the default optimisation replaces powers by approximations.
-  const auto cpu = processor->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32,
-                                                       OCIO::OPTIMIZATION_LOSSLESS);
+/// Lossless: the default optimisation replaces powers by approximations.
+OCIO::ConstCPUProcessorRcPtr losslessProcessor(const OCIO::ConstProcessorRcPtr& processor) {
+  if (processor->isNoOp()) return nullptr;
+  return processor->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32,
+                                             OCIO::OPTIMIZATION_LOSSLESS);
+}
+
+/// Runs a processor, if any, over the first three planes, bands of rows in parallel.
+void applyProcessor(const OCIO::ConstCPUProcessorRcPtr& cpu, const ImageSpan& image) {
+  if (!cpu) return;
   constexpr auto kFloat = static_cast<ptrdiff_t>(sizeof(float));
   parallelRows(image.height, kGrain, [&](int begin, int end) {
     OCIO::PlanarImageDesc band(image.row(0, begin), image.row(1, begin), image.row(2, begin), nullptr,
@@ -126,33 +137,58 @@ bool ColorConfig::Impl::has(const std::string& colorSpace) const {
   return config->getColorSpace(colorSpace.c_str()) != nullptr;
 }
 
-OCIO::ConstProcessorRcPtr ColorConfig::Impl::conversion(const std::string& from,
-                                                        const std::string& to) const {
-  return inWords(name, [&]() -> OCIO::ConstProcessorRcPtr {
-    const OCIO::ConstConfigRcPtr& known = sharedBuiltin();
-    const auto in = [&](const char* a, const char* b) { return config->getProcessor(a, b); };
-    const auto inBuiltin = [&](const char* a, const char* b) { return known->getProcessor(a, b); };
-    const bool fromHere = has(from);
-    const bool toHere = has(to);
-    if (fromHere && toHere) return in(from.c_str(), to.c_str());
-    if (!fromHere && !toHere) return inBuiltin(from.c_str(), to.c_str());
-    if (fromHere)
-      return chain(config, in(from.c_str(), bridgeHere.c_str()),
-                   inBuiltin(bridgeBuiltin.c_str(), to.c_str()));
-    return chain(config, inBuiltin(from.c_str(), bridgeBuiltin.c_str()), in(bridgeHere.c_str(), to.c_str()));
+OCIO::ConstProcessorRcPtr ColorConfig::Impl::makeConversion(const std::string& from,
+                                                            const std::string& to) const {
+  const OCIO::ConstConfigRcPtr& known = sharedBuiltin();
+  const auto in = [&](const char* a, const char* b) { return config->getProcessor(a, b); };
+  const auto inBuiltin = [&](const char* a, const char* b) { return known->getProcessor(a, b); };
+  const bool fromHere = has(from);
+  const bool toHere = has(to);
+  if (fromHere && toHere) return in(from.c_str(), to.c_str());
+  if (!fromHere && !toHere) return inBuiltin(from.c_str(), to.c_str());
+  if (fromHere)
+    return chain(config, in(from.c_str(), bridgeHere.c_str()), inBuiltin(bridgeBuiltin.c_str(), to.c_str()));
+  return chain(config, inBuiltin(from.c_str(), bridgeBuiltin.c_str()), in(bridgeHere.c_str(), to.c_str()));
+}
+
+OCIO::ConstProcessorRcPtr ColorConfig::Impl::makeView(const std::string& from,
+                                                      const DisplayChoice& choice) const {
+  if (has(from)) return viewIn(config, from, choice);
+  return chain(config, sharedBuiltin()->getProcessor(from.c_str(), bridgeBuiltin.c_str()),
+               viewIn(config, bridgeHere, choice));
+}
+
+OCIO::ConstProcessorRcPtr ColorConfig::Impl::madeView(const std::string& from,
+                                                      const DisplayChoice& choice) const {
+  OCIO::ConstProcessorRcPtr& made = m_views[{from, choice}];
+  if (!made) made = makeView(from, choice);
+  return made;
+}
+
+OCIO::ConstCPUProcessorRcPtr ColorConfig::Impl::conversion(const std::string& from,
+                                                           const std::string& to) const {
+  const std::lock_guard lock(processorMutex());
+  return inWords(name, [&] {
+    OCIO::ConstProcessorRcPtr& made = m_conversions[{from, to}];
+    if (!made) made = makeConversion(from, to);
+    return losslessProcessor(made);
   });
 }
 
-OCIO::ConstProcessorRcPtr ColorConfig::Impl::view(const std::string& from,
-                                                  const DisplayChoice& choice) const {
-  return inWords(name, [&]() -> OCIO::ConstProcessorRcPtr {
-    if (has(from)) return viewIn(config, from, choice);
-    return chain(config, sharedBuiltin()->getProcessor(from.c_str(), bridgeBuiltin.c_str()),
-                 viewIn(config, bridgeHere, choice));
-  });
+OCIO::ConstCPUProcessorRcPtr ColorConfig::Impl::view(const std::string& from,
+                                                     const DisplayChoice& choice) const {
+  const std::lock_guard lock(processorMutex());
+  return inWords(name, [&] { return losslessProcessor(madeView(from, choice)); });
+}
+
+OCIO::ConstGPUProcessorRcPtr ColorConfig::Impl::shaderView(const std::string& from,
+                                                           const DisplayChoice& choice) const {
+  const std::lock_guard lock(processorMutex());
+  return inWords(name, [&] { return madeView(from, choice)->getDefaultGPUProcessor(); });
 }
 
 ColorConfig::ColorConfig(const std::string& ocioFile) : m_impl(std::make_unique<Impl>()) {
+  const std::lock_guard lock(processorMutex());
   OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
   m_impl->name = ocioFile.empty() ? "built-in" : ocioFile;
   if (ocioFile.empty()) {

@@ -13,22 +13,13 @@ namespace swaplight {
 /// An OpenColorIO configuration: one of a file, or one built in code out of OCIO 2.1's built-in transforms
 /// (lin_rec709, srgb, acescg, aces2065_1, raw; displays sRGB, Rec.709, P3-D65, Rec.2100; views). Immutable,
 /// safe to use from several threads.
+///
+/// There is no current one: who converts colours is given the one to do it with, and a job keeps its own for
+/// as long as it runs. See chosen_config.h for how a program comes to one.
 class ColorConfig {
  public:
-  /// The one in use: $OCIO where it is set, else what choose() was told last, else the built-in one. Throws
-  /// InputError that names the file and says what to do where $OCIO cannot be used. A reference stays valid
-  /// when another one is chosen.
-  static const ColorConfig& current();
-  /// What a session asks for; empty: the built-in one. Does nothing where $OCIO decides. Throws InputError
-  /// that names the file and says what to do; current() is then as it was.
-  static void choose(const std::filesystem::path& file);
-  /// True where $OCIO decides.
-  [[nodiscard]] static bool fromEnvironment();
-  /// For who cannot stop: from now on as if $OCIO were not set, if it cannot be used. Gives the reason, empty
-  /// where nothing is wrong.
-  [[nodiscard]] static std::string fallBack();
-
-  explicit ColorConfig(const std::string& ocioFile);  ///< empty: the built-in one
+  /// Empty: the built-in one. Throws InputError that names the file.
+  explicit ColorConfig(const std::string& ocioFile);
 
   ColorConfig(const ColorConfig&) = delete;
   ColorConfig& operator=(const ColorConfig&) = delete;

@@ -4,7 +4,9 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
+#include <map>
 #include <string>
+#include <utility>
 
 #include "core/ocio/color_config.h"
 
@@ -25,9 +27,29 @@ struct ColorConfig::Impl {
   std::string bridgeHere;
 
   [[nodiscard]] bool has(const std::string& colorSpace) const;
-  /// Throws InputError on unknown names; OCIO::Exception never leaves.
-  [[nodiscard]] OCIO::ConstProcessorRcPtr conversion(const std::string& from, const std::string& to) const;
-  [[nodiscard]] OCIO::ConstProcessorRcPtr view(const std::string& from, const DisplayChoice& choice) const;
+
+  // Processors, made once for the same names. One thread at a time makes one, whatever its configuration:
+  // OpenColorIO 2.1 copies environment variables into a string that all threads share while it does. What is
+  // made may be applied by any number of threads. These throw InputError on unknown names; OCIO::Exception
+  // never leaves.
+
+  /// Without approximations; null where nothing has to be done.
+  [[nodiscard]] OCIO::ConstCPUProcessorRcPtr conversion(const std::string& from, const std::string& to) const;
+  [[nodiscard]] OCIO::ConstCPUProcessorRcPtr view(const std::string& from, const DisplayChoice& choice) const;
+  /// For a shader.
+  [[nodiscard]] OCIO::ConstGPUProcessorRcPtr shaderView(const std::string& from,
+                                                        const DisplayChoice& choice) const;
+
+ private:
+  [[nodiscard]] OCIO::ConstProcessorRcPtr makeConversion(const std::string& from,
+                                                         const std::string& to) const;
+  [[nodiscard]] OCIO::ConstProcessorRcPtr makeView(const std::string& from,
+                                                   const DisplayChoice& choice) const;
+  [[nodiscard]] OCIO::ConstProcessorRcPtr madeView(const std::string& from,
+                                                   const DisplayChoice& choice) const;
+
+  mutable std::map<std::pair<std::string, std::string>, OCIO::ConstProcessorRcPtr> m_conversions;
+  mutable std::map<std::pair<std::string, DisplayChoice>, OCIO::ConstProcessorRcPtr> m_views;
 };
 
 }  // namespace swaplight

@@ -26,4 +26,9 @@ Rgb luminanceWeights(const ColorConfig& config, const std::string& colorSpace) {
   return {xyz[0].y, xyz[1].y, xyz[2].y};
 }
 
+Rgb luminanceWeights(const std::string& colorSpace) {
+  static const ColorConfig builtin("");
+  return luminanceWeights(builtin, colorSpace);
+}
+
 }  // namespace swaplight

@@ -18,5 +18,8 @@ inline constexpr Rgb kRec709Luminance{0.2126F, 0.7152F, 0.0722F};
 /// The weights with which R, G, B of a linear colour space add up to its luminance. Throws InputError on an
 /// unknown space.
 [[nodiscard]] Rgb luminanceWeights(const ColorConfig& config, const std::string& colorSpace);
+/// The same of the spaces that the pictures of a set are kept in (lin_rec709, acescg, aces2065_1): their
+/// primaries are published, whatever a configuration says. Throws InputError on another space.
+[[nodiscard]] Rgb luminanceWeights(const std::string& colorSpace);
 
 }  // namespace swaplight

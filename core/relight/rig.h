@@ -78,8 +78,10 @@ struct Rig {
 /// The factors of all lights, groups, solo and mute applied: where any light is solo, the others are off. A
 /// light whose group is not there stands alone.
 [[nodiscard]] std::vector<Rgb> rigFactors(const Rig& rig);
-/// The same for pictures in the primaries of another scene-linear colour space (a solved set's).
-[[nodiscard]] std::vector<Rgb> rigFactors(const Rig& rig, const std::string& colorSpace);
+/// The same for pictures in the primaries of another scene-linear colour space (a solved set's). Throws
+/// InputError where the configuration lacks it.
+[[nodiscard]] std::vector<Rgb> rigFactors(const ColorConfig& config, const Rig& rig,
+                                          const std::string& colorSpace);
 
 /// A rig as JSON (FORMATS 3): for every light its name, its colour as a SETTING's text (see setting.h),
 /// stops, multiplier, on, solo, mute, role and ratio lock.

@@ -6,7 +6,6 @@
 
 #include "core/capture/capture_pixels.h"
 #include "core/color/srgb.h"
-#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {
@@ -14,11 +13,11 @@ namespace {
 constexpr float kMostGain = 16;
 constexpr float kDarkest = 1e-6F;  // below, a channel of a pixel tells nothing
 
-Rgb converted(const Rgb& color, const std::string& from, const std::string& to) {
+Rgb converted(const ColorConfig& config, const Rgb& color, const std::string& from, const std::string& to) {
   if (from == to) return color;
   Image pixel(ImageSpec::rgb(1, 1));
   for (int c = 0; c < 3; ++c) pixel.plane(c)[0] = color[c];
-  ColorConfig::current().convert(pixel.span(), from, to);
+  config.convert(pixel.span(), from, to);
   return {pixel.plane(0)[0], pixel.plane(1)[0], pixel.plane(2)[0]};
 }
 
@@ -31,13 +30,13 @@ LightColor linearColor(const Rgb& rec709) {
 
 }  // namespace
 
-Rig rigOfShot(Rig rig, const SolvedSet& set, size_t shot) {
+Rig rigOfShot(const ColorConfig& config, Rig rig, const SolvedSet& set, size_t shot) {
   const Shot& taken = set.capture.shots.at(shot);
   for (size_t i = 0; i < rig.lights.size() && i < taken.lightColors.size(); ++i) {
     if (!taken.lightColors[i]) continue;
     LightSetting& light = rig.lights[i];
-    light.color =
-        linearColor(converted(*taken.lightColors[i], linearSpaceOf(set.capture.colorSpace), "lin_rec709"));
+    light.color = linearColor(
+        converted(config, *taken.lightColors[i], linearSpaceOf(set.capture.colorSpace), "lin_rec709"));
     light.stops = taken.exposureStops;
     light.multiplier = 1;
     light.on = true;
@@ -98,15 +97,16 @@ PixelShares pixelShares(const SolvedSet& set, int x, int y) {
   return shares;
 }
 
-std::vector<Rgb> relitShares(const Rig& rig, const PixelShares& shares, const std::string& colorSpace) {
-  std::vector<Rgb> given = rigFactors(rig, colorSpace);
+std::vector<Rgb> relitShares(const ColorConfig& config, const Rig& rig, const PixelShares& shares,
+                             const std::string& colorSpace) {
+  std::vector<Rgb> given = rigFactors(config, rig, colorSpace);
   for (size_t i = 0; i < given.size(); ++i) given[i] *= shares.of(i);
   given.push_back(rig.ambient * shares.ambient);
   return given;
 }
 
-LightColor lightColorOfPixel(const Rgb& pixel, const std::string& colorSpace) {
-  const Rgb linear = glm::max(converted(pixel, colorSpace, "lin_rec709"), Rgb(0));
+LightColor lightColorOfPixel(const ColorConfig& config, const Rgb& pixel, const std::string& colorSpace) {
+  const Rgb linear = glm::max(converted(config, pixel, colorSpace, "lin_rec709"), Rgb(0));
   const float brightest = std::max({linear.r, linear.g, linear.b});
   LightColor color;
   if (!(brightest > 0)) return color;
@@ -115,9 +115,9 @@ LightColor lightColorOfPixel(const Rgb& pixel, const std::string& colorSpace) {
   return color;
 }
 
-std::optional<Rig> neutralizePixel(Rig rig, const PixelShares& shares, std::span<const size_t> chosen,
-                                   const std::string& colorSpace) {
-  const std::vector<Rgb> factors = rigFactors(rig, colorSpace);
+std::optional<Rig> neutralizePixel(const ColorConfig& config, Rig rig, const PixelShares& shares,
+                                   std::span<const size_t> chosen, const std::string& colorSpace) {
+  const std::vector<Rgb> factors = rigFactors(config, rig, colorSpace);
   Rgb byChosen(0);
   Rgb byOthers = rig.ambient * shares.ambient;
   for (size_t i = 0; i < factors.size(); ++i) {
@@ -129,8 +129,8 @@ std::optional<Rig> neutralizePixel(Rig rig, const PixelShares& shares, std::span
   const Rgb gain = glm::clamp((Rgb(level) - byOthers) / byChosen, Rgb(1 / kMostGain), Rgb(kMostGain));
   for (const size_t i : chosen) {
     LightSetting& light = rig.lights.at(i);
-    const Rgb inSet = gain * converted(colorFactor(light.color), "lin_rec709", colorSpace);
-    light.color = linearColor(converted(inSet, colorSpace, "lin_rec709"));
+    const Rgb inSet = gain * converted(config, colorFactor(light.color), "lin_rec709", colorSpace);
+    light.color = linearColor(converted(config, inSet, colorSpace, "lin_rec709"));
   }
   return rig;
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/ocio/color_config.h"
 #include "core/relight/rig.h"
 #include "core/set/solved_set.h"
 
@@ -13,7 +14,7 @@ namespace swaplight {
 
 /// Every light as in a shot of the capture: its colour and exposure. Lights whose colour is unknown there
 /// stay as they are.
-[[nodiscard]] Rig rigOfShot(Rig rig, const SolvedSet& set, size_t shot);
+[[nodiscard]] Rig rigOfShot(const ColorConfig& config, Rig rig, const SolvedSet& set, size_t shot);
 /// Every light on, at unit white, without stops; groups and ambient neutral.
 [[nodiscard]] Rig allWhiteRig(Rig rig);
 [[nodiscard]] Rig allOffRig(Rig rig);
@@ -36,11 +37,12 @@ struct PixelShares {
 [[nodiscard]] PixelShares pixelShares(const SolvedSet& set, int x, int y);
 /// What each light gives to the pixel under a rig, in the order of the lights; ambient last. Their sum is the
 /// relit pixel.
-[[nodiscard]] std::vector<Rgb> relitShares(const Rig& rig, const PixelShares& shares,
-                                           const std::string& colorSpace);
+[[nodiscard]] std::vector<Rgb> relitShares(const ColorConfig& config, const Rig& rig,
+                                           const PixelShares& shares, const std::string& colorSpace);
 
 /// The hue and saturation of a pixel as a light's colour at full brightness; white for black.
-[[nodiscard]] LightColor lightColorOfPixel(const Rgb& pixel, const std::string& colorSpace);
+[[nodiscard]] LightColor lightColorOfPixel(const ColorConfig& config, const Rgb& pixel,
+                                           const std::string& colorSpace);
 
 /// The rig in which the chosen lights, recoloured together, make a pixel neutral (R = G = B in the set's
 /// primaries) at the mean of its channels. Every chosen light's colour is multiplied by the same gain a
@@ -48,8 +50,8 @@ struct PixelShares {
 /// pixel.
 ///
 ///   gain_c = (mean - others_c) / chosen_c
-[[nodiscard]] std::optional<Rig> neutralizePixel(Rig rig, const PixelShares& shares,
-                                                 std::span<const size_t> chosen,
+[[nodiscard]] std::optional<Rig> neutralizePixel(const ColorConfig& config, Rig rig,
+                                                 const PixelShares& shares, std::span<const size_t> chosen,
                                                  const std::string& colorSpace);
 
 }  // namespace swaplight

@@ -28,13 +28,13 @@ std::vector<Rgb> rigFactors(const Rig& rig) {
   return factors;
 }
 
-std::vector<Rgb> rigFactors(const Rig& rig, const std::string& colorSpace) {
+std::vector<Rgb> rigFactors(const ColorConfig& config, const Rig& rig, const std::string& colorSpace) {
   std::vector<Rgb> factors = rigFactors(rig);
   if (colorSpace == "lin_rec709" || factors.empty()) return factors;
   Image colors(ImageSpec::rgb(static_cast<int>(factors.size()), 1));
   for (size_t i = 0; i < factors.size(); ++i)
     for (int c = 0; c < 3; ++c) colors.plane(c)[i] = factors[i][c];
-  ColorConfig::current().convert(colors.span(), "lin_rec709", colorSpace);
+  config.convert(colors.span(), "lin_rec709", colorSpace);
   for (size_t i = 0; i < factors.size(); ++i)
     for (int c = 0; c < 3; ++c) factors[i][c] = std::max(0.0f, colors.plane(c)[i]);
   return factors;

@@ -13,7 +13,6 @@
 #include "core/image/shrunk_image.h"
 #include "core/lamp/kelvin.h"
 #include "core/measure/luminance_histogram.h"
-#include "core/ocio/color_config.h"
 #include "core/plot/color_map.h"
 #include "core/relight/relight.h"
 #include "core/relight/setting.h"
@@ -73,8 +72,8 @@ std::string figure(const std::string& source, const std::string& caption) {
 }
 
 /// A linear picture as the display shows it.
-std::string photograph(const Image& linear, const DisplayChoice& choice, const std::string& caption) {
-  const ColorConfig& config = ColorConfig::current();
+std::string photograph(const ColorConfig& config, const Image& linear, const DisplayChoice& choice,
+                       const std::string& caption) {
   const DisplayChoice seen = namedDisplay(config, displayWithin(config, choice));
   Image shown = linear.clone();
   config.applyView(shown.span(), linear.spec().colorSpace, seen);
@@ -185,9 +184,10 @@ std::string solverSection(const std::optional<SolveReport>& report) {
 SessionReport::SessionReport(ReportSubject subject)
     : m_subject(std::move(subject)),
       m_white(taken(allWhite(m_subject.set), "before")),
-      m_relit(taken(relight(m_subject.set, rigFactors(m_subject.rig, m_subject.set.colorSpace()),
-                            m_subject.rig.ambient),
-                    "after")),
+      m_relit(taken(
+          relight(m_subject.set, rigFactors(m_subject.config, m_subject.rig, m_subject.set.colorSpace()),
+                  m_subject.rig.ambient),
+          "after")),
       m_ranges(dynamicRange(m_subject.set)) {}
 
 Image SessionReport::taken(const Image& picture, const char* name) {
@@ -204,8 +204,8 @@ std::string SessionReport::html() const {
       escaped(set.capture.name), kStyle, escaped(m_subject.source), set.width(), set.height(),
       set.lightCount(), set.capture.shotCount());
   html += "<h2>Before and after</h2>\n<div class=\"pair\">" +
-          photograph(m_white, m_subject.display, "Every light at unit white") +
-          photograph(m_relit, m_subject.display, "Under this rig") + "</div>\n";
+          photograph(m_subject.config, m_white, m_subject.display, "Every light at unit white") +
+          photograph(m_subject.config, m_relit, m_subject.display, "Under this rig") + "</div>\n";
   html += "<h2>Lights</h2>\n" + lightTable(m_subject, m_ranges);
   html += solverSection(set.report);
   if (!set.quality.empty())

@@ -5,6 +5,7 @@
 
 #include "core/base/json_fwd.h"
 #include "core/measure/luminance_histogram.h"
+#include "core/ocio/color_config.h"
 #include "core/relight/rig.h"
 #include "core/session/document.h"
 #include "core/set/dynamic_range.h"
@@ -14,6 +15,7 @@ namespace swaplight {
 
 /// What a report is about.
 struct ReportSubject {
+  const ColorConfig& config;
   const SolvedSet& set;
   Rig rig;
   DisplayChoice display;
@@ -23,7 +25,7 @@ struct ReportSubject {
 /// A report on a set under a rig. What it tells is found out once, when it is made.
 class SessionReport {
  public:
-  /// `subject.set` must outlive it. Throws InputError where a colour space is not known.
+  /// `subject.config` and `subject.set` must outlive it. Throws InputError where a colour space is not known.
   explicit SessionReport(ReportSubject subject);
 
   /// A page (HTML) that needs nothing else and prints well: the set before and after, its lights with colour,

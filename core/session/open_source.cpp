@@ -40,14 +40,15 @@ SourceKind sourceKind(const fs::path& path) {
   return SourceKind::Other;
 }
 
-SolvedSet openSource(const fs::path& path, const SolveOptions& options, const Progress& progress) {
+SolvedSet openSource(const ColorConfig& config, const fs::path& path, const SolveOptions& options,
+                     const Progress& progress) {
   if (!fs::exists(path)) throw InputError("{}: there is no such file", path.string());
   switch (sourceKind(path)) {
     case SourceKind::SolvedSet:
       return readSolvedSet(path, progress);
     case SourceKind::Capture: {
-      const Capture capture = readCapture(sourceFile(path));
-      const CapturePixels pixels = loadCapturePixels(capture, progress.part(0, kReadingShare));
+      const Capture capture = readCapture(config, sourceFile(path));
+      const CapturePixels pixels = loadCapturePixels(config, capture, progress.part(0, kReadingShare));
       return solve(capture, pixels, options, progress.part(kReadingShare, 1));
     }
     case SourceKind::Session:

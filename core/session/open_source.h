@@ -5,6 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/edit/stack/edit.h"
+#include "core/ocio/color_config.h"
 #include "core/set/solved_set.h"
 #include "core/solve/model/solve_options.h"
 
@@ -19,10 +20,11 @@ enum class SourceKind { Capture, SolvedSet, Session, Folder, Other };
 /// The file that is meant: the capture.json of a folder, else the path itself; absolute.
 [[nodiscard]] std::filesystem::path sourceFile(const std::filesystem::path& path);
 
-/// A set from a solved file or, solving it, from a capture. Throws InputError, which says what can be opened,
+/// A set from a solved file or, solving it, from a capture, whose pictures may be in any colour space of the
+/// configuration. Throws InputError, which says what can be opened,
 /// for anything else; Stopped when asked to.
-[[nodiscard]] SolvedSet openSource(const std::filesystem::path& path, const SolveOptions& options,
-                                   const Progress& progress = {});
+[[nodiscard]] SolvedSet openSource(const ColorConfig& config, const std::filesystem::path& path,
+                                   const SolveOptions& options, const Progress& progress = {});
 
 /// A set with a session's edits: the one way in which frames with edits are made. Throws InputError as the
 /// edits say.

@@ -37,7 +37,7 @@ void add(const std::vector<float>& more, std::vector<float>& sum) {
 
 std::vector<LightRange> dynamicRange(const SolvedSet& set) {
   if (set.quality.empty()) return {};
-  const Rgb weights = luminanceWeights(ColorConfig::current(), set.colorSpace());
+  const Rgb weights = luminanceWeights(set.colorSpace());
   // An odd step does not stay in the same columns.
   const size_t step = (set.quality.pixelCount() - 1) / kMostPixels | 1;
   std::vector<std::vector<float>> lights;

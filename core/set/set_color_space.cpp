@@ -4,13 +4,12 @@
 
 #include "core/base/error.h"
 #include "core/color/chromaticities.h"
-#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {
 
-void convert(Image& picture, const std::string& colorSpace) {
-  ColorConfig::current().convert(picture.span(), picture.spec().colorSpace, colorSpace);
+void convert(const ColorConfig& config, Image& picture, const std::string& colorSpace) {
+  config.convert(picture.span(), picture.spec().colorSpace, colorSpace);
   picture.setColorSpace(colorSpace);
   for (int c = 0; c < 3; ++c)
     std::transform(picture.plane(c), picture.plane(c) + picture.pixelCount(), picture.plane(c),
@@ -33,24 +32,26 @@ void checkSetColorSpace(const std::string& colorSpace) {
         colorSpace);
 }
 
-SolvedSet inColorSpace(SolvedSet set, const std::string& colorSpace, const Progress& progress) {
+SolvedSet inColorSpace(const ColorConfig& config, SolvedSet set, const std::string& colorSpace,
+                       const Progress& progress) {
   checkSetColorSpace(colorSpace);
   if (colorSpace.empty() || colorSpace == set.colorSpace()) return set;
   float done = 0;
   for (Image& contribution : set.contributions) {
     progress.update(done++ / static_cast<float>(set.lightCount()), "changing the working space");
-    convert(contribution, colorSpace);
+    convert(config, contribution, colorSpace);
   }
-  if (set.ambient) convert(*set.ambient, colorSpace);
+  if (set.ambient) convert(config, *set.ambient, colorSpace);
   return set;
 }
 
-SolvedSet copyInColorSpace(const SolvedSet& set, const std::string& colorSpace, const Progress& progress) {
+SolvedSet copyInColorSpace(const ColorConfig& config, const SolvedSet& set, const std::string& colorSpace,
+                           const Progress& progress) {
   SolvedSet copy{set.capture, {}, set.beta.clone(), {}, set.quality.clone(), set.carried, set.report};
   copy.contributions.reserve(set.contributions.size());
   for (const Image& contribution : set.contributions) copy.contributions.push_back(contribution.clone());
   if (set.ambient) copy.ambient = set.ambient->clone();
-  return inColorSpace(std::move(copy), colorSpace, progress);
+  return inColorSpace(config, std::move(copy), colorSpace, progress);
 }
 
 }  // namespace swaplight

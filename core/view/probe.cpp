@@ -14,8 +14,8 @@ constexpr float kMiddleGrey = 0.18F;
 
 }  // namespace
 
-PixelProbe probePixels(const SolvedSet& set, const Rig& rig, int x, int y, int side,
-                       const DisplayTable& table, const Rgb& luminanceWeights) {
+PixelProbe probePixels(const ColorConfig& config, const SolvedSet& set, const Rig& rig, int x, int y,
+                       int side, const DisplayTable& table, const Rgb& luminanceWeights) {
   const int low = (side - 1) / 2;
   const int x0 = std::max(0, x - low), x1 = std::min(set.width(), x - low + side);
   const int y0 = std::max(0, y - low), y1 = std::min(set.height(), y - low + side);
@@ -37,7 +37,7 @@ PixelProbe probePixels(const SolvedSet& set, const Rig& rig, int x, int y, int s
   for (Rgb& light : mean.lights) light /= count;
   mean.ambient /= count;
 
-  for (const Rgb& given : relitShares(rig, mean, set.colorSpace())) {
+  for (const Rgb& given : relitShares(config, rig, mean, set.colorSpace())) {
     probe.linear += given;
     probe.shares.push_back(std::max(0.0F, glm::dot(luminanceWeights, given)));
   }

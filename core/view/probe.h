@@ -23,7 +23,7 @@ struct PixelProbe {
 
 /// Looks at `side` x `side` pixels about (x, y); what of them lies outside of the picture is left out. The
 /// point itself has to lie inside.
-[[nodiscard]] PixelProbe probePixels(const SolvedSet& set, const Rig& rig, int x, int y, int side,
-                                     const DisplayTable& table, const Rgb& luminanceWeights);
+[[nodiscard]] PixelProbe probePixels(const ColorConfig& config, const SolvedSet& set, const Rig& rig, int x,
+                                     int y, int side, const DisplayTable& table, const Rgb& luminanceWeights);
 
 }  // namespace swaplight

@@ -87,7 +87,8 @@ void graphicsTable() {
     for (const int lights : {2, 3, 4, 8}) {
       const SolvedSet set = syntheticSet(size, lights);
       RelightRenderer renderer(set);
-      ViewRenderer viewer(ColorConfig::current(), "lin_rec709");
+      const ColorConfig config("");
+      ViewRenderer viewer(config, "lin_rec709");
       ViewTarget target;
       const ViewWindow window{0, 0, fitZoom(size.width, size.height, 1920, 1080), 1920, 1080};
       const Times upload = timed(
@@ -116,7 +117,7 @@ void processorTable() {
   fmt::print("| picture, window | lights | full frame, linear | one light changed, window, {} |",
              "plain sRGB");
   fmt::print(" the same, ACES |\n|---|---|---|---|---|\n");
-  const ColorConfig& config = ColorConfig::current();
+  const ColorConfig config("");
   ViewSettings plain, film;
   for (const std::string& view : config.views(config.defaultDisplay())) {
     if (view.find("ACES") != std::string::npos) film.display.view = view;

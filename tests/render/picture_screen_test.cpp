@@ -53,7 +53,7 @@ class PictureScreenTest : public GlTest {
     EXPECT_LE(static_cast<double>(off), share * static_cast<double>(a.size())) << what;
   }
 
-  ColorConfig m_config{""};
+  std::shared_ptr<const ColorConfig> m_config = std::make_shared<const ColorConfig>("");
   std::vector<Image> m_images;
   std::vector<Pyramid> m_pyramids;
 };

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/bench/tiled_set.h"
+#include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
 #include "render/screen.h"
 #include "ui/kit/layout_probe.h"
@@ -59,7 +60,7 @@ TemporaryHome::~TemporaryHome() {
 
 BenchStage::BenchStage(const StudioOptions& options)
     : m_source(options.file.empty() ? options.samplesFolder / "film_set" / "capture.json" : options.file),
-      m_small(openSource(m_source, {})),
+      m_small(openSource(*programConfig(), m_source, {})),
       m_screen(openScreen(options, m_where)) {
   applyTheme(options.scale > 0 ? options.scale : m_screen->contentScale());
   rememberLayout();

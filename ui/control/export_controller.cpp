@@ -4,12 +4,14 @@
 
 namespace swaplight {
 
-void ExportController::start(std::shared_ptr<const SolvedSet> set, const Document& document,
-                             const ExportRequest& request) {
+void ExportController::start(std::shared_ptr<const ColorConfig> config, std::shared_ptr<const SolvedSet> set,
+                             const Document& document, const ExportRequest& request) {
   m_name = request.file.filename().string();
-  m_job.start([set = std::move(set), document, request](
-                  const Progress& progress) { return exportDocument(set, document, request, progress); },
-              m_wake);
+  m_job.start(
+      [config = std::move(config), set = std::move(set), document, request](const Progress& progress) {
+        return exportDocument(*config, set, document, request, progress);
+      },
+      m_wake);
 }
 
 void ExportController::update(Messages& messages) {

@@ -19,7 +19,8 @@ class ExportController {
   explicit ExportController(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
   /// `set` without edits: they are the document's.
-  void start(std::shared_ptr<const SolvedSet> set, const Document& document, const ExportRequest& request);
+  void start(std::shared_ptr<const ColorConfig> config, std::shared_ptr<const SolvedSet> set,
+             const Document& document, const ExportRequest& request);
   [[nodiscard]] bool busy() const { return m_job.running(); }
   /// The file that is being written.
   [[nodiscard]] const std::string& name() const { return m_name; }

@@ -16,7 +16,8 @@ ScopesController::Request ScopesController::requestOf(const StudioContext& studi
   const OpenSet& set = *studio.set();
   const Rig& rig = studio.document().rig;
   Request request;
-  request.factors = rigFactors(rig, set.solved->colorSpace());
+  request.config = studio.colors.config();
+  request.factors = rigFactors(*request.config, rig, set.solved->colorSpace());
   request.ambient = rig.ambient;
   const ScopeOptions& options = studio.layout.scopeOptions;
   if (options.of == ScopeOptions::Of::Light) {
@@ -48,7 +49,7 @@ void ScopesController::update(StudioContext& studio) {
   if (m_counted == request) return;
   m_counted = request;
   const std::string& colorSpace = studio.set()->solved->colorSpace();
-  const auto table = studio.table.table(colorSpace, request.display);
+  const auto table = studio.table.table(request.config, colorSpace, request.display);
   m_job.start(
       [pictures = studio.set()->pictures, request = std::move(request), table,
        toXyz = studio.table.xyzFromRgb(), weights = studio.table.luminanceWeights()](const Progress&) {

@@ -25,6 +25,7 @@ class ScopesController {
  private:
   /// What the scopes are of.
   struct Request {
+    std::shared_ptr<const ColorConfig> config;
     std::vector<Rgb> factors;
     float ambient = 1;
     PictureRegion region;

@@ -98,10 +98,11 @@ void SessionController::begin(Pending pending) {
     adopt(std::move(pending), std::nullopt);
     return;
   }
-  m_colors.follow(pending.session.document.colorConfig, m_messages);  // pictures may be in its colour spaces
   if (m_slot) m_slot->opening(pending.file.empty() ? pending.session.document.source : pending.file);
-  m_sets.load(pending.session.document.source, pending.session.document.solve,
-              pending.session.document.workingSpace);
+  const Document& document = pending.session.document;
+  // Pictures may be in the colour spaces of its own configuration, while the old document keeps its one.
+  m_sets.load(m_colors.configFor(document.colorConfig), document.source, document.solve,
+              document.workingSpace);
   m_pending = std::move(pending);
 }
 
@@ -141,7 +142,7 @@ void SessionController::followWorkingSpace() {
   if (!m_set || m_pending || m_sets.busy() || m_editor.inGesture()) return;
   const std::string& wanted = m_editor.document().workingSpace;
   if (m_set->original->colorSpace() == (wanted.empty() ? m_set->found->colorSpace() : wanted)) return;
-  m_sets.convert(*m_set, wanted);
+  m_sets.convert(m_colors.config(), *m_set, wanted);
 }
 
 void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
@@ -168,7 +169,7 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
 }
 
 void SessionController::checkDisplay(Document& document) {
-  const ColorConfig& config = ColorConfig::current();
+  const ColorConfig& config = *m_colors.config();
   const DisplayChoice shown = displayWithin(config, document.display);
   if (shown != document.display)
     m_messages.warn(displayWords(document.display) + " is not in the colour configuration " + config.title() +

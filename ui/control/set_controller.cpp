@@ -8,10 +8,12 @@ namespace swaplight {
 namespace {
 
 /// Makes what is shown out of what was found.
-OpenSet prepared(OpenSet open, const std::string& workingSpace, const Progress& progress) {
+OpenSet prepared(const ColorConfig& config, OpenSet open, const std::string& workingSpace,
+                 const Progress& progress) {
   const bool own = workingSpace.empty() || workingSpace == open.found->colorSpace();
   open.original =
-      own ? open.found : std::make_shared<SolvedSet>(copyInColorSpace(*open.found, workingSpace, progress));
+      own ? open.found
+          : std::make_shared<SolvedSet>(copyInColorSpace(config, *open.found, workingSpace, progress));
   open.solved = open.original;
   progress.update(1, "preparing the view");
   open.pictures = std::make_shared<ViewPictures>(open.solved);
@@ -20,24 +22,25 @@ OpenSet prepared(OpenSet open, const std::string& workingSpace, const Progress& 
 
 }  // namespace
 
-void SetController::load(const std::filesystem::path& source, const SolveOptions& options,
-                         const std::string& workingSpace) {
+void SetController::load(std::shared_ptr<const ColorConfig> config, const std::filesystem::path& source,
+                         const SolveOptions& options, const std::string& workingSpace) {
   m_task = "Opening " + source.filename().string();
   m_job.start(
-      [source, options, workingSpace](const Progress& progress) {
+      [config = std::move(config), source, options, workingSpace](const Progress& progress) {
         OpenSet open;
         open.source = source;
-        open.found = std::make_shared<SolvedSet>(openSource(source, options, progress));
-        return prepared(std::move(open), workingSpace, progress);
+        open.found = std::make_shared<SolvedSet>(openSource(*config, source, options, progress));
+        return prepared(*config, std::move(open), workingSpace, progress);
       },
       m_wake);
 }
 
-void SetController::convert(const OpenSet& open, const std::string& workingSpace) {
+void SetController::convert(std::shared_ptr<const ColorConfig> config, const OpenSet& open,
+                            const std::string& workingSpace) {
   m_task = "Changing the working space";
-  m_job.start(
-      [open, workingSpace](const Progress& progress) { return prepared(open, workingSpace, progress); },
-      m_wake);
+  m_job.start([config = std::move(config), open, workingSpace](
+                  const Progress& progress) { return prepared(*config, open, workingSpace, progress); },
+              m_wake);
 }
 
 }  // namespace swaplight

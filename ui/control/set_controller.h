@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/ocio/color_config.h"
 #include "core/set/solved_set.h"
 #include "core/solve/model/solve_options.h"
 #include "ui/jobs/job.h"
@@ -29,10 +30,11 @@ class SetController {
   explicit SetController(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
   /// `workingSpace`: of the set that is shown; empty: the source's own.
-  void load(const std::filesystem::path& source, const SolveOptions& options,
-            const std::string& workingSpace);
+  void load(std::shared_ptr<const ColorConfig> config, const std::filesystem::path& source,
+            const SolveOptions& options, const std::string& workingSpace);
   /// The set that is open in another working space, without edits.
-  void convert(const OpenSet& open, const std::string& workingSpace);
+  void convert(std::shared_ptr<const ColorConfig> config, const OpenSet& open,
+               const std::string& workingSpace);
   void cancel() { m_job.cancel(); }
   [[nodiscard]] bool busy() const { return m_job.running(); }
   [[nodiscard]] bool cancelling() const { return m_job.cancelling(); }

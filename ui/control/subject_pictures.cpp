@@ -11,10 +11,11 @@ namespace {
 
 constexpr size_t kKept = 2;
 
-Image readPhotograph(Capture capture, int shot, const Image& like, const Progress& progress) {
+Image readPhotograph(const ColorConfig& config, Capture capture, int shot, const Image& like,
+                     const Progress& progress) {
   capture.shots = {capture.shots.at(static_cast<size_t>(shot))};
   capture.ambient.reset();
-  CapturePixels pixels = loadCapturePixels(capture, progress);
+  CapturePixels pixels = loadCapturePixels(config, capture, progress);
   Image& image = pixels.shots.front();
   if (image.width() != like.width() || image.height() != like.height())
     throw InputError("{}: the photograph is {} x {}, the set {} x {}", capture.shots.front().image,
@@ -24,7 +25,8 @@ Image readPhotograph(Capture capture, int shot, const Image& like, const Progres
 
 }  // namespace
 
-const SubjectPictures::Shown* SubjectPictures::picture(const OpenSet& set, const ViewSubject& subject) {
+const SubjectPictures::Shown* SubjectPictures::picture(const std::shared_ptr<const ColorConfig>& config,
+                                                       const OpenSet& set, const ViewSubject& subject) {
   const auto found = std::find_if(m_shown.begin(), m_shown.end(),
                                   [&](const Shown& shown) { return shown.subject == subject; });
   if (found != m_shown.end()) {
@@ -41,8 +43,8 @@ const SubjectPictures::Shown* SubjectPictures::picture(const OpenSet& set, const
   m_reading = subject;
   m_stale = false;
   m_job.start(
-      [solved = set.original, shot = subject.index](const Progress& progress) {
-        return readPhotograph(solved->capture, shot, solved->contributions.front(), progress);
+      [config, solved = set.original, shot = subject.index](const Progress& progress) {
+        return readPhotograph(*config, solved->capture, shot, solved->contributions.front(), progress);
       },
       m_wake);
   return nullptr;

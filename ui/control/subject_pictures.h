@@ -24,7 +24,8 @@ class SubjectPictures {
   explicit SubjectPictures(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
   /// nullptr while a photograph is being read, or where it could not be.
-  const Shown* picture(const OpenSet& set, const ViewSubject& subject);
+  const Shown* picture(const std::shared_ptr<const ColorConfig>& config, const OpenSet& set,
+                       const ViewSubject& subject);
   /// To be called often: takes what was read.
   void update(Messages& messages);
   /// Pixels of the set have changed: forgets what was made of them. True where there was any.

@@ -16,13 +16,14 @@ std::optional<LayeredPicture> sidePicture(StudioContext& studio, ViewSubject sub
   subject = subjectWithin(*set.solved, subject);
   const std::string& colorSpace = set.solved->colorSpace();
   if (subject.kind == ViewSubject::Kind::Relit || subject.kind == ViewSubject::Kind::Contribution)
-    return LayeredPicture{set.pictures->layers(subject, rigFactors(rig, colorSpace), rig.ambient),
-                          colorSpace};
+    return LayeredPicture{
+        set.pictures->layers(subject, rigFactors(*studio.colors.config(), rig, colorSpace), rig.ambient),
+        colorSpace};
   if (subject.kind == ViewSubject::Kind::Visibility) {
     const Pyramid* visibility = studio.shadows.visibility(studio, subject.index);
     return visibility ? std::optional(LayeredPicture{{{visibility, Rgb(1)}}, ""}) : std::nullopt;
   }
-  const SubjectPictures::Shown* shown = studio.subjects.picture(set, subject);
+  const SubjectPictures::Shown* shown = studio.subjects.picture(studio.colors.config(), set, subject);
   if (!shown) return std::nullopt;
   return LayeredPicture{{{shown->pyramid.get(), Rgb(1)}}, shown->image.spec().colorSpace};
 }
@@ -60,7 +61,7 @@ PixelRect visiblePart(const ViewWindow& window) {
 
 ViewSettings viewerSettings(const StudioContext& studio) {
   ViewSettings settings = studio.view.settings;
-  settings.display = displayWithin(ColorConfig::current(), studio.document().display);
+  settings.display = displayWithin(*studio.colors.config(), studio.document().display);
   return settings;
 }
 

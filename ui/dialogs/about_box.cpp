@@ -41,7 +41,7 @@ void drawAboutBox(StudioContext& studio, bool* open) {
       row("Version", version());
       row("Picture by", studio.pictures.words());
       row("OpenGL", glInfo().renderer);
-      row("Colour", ColorConfig::current().name());
+      row("Colour", studio.colors.config()->name());
       row("Keys", (configFolder() / "keys.txt").string());
       row("Recovery", (stateFolder() / "recovery").string());
       row("Made with",

@@ -43,17 +43,17 @@ float footerHeight(const std::string& words) {
 
 }  // namespace
 
-void CaptureWizard::start(const fs::path& folder) {
+void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::path& folder) {
   close();
   m_folder = folder;
   m_reading.start(
-      [folder](const Progress& progress) {
+      [config = std::move(config), folder](const Progress& progress) {
         Photographs found;
-        found.folder = scanShotFolder(folder);
+        found.folder = scanShotFolder(*config, folder);
         // Any name does for looking at the pictures; the person gives the lights theirs.
         const CaptureDraft draft = draftOf(found.folder, {"light"});
         found.pixels = std::make_shared<const CapturePixels>(
-            loadCapturePixels(captureOf(draft), progress.part(0, 0.7F)));
+            loadCapturePixels(*config, captureOf(draft), progress.part(0, 0.7F)));
         progress.update(0.7F, "looking for what is wrong");
         found.thumbnails = shotThumbnails(*found.pixels, kThumbnailWidth, kThumbnailHeight);
         found.warnings = found.folder.notes;

@@ -12,6 +12,7 @@
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
 #include "core/intake/shot_thumbnail.h"
+#include "core/ocio/color_config.h"
 #include "core/solve/model/solve_options.h"
 #include "render/screen.h"
 #include "ui/jobs/job.h"
@@ -26,7 +27,7 @@ class CaptureWizard {
   explicit CaptureWizard(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
   /// Looks at the folder in a thread.
-  void start(const std::filesystem::path& folder);
+  void start(std::shared_ptr<const ColorConfig> config, const std::filesystem::path& folder);
   [[nodiscard]] bool isOpen() const { return m_folder.has_value(); }
   [[nodiscard]] bool busy() const { return m_reading.running() || m_guessing.running(); }
   /// To be called often: takes what the threads have finished.

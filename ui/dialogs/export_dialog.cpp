@@ -169,7 +169,7 @@ void ExportDialog::drawColorSpaces() {
        "Scene-linear light in these primaries; white stays white (Bradford adaptation).");
 }
 
-void ExportDialog::drawFrame(const Document& document) {
+void ExportDialog::drawFrame(const ColorConfig& config, const Document& document) {
   drawFormats();
   const std::string& format = m_choices.format();
   if (format == ".exr")
@@ -188,7 +188,6 @@ void ExportDialog::drawFrame(const Document& document) {
   list("Seen through", "tone", kTones, m_choices.tone,
        "The display and view that the viewer shows, or a tone mapping of the whole picture (plain sRGB).");
   if (m_choices.tone.empty()) {
-    const ColorConfig& config = ColorConfig::current();
     const DisplayChoice seen = namedDisplay(config, displayWithin(config, document.display));
     ImGui::Dummy(ImVec2(0, 0));
     ImGui::SameLine(px(kLabel));
@@ -261,7 +260,7 @@ void ExportDialog::accept(const Answers& answers) {
   answers.accept(requestOf(m_choices, m_file));
 }
 
-void ExportDialog::draw(const Document& document, const Answers& answers) {
+void ExportDialog::draw(const ColorConfig& config, const Document& document, const Answers& answers) {
   if (!m_open) return;
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -273,7 +272,7 @@ void ExportDialog::draw(const Document& document, const Answers& answers) {
     return;
   drawKinds();
   if (m_choices.kind == ExportKind::Frame)
-    drawFrame(document);
+    drawFrame(config, document);
   else if (m_choices.kind == ExportKind::Layers)
     drawLayers();
   else

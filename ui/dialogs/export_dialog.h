@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/ocio/color_config.h"
 #include "core/session/document.h"
 #include "ui/state/export_choices.h"
 
@@ -28,12 +29,12 @@ class ExportDialog {
     std::function<void(const ExportRequest&)> accept;
     std::function<void()> choose;  ///< asks for the file's name elsewhere, then setFile
   };
-  /// Draws it while it is open. `document` says which view pictures go through.
-  void draw(const Document& document, const Answers& answers);
+  /// Draws it while it is open. `document` says which view of the configuration pictures go through.
+  void draw(const ColorConfig& config, const Document& document, const Answers& answers);
 
  private:
   void drawKinds();
-  void drawFrame(const Document& document);
+  void drawFrame(const ColorConfig& config, const Document& document);
   void drawLayers();
   void drawFormats();
   void drawColorSpaces();

@@ -125,17 +125,17 @@ unsigned GalleryPanel::thumbnail(StudioContext& studio, size_t index, int width,
   const SavedLook& look = document.looks[index];
   if (m_thumbnails.size() <= index) m_thumbnails.resize(index + 1);
   Thumbnail& made = m_thumbnails[index];
+  const std::string& colorSpace = set.solved->colorSpace();
+  const auto table = studio.table.table(studio.colors.config(), colorSpace, document.display);
   if (made.texture.id() != 0 && made.rig == look.rig && made.set == studio.session.setRevision() &&
-      made.display == document.display)
+      made.table == table)
     return made.texture.id();
   const Rig rig = fitRig(look.rig, set.solved->capture);
-  const std::string& colorSpace = set.solved->colorSpace();
-  const auto table = studio.table.table(colorSpace, document.display);
   const ViewPictures& pictures = *set.pictures;
   ViewWindow window{0, 0, fitZoom(pictures.width(), pictures.height(), width, height), width, height};
   std::vector<uint8_t> pixels(4 * static_cast<size_t>(width) * static_cast<size_t>(height));
   windowPixels(
-      pictures.layers({}, rigFactors(rig, colorSpace), rig.ambient), window,
+      pictures.layers({}, rigFactors(*studio.colors.config(), rig, colorSpace), rig.ambient), window,
       [&](const float* r, const float* g, const float* b, int count, uint8_t* rgba) {
         table->apply(r, g, b, count, rgba);
       },
@@ -143,7 +143,7 @@ unsigned GalleryPanel::thumbnail(StudioContext& studio, size_t index, int width,
   made.texture.update(width, height, pixels.data());
   made.rig = look.rig;
   made.set = studio.session.setRevision();
-  made.display = document.display;
+  made.table = table;
   return made.texture.id();
 }
 

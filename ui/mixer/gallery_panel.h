@@ -19,7 +19,7 @@ class GalleryPanel {
   struct Thumbnail {
     Rig rig;
     uint64_t set = 0;
-    DisplayChoice display;
+    std::shared_ptr<const DisplayTable> table;
     ScreenTexture texture;
   };
   unsigned thumbnail(StudioContext& studio, size_t index, int width, int height);

@@ -79,7 +79,8 @@ void shotMenu(StudioContext& studio) {
   for (size_t shot = 0; shot < set->solved->capture.shots.size(); ++shot) {
     const std::string name = fmt::format("Shot {}", shot + 1);
     if (ImGui::MenuItem(name.c_str()))
-      editRig(studio, "As captured: " + name, rigOfShot(studio.document().rig, *set->solved, shot));
+      editRig(studio, "As captured: " + name,
+              rigOfShot(*studio.colors.config(), studio.document().rig, *set->solved, shot));
   }
   ImGui::EndMenu();
 }

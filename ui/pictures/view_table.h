@@ -13,15 +13,16 @@ namespace swaplight {
 /// and channels. For what tells about the picture: probe and scopes.
 class ViewTable {
  public:
-  /// Made again where the colour space or the view changed; for other threads, too. Throws InputError for an
-  /// unknown view.
-  std::shared_ptr<const DisplayTable> table(const std::string& colorSpace, const DisplayChoice& display);
+  /// Made again where the configuration, the colour space or the view changed; for other threads, too. Throws
+  /// InputError for an unknown view.
+  std::shared_ptr<const DisplayTable> table(const std::shared_ptr<const ColorConfig>& config,
+                                            const std::string& colorSpace, const DisplayChoice& display);
   /// Of the colour space of the last table().
   [[nodiscard]] const Rgb& luminanceWeights() const { return m_weights; }
   [[nodiscard]] const glm::mat3& xyzFromRgb() const { return m_xyzFromRgb; }
 
  private:
-  const ColorConfig* m_config = nullptr;
+  std::shared_ptr<const ColorConfig> m_config;
   std::string m_colorSpace;
   DisplayChoice m_display;
   std::shared_ptr<const DisplayTable> m_table;

@@ -23,7 +23,7 @@ std::string setText(const StudioContext& studio) {
 void drawColors(StudioContext& studio, float right) {
   const std::string& trouble = studio.colors.trouble();
   const std::string words =
-      "Colours: " + ColorConfig::current().title() + (trouble.empty() ? "" : ", not those asked for");
+      "Colours: " + studio.colors.config()->title() + (trouble.empty() ? "" : ", not those asked for");
   ImGui::SameLine(right - ImGui::CalcTextSize(words.c_str()).x);
   if (!trouble.empty()) ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
   ImGui::TextUnformatted(words.c_str());

@@ -38,7 +38,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_layoutOnDisk(m_layout),
       m_sets([&screen] { screen.wake(); }),
       m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder(), [&screen] { screen.wake(); }),
-      m_pictures(makePictureScreen(options.engine, ColorConfig::current())),
+      m_pictures(makePictureScreen(options.engine, m_colors.config())),
       m_exports([&screen] { screen.wake(); }),
       m_subjects([&screen] { screen.wake(); }),
       m_edits([&screen] { screen.wake(); }),
@@ -110,13 +110,13 @@ void StudioWindow::askForPhotographs() {
   question.extensions = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".hdr", ".dng", ".cr2",
                          ".cr3", ".nef", ".arw", ".raf",  ".orf", ".rw2",  ".pef", ".x3f"};
   question.forFolder = true;
-  question.answer = [this](const fs::path& folder) { m_wizard.start(folder); };
+  question.answer = [this](const fs::path& folder) { m_wizard.start(m_colors.config(), folder); };
   m_chooser.ask(std::move(question));
 }
 
 void StudioWindow::open(const fs::path& path) {
   if (sourceKind(path) == SourceKind::Folder)
-    m_wizard.start(path);
+    m_wizard.start(m_colors.config(), path);
   else
     m_session.open(path);
 }
@@ -157,8 +157,8 @@ void StudioWindow::exportAs(const ExportRequest& request) {
   const OpenSet* set = m_session.set();
   if (!set) return;
   Document document = m_editor.document();
-  document.display = displayWithin(ColorConfig::current(), document.display);  // as it is shown
-  m_exports.start(set->original, document, request);
+  document.display = displayWithin(*m_colors.config(), document.display);  // as it is shown
+  m_exports.start(m_colors.config(), set->original, document, request);
 }
 
 void StudioWindow::update() {
@@ -186,8 +186,9 @@ void StudioWindow::drawDialogs() {
   m_wizard.draw(m_messages, [this](const fs::path& capture, const SolveOptions& solve) {
     m_session.open(capture, solve);
   });
-  m_export.draw(m_editor.document(), {[this](const ExportRequest& request) { exportAs(request); },
-                                      [this] { askForExportName(); }});
+  m_export.draw(
+      *m_colors.config(), m_editor.document(),
+      {[this](const ExportRequest& request) { exportAs(request); }, [this] { askForExportName(); }});
 }
 
 void StudioWindow::frame() {
@@ -208,10 +209,8 @@ void StudioWindow::frame() {
   if (m_setShown != m_session.setRevision() || m_subjectsShown != m_subjects.revision()) m_pictures->forget();
   m_setShown = m_session.setRevision();
   m_subjectsShown = m_subjects.revision();
-  if (!m_sets.busy()) {  // while a set is loading, its configuration is in use
-    m_colors.follow(m_editor.document().colorConfig, m_messages);
-    m_pictures->setConfig(ColorConfig::current());
-  }
+  m_colors.follow(m_editor.document().colorConfig, m_messages);
+  m_pictures->setConfig(m_colors.config());
   m_screen.beginFrame();
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
@@ -242,7 +241,7 @@ void StudioWindow::frame() {
   if (m_editor.inGesture() && !ImGui::IsAnyItemActive()) m_editor.commit();
   markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");
   markState("title", m_title);
-  markState("colors", ColorConfig::current().title());
+  markState("colors", m_colors.config()->title());
   if (const OpenSet* set = m_session.set()) markState("working_space", set->original->colorSpace());
   endLayoutFrame();
   m_screen.endFrame();

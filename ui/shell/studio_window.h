@@ -38,7 +38,7 @@ class StudioWindow {
   [[nodiscard]] double restSeconds() const;
 
   /// Shows the wizard for a folder of photographs, whether or not there is a capture in it.
-  void bringIn(const std::filesystem::path& folder) { m_wizard.start(folder); }
+  void bringIn(const std::filesystem::path& folder) { m_wizard.start(m_colors.config(), folder); }
   /// Something is being read, solved, guessed, looked for, saved or exported.
   [[nodiscard]] bool busy() const {
     return m_sets.busy() || m_wizard.busy() || m_edits.busy() || m_shadows.busy() || m_session.saving() ||

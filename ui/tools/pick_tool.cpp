@@ -14,15 +14,16 @@ void pickPixel(StudioContext& studio, Tool tool, int x, int y) {
   const PixelShares shares = pixelShares(*set->solved, x, y);
   const size_t light = shownLight(studio);
   const Rig& rig = studio.document().rig;
+  const ColorConfig& config = *studio.colors.config();
   if (tool == Tool::Neutral) {
-    if (const auto neutral = neutralizePixel(rig, shares, lightsFor(studio, light), colorSpace))
+    if (const auto neutral = neutralizePixel(config, rig, shares, lightsFor(studio, light), colorSpace))
       editRig(studio, "Make a pixel neutral", *neutral);
     else
       studio.messages.warn(rig.lights[light].title() + " does not reach this pixel.");
   } else if (tool == Tool::Match) {
-    const std::vector<Rgb> given = relitShares(rig, shares, colorSpace);
+    const std::vector<Rgb> given = relitShares(config, rig, shares, colorSpace);
     const LightColor color =
-        lightColorOfPixel(std::accumulate(given.begin(), given.end(), Rgb(0)), colorSpace);
+        lightColorOfPixel(config, std::accumulate(given.begin(), given.end(), Rgb(0)), colorSpace);
     editLights(studio, light, "match a pixel", [&](LightSetting& setting) { setting.color = color; });
   }
 }

@@ -48,9 +48,9 @@ void drawProbeCard(StudioContext& studio, ImVec2 origin, ImVec2 size) {
   if (!pixel) return;
   const SolvedSet& set = *studio.set()->solved;
   const Document& document = studio.document();
-  const auto table = studio.table.table(set.colorSpace(), document.display);
-  const PixelProbe probe = probePixels(set, document.rig, pixel->x, pixel->y, studio.view.probeSide, *table,
-                                       studio.table.luminanceWeights());
+  const auto table = studio.table.table(studio.colors.config(), set.colorSpace(), document.display);
+  const PixelProbe probe = probePixels(*studio.colors.config(), set, document.rig, pixel->x, pixel->y,
+                                       studio.view.probeSide, *table, studio.table.luminanceWeights());
   // At the right, unless the mouse is there.
   const bool right = ImGui::GetIO().MousePos.x < origin.x + size.x - px(kWidth + 3 * kMargin);
   ImGui::SetNextWindowPos(ImVec2(right ? origin.x + size.x - px(kMargin) : origin.x + px(kMargin),

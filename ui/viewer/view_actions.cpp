@@ -50,7 +50,7 @@ void addWorkingSpaces(ActionTable& actions, StudioContext& studio) {
 }  // namespace
 
 void addViewActions(ActionTable& actions, StudioContext& studio, FileChooser& chooser) {
-  const auto free = [&studio] { return studio.session.hasDocument() && !ColorConfig::fromEnvironment(); };
+  const auto free = [&studio] { return studio.session.hasDocument() && !studio.colors.fromEnvironment(); };
   actions.add(
       {"view.color_config", "OpenColorIO configuration \u2026", "",
        "Displays, views and colour spaces from a file, for this session. $OCIO, where it is set, goes "

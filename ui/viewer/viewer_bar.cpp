@@ -86,13 +86,13 @@ void zebraButton(StudioContext& studio) {
 
 /// The display and the view that are in use, by name.
 DisplayChoice shownThrough(const StudioContext& studio) {
-  const ColorConfig& config = ColorConfig::current();
+  const ColorConfig& config = *studio.colors.config();
   return namedDisplay(config, displayWithin(config, studio.document().display));
 }
 
 void chooseView(StudioContext& studio, const DisplayChoice& choice) {
   try {
-    ColorConfig::current().checkView(choice);
+    studio.colors.config()->checkView(choice);
   } catch (const std::exception& error) {
     studio.messages.error(error.what());
     return;
@@ -104,7 +104,7 @@ void chooseView(StudioContext& studio, const DisplayChoice& choice) {
 
 /// The looks that a view is seen under: its own, none, one of the configuration's.
 void drawLooks(StudioContext& studio, const DisplayChoice& shown) {
-  const ColorConfig& config = ColorConfig::current();
+  const ColorConfig& config = *studio.colors.config();
   std::vector<std::string> looks = config.looks();
   if (looks.empty()) return;
   if (shown.look && !shown.look->empty() && std::find(looks.begin(), looks.end(), *shown.look) == looks.end())
@@ -166,7 +166,7 @@ void drawSubjectMenu(StudioContext& studio, bool sideB) {
 }
 
 void drawDisplayMenu(StudioContext& studio) {
-  const ColorConfig& config = ColorConfig::current();
+  const ColorConfig& config = *studio.colors.config();
   const DisplayChoice shown = shownThrough(studio);
   ImGui::TextDisabled("Display");
   for (const std::string& display : config.displays()) {

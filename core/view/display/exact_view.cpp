@@ -6,12 +6,9 @@ namespace swaplight {
 
 ViewFunction exactView(const ColorConfig& config, const std::string& colorSpace,
                        const DisplayChoice& choice) {
-  // Lossless: the default optimisation replaces powers by approximations.
-  const OCIO::ConstCPUProcessorRcPtr exact =
-      config.impl()
-          .view(colorSpace, namedDisplay(config, choice))
-          ->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32, OCIO::OPTIMIZATION_LOSSLESS);
+  const OCIO::ConstCPUProcessorRcPtr exact = config.impl().view(colorSpace, namedDisplay(config, choice));
   return [exact](ImageSpan pixels) {
+    if (!exact) return;
     constexpr auto kFloat = static_cast<ptrdiff_t>(sizeof(float));
     OCIO::PlanarImageDesc planes(pixels.row(0, 0), pixels.row(1, 0), pixels.row(2, 0), nullptr, pixels.width,
                                  pixels.height, OCIO::BIT_DEPTH_F32, kFloat, pixels.rowStride * kFloat);

@@ -7,6 +7,7 @@
 #include "core/capture/capture_pixels.h"
 #include "core/capture/mosaic_saturation.h"
 #include "core/image/io/image_io.h"
+#include "tests/support/builtin_colors.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_dng.h"
 
@@ -51,7 +52,7 @@ TEST(CameraRaw, ShotsOfACaptureAreLinearAndClipAtFullScale) {
   capture.colorSpace = "srgb";
   capture.lights = {{"key", Role::Key, {}}};
   capture.shots = {{"one.dng", {Rgb(1)}, 0, {}}};
-  const CapturePixels pixels = loadCapturePixels(capture);
+  const CapturePixels pixels = loadCapturePixels(test::builtinColors(), capture);
   EXPECT_NEAR(pixels.shots[0].view().at(1, 32, 32), 0.4F, 2e-4F);
   EXPECT_FALSE(pixels.encoded);
   EXPECT_GE(pixels.shots[0].view().at(0, 96, 32), pixels.clipLevel[0]);

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/capture.h"
+#include "tests/support/builtin_colors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace swaplight {
@@ -35,7 +36,7 @@ std::string errorOf(const Json& json) {
 std::string errorOfText(const std::string& text) {
   const TemporaryFolder folder;
   test::writeBytes(folder / "capture.json", text);
-  return inputError([&] { (void)readCapture(folder / "capture.json"); });
+  return inputError([&] { (void)readCapture(test::builtinColors(), folder / "capture.json"); });
 }
 
 TEST(CaptureJson, ReadsEveryFieldOfTheContract) {
@@ -76,7 +77,7 @@ TEST(CaptureJson, UnknownKeysAreKeptAndWarnedAbout) {
 TEST(CaptureJson, SurvivesTheDisk) {
   const TemporaryFolder folder;
   writeCapture(captureFromJson(manifest(), "set"), folder / "capture.json");
-  const Capture capture = readCapture(folder / "capture.json");
+  const Capture capture = readCapture(test::builtinColors(), folder / "capture.json");
   EXPECT_EQ(jsonFromCapture(capture), manifest());
   EXPECT_EQ(capture.folder, folder.path());
   EXPECT_EQ(folder.fileCount(), 1u) << "no temporary file stays behind";
@@ -96,9 +97,10 @@ TEST(CaptureJson, SyntaxErrorsAreSaidWithLineAndColumn) {
 
 TEST(CaptureJson, MissingFileAndFolderAreSaid) {
   const TemporaryFolder folder;
-  EXPECT_THAT(inputError([&] { (void)readCapture(folder / "none.json"); }),
+  EXPECT_THAT(inputError([&] { (void)readCapture(test::builtinColors(), folder / "none.json"); }),
               HasSubstr("none.json: no such file"));
-  EXPECT_THAT(inputError([&] { (void)readCapture(folder.path()); }), HasSubstr("is a folder"));
+  EXPECT_THAT(inputError([&] { (void)readCapture(test::builtinColors(), folder.path()); }),
+              HasSubstr("is a folder"));
 }
 
 TEST(CaptureJson, NoLightsAndNoShotsAreSaid) {

@@ -7,6 +7,7 @@
 
 #include "core/capture/capture_pixels.h"
 #include "core/image/io/image_io.h"
+#include "tests/support/builtin_colors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace swaplight {
@@ -46,10 +47,10 @@ class Set {
   CapturePixels load(const WriteOptions& options = {}) {
     for (size_t k = 0; k < images.size(); ++k)
       writeImage(images[k], folder / capture.shots[k].image, options);
-    return loadCapturePixels(capture);
+    return loadCapturePixels(test::builtinColors(), capture);
   }
   std::string error() {
-    return inputError([&] { (void)loadCapturePixels(capture); });
+    return inputError([&] { (void)loadCapturePixels(test::builtinColors(), capture); });
   }
 
   TemporaryFolder folder;
@@ -188,7 +189,7 @@ TEST(CapturePixels, GreyAlphaAndLayeredShotsHaveColours) {
   Image layered(
       ImageSpec{96, 64, {"view.combined.R", "view.combined.G", "view.combined.B", "Z"}, "lin_rec709"}, 0.5F);
   writeImage(layered, set.folder / "two.exr");
-  const CapturePixels pixels = loadCapturePixels(set.capture);
+  const CapturePixels pixels = loadCapturePixels(test::builtinColors(), set.capture);
   EXPECT_EQ(pixels.shots[0].plane(2)[100], 0.25F);
   EXPECT_EQ(pixels.shots[1].plane(1)[100], 0.5F);
   EXPECT_EQ(pixels.shots[1].channelCount(), 3);
@@ -237,7 +238,7 @@ TEST(CapturePixels, ProgressCanStopTheReading) {
   Set set;
   (void)set.load();
   const std::atomic<bool> stop = true;
-  EXPECT_THROW((void)loadCapturePixels(set.capture, {{}, &stop}), Stopped);
+  EXPECT_THROW((void)loadCapturePixels(test::builtinColors(), set.capture, {{}, &stop}), Stopped);
 }
 
 }  // namespace

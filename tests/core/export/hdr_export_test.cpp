@@ -11,6 +11,7 @@
 #include "core/measure/delta_e.h"
 #include "core/relight/relight.h"
 #include "core/relight/setting.h"
+#include "tests/support/builtin_colors.h"
 #include "tests/support/small_set.h"
 #include "tests/support/temporary_folder.h"
 
@@ -28,7 +29,7 @@ Lab chromaticity(const Color& color) {
 /// The largest CIEDE2000 between the chromaticities of a file and of the product computed in double.
 double worstHue(const std::filesystem::path& file, const SolvedSet& set, const Rig& rig, double* brightest) {
   const Image written = readImage(file).image;
-  const std::vector<Rgb> factors = rigFactors(rig, set.colorSpace());
+  const std::vector<Rgb> factors = rigFactors(test::builtinColors(), rig, set.colorSpace());
   double worst = 0;
   *brightest = 0;
   for (size_t p = 0; p < written.pixelCount(); ++p) {
@@ -58,7 +59,7 @@ TEST(HdrExport, AKeyTenStopsUpKeepsItsHueAndIsNotClipped) {
   const test::TemporaryFolder folder;
   const SolvedSet set = test::smallSet(2, 64, 40);
   const Rig rig = tenStopsMore(set);
-  exportFrame(set, rig, folder / "frame.exr", {});
+  exportFrame(test::builtinColors(), set, rig, folder / "frame.exr", {});
   double brightest = 0;
   const double worst = worstHue(folder / "frame.exr", set, rig, &brightest);
   EXPECT_GT(brightest, 500);
@@ -75,12 +76,12 @@ TEST(HdrExport, LightBrighterThanHalfCanHoldIsWrittenAsFloat) {
       std::transform(contribution.plane(c), contribution.plane(c) + contribution.pixelCount(),
                      contribution.plane(c), [](float v) { return 500 * v; });
   const Rig rig = tenStopsMore(set);
-  exportFrame(set, rig, folder / "frame.exr", {});
+  exportFrame(test::builtinColors(), set, rig, folder / "frame.exr", {});
   double brightest = 0;
   EXPECT_LE(worstHue(folder / "frame.exr", set, rig, &brightest), 0.5);
   EXPECT_GT(brightest, 100000);
   EXPECT_EQ(readImage(folder / "frame.exr").info.pixelType, "float");
-  exportLayers(set, rig, folder / "layers.exr", {});
+  exportLayers(test::builtinColors(), set, rig, folder / "layers.exr", {});
   EXPECT_LE(worstHue(folder / "layers.exr", set, rig, &brightest), 0.5);
 }
 
@@ -95,7 +96,9 @@ TEST(FrameExport, CanBeStoppedWhileItIsWrittenAndLeavesNothing) {
     last = fraction;
     if (what == "writing" && fraction > 0.6F) stop = true;
   };
-  EXPECT_THROW(exportFrame(set, defaultRig(set.capture), folder / "frame.exr", {}, progress), Stopped);
+  EXPECT_THROW(
+      exportFrame(test::builtinColors(), set, defaultRig(set.capture), folder / "frame.exr", {}, progress),
+      Stopped);
   EXPECT_LT(last, 0.95F);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
@@ -104,9 +107,9 @@ TEST(HdrExport, RadianceKeepsEightBitsOfTheBrightestChannel) {
   const test::TemporaryFolder folder;
   const SolvedSet set = test::smallSet(2, 64, 40);
   const Rig rig = tenStopsMore(set);
-  exportFrame(set, rig, folder / "frame.hdr", {});
+  exportFrame(test::builtinColors(), set, rig, folder / "frame.hdr", {});
   const Image written = readImage(folder / "frame.hdr").image;
-  const Image exact = relight(set, rigFactors(rig, set.colorSpace()), rig.ambient);
+  const Image exact = relight(set, rigFactors(test::builtinColors(), rig, set.colorSpace()), rig.ambient);
   for (size_t p = 0; p < exact.pixelCount(); ++p) {
     const float most = std::max({exact.plane(0)[p], exact.plane(1)[p], exact.plane(2)[p]});
     for (int c = 0; c < 3; ++c) ASSERT_NEAR(written.plane(c)[p], exact.plane(c)[p], most / 128) << p;

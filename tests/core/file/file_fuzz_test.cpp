@@ -7,6 +7,7 @@
 #include "core/file/json_file.h"
 #include "core/image/io/image_io.h"
 #include "core/set/solved_file.h"
+#include "tests/support/builtin_colors.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_dng.h"
 
@@ -91,8 +92,9 @@ TEST(FileFuzz, DamagedManifestsNeverCrash) {
     "lights": [{"name": "key", "role": "key"}, {"name": "fill"}],
     "shots": [{"image": "a.png", "light_colors": [[0.9, 0.2, 0.15], null], "exposure_stops": 1e0}],
     "noise": {"read": 0.002, "full_well": 20000}, "truth": {"key": "k.exr"}, "other": [[{}], true, null]})";
-  tryDamaged(folder / "capture.json", text, 800,
-             [](const auto& path) { (void)jsonFromCapture(readCapture(path)).dump(); });
+  tryDamaged(folder / "capture.json", text, 800, [](const auto& path) {
+    (void)jsonFromCapture(readCapture(test::builtinColors(), path)).dump();
+  });
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
 #include "core/solve/solve.h"
+#include "tests/support/builtin_colors.h"
 #include "tests/support/synthetic_capture.h"
 #include "tests/support/temporary_folder.h"
 
@@ -38,7 +39,7 @@ TEST(ShotFolder, NumbersInNamesCountAsNumbers) {
   const TemporaryFolder folder;
   for (const char* name : {"shot_10.exr", "shot_9.exr", "shot_1.exr", "shot_010b.exr"})
     writePicture(folder.path() / name);
-  const ShotFolder found = scanShotFolder(folder.path());
+  const ShotFolder found = scanShotFolder(test::builtinColors(), folder.path());
   EXPECT_THAT(filesOf(found), ElementsAre("shot_1.exr", "shot_9.exr", "shot_10.exr", "shot_010b.exr"));
   EXPECT_FALSE(found.timed);
 }
@@ -47,7 +48,7 @@ TEST(ShotFolder, TheTimeOfTheirTakingGoesBeforeNames) {
   const TemporaryFolder folder;
   writePicture(folder.path() / "a.exr", {{"DateTime", "2026:11:21 10:00:30"}});
   writePicture(folder.path() / "b.exr", {{"DateTime", "2026:11:21 10:00:10"}});
-  const ShotFolder found = scanShotFolder(folder.path());
+  const ShotFolder found = scanShotFolder(test::builtinColors(), folder.path());
   EXPECT_TRUE(found.timed);
   EXPECT_THAT(filesOf(found), ElementsAre("b.exr", "a.exr"));
 }
@@ -58,7 +59,7 @@ TEST(ShotFolder, AmbientDarkAndWhatIsNoPictureAreNoShots) {
     writePicture(folder.path() / name);
   std::ofstream(folder.path() / "notes.txt") << "lunch";
   std::ofstream(folder.path() / "clip.mov") << "film";
-  const ShotFolder found = scanShotFolder(folder.path());
+  const ShotFolder found = scanShotFolder(test::builtinColors(), folder.path());
   EXPECT_THAT(filesOf(found), ElementsAre("one.exr", "two.exr"));
   EXPECT_EQ(found.ambient, "Ambient.exr");
   EXPECT_EQ(found.dark, "dark_1.exr");
@@ -67,9 +68,9 @@ TEST(ShotFolder, AmbientDarkAndWhatIsNoPictureAreNoShots) {
 
 TEST(ShotFolder, AFolderWithoutPhotographsIsSaid) {
   const TemporaryFolder folder;
-  EXPECT_THAT([&] { static_cast<void>(scanShotFolder(folder.path())); },
+  EXPECT_THAT([&] { static_cast<void>(scanShotFolder(test::builtinColors(), folder.path())); },
               ThrowsMessage<InputError>(HasSubstr("has no photographs")));
-  EXPECT_THAT([&] { static_cast<void>(scanShotFolder(folder.path() / "none")); },
+  EXPECT_THAT([&] { static_cast<void>(scanShotFolder(test::builtinColors(), folder.path() / "none")); },
               ThrowsMessage<InputError>(HasSubstr("is no folder")));
 }
 

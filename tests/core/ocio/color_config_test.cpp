@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <thread>
+#include <vector>
 
+#include "core/ocio/chosen_config.h"
 #include "core/ocio/color_config.h"
 #include "tests/support/temporary_folder.h"
 
@@ -18,6 +22,9 @@ using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+
+/// A foreign configuration.
+constexpr const char* kHandMade = SWAPLIGHT_TEST_DATA "/color/config.ocio";
 
 /// Red in the first pixel, green, blue, white, grey, and a ramp to 2 in the rest.
 Image colours() {
@@ -166,7 +173,7 @@ TEST(ColorConfig, AForeignConfigurationIsGivenTheNamesThatCapturesUse) {
 }
 
 TEST(ColorConfig, ActiveDisplaysAndViewsAndFileRulesAreHonoured) {
-  const ColorConfig config(SWAPLIGHT_TEST_DATA "/color/config.ocio");
+  const ColorConfig config(kHandMade);
   EXPECT_EQ(config.title(), "hand-made");
   EXPECT_THAT(config.displays(), ElementsAre("Projector", "Monitor"));
   EXPECT_THAT(config.views("Monitor"), ElementsAre("Film", "Warm film", "Print", "Plain", "Log"));
@@ -177,7 +184,7 @@ TEST(ColorConfig, ActiveDisplaysAndViewsAndFileRulesAreHonoured) {
 }
 
 TEST(ColorConfig, AViewsLookIsApplied) {
-  const ColorConfig config(SWAPLIGHT_TEST_DATA "/color/config.ocio");
+  const ColorConfig config(kHandMade);
   Image plain = colours(), warm = colours();
   config.applyView(plain.span(), "lin_rec709", {"Monitor", "Film"});
   config.applyView(warm.span(), "lin_rec709", {"Monitor", "Warm film"});
@@ -195,7 +202,7 @@ float apart(const Image& a, const Image& b) {
 }
 
 TEST(ColorConfig, AChosenLookTakesThePlaceOfTheViewsOwn) {
-  const ColorConfig config(SWAPLIGHT_TEST_DATA "/color/config.ocio");
+  const ColorConfig config(kHandMade);
   EXPECT_THAT(config.looks(), ElementsAre("warm", "bleach"));
   EXPECT_EQ(config.viewLook("Monitor", "Warm film"), "warm");
   EXPECT_EQ(config.viewLook("Monitor", "Film"), "");
@@ -215,7 +222,7 @@ TEST(ColorConfig, AChosenLookTakesThePlaceOfTheViewsOwn) {
 }
 
 TEST(ColorConfig, ALookThatTheConfigurationLacksIsListedAndLeftOut) {
-  const ColorConfig config(SWAPLIGHT_TEST_DATA "/color/config.ocio");
+  const ColorConfig config(kHandMade);
   EXPECT_THAT(inputError([&] {
                 config.checkView({"Monitor", "Film", "+warm, -cold"});
               }),
@@ -245,7 +252,7 @@ TEST(ColorConfig, TheBuiltInGamutCompressionKeepsGreysAndBringsPureColoursNearer
 
 TEST(ColorConfig, AViewWhoseTableIsMissingIsSaid) {
   const TemporaryFolder folder;
-  std::filesystem::copy(SWAPLIGHT_TEST_DATA "/color/config.ocio", folder / "config.ocio");
+  std::filesystem::copy(kHandMade, folder / "config.ocio");
   const ColorConfig config((folder / "config.ocio").string());
   config.checkView({"Monitor", "Plain"});
   EXPECT_THAT(inputError([&] {
@@ -254,16 +261,58 @@ TEST(ColorConfig, AViewWhoseTableIsMissingIsSaid) {
               AllOf(HasSubstr("config.ocio"), HasSubstr("film.spi1d")));
 }
 
-TEST(ColorConfig, WhatASessionChoosesIsUsedUntilItChoosesAnother) {
-  ASSERT_FALSE(ColorConfig::fromEnvironment());
-  const ColorConfig& before = ColorConfig::current();
-  ColorConfig::choose(SWAPLIGHT_TEST_DATA "/color/config.ocio");
-  EXPECT_EQ(ColorConfig::current().title(), "hand-made");
-  EXPECT_THAT(inputError([] { ColorConfig::choose("/nowhere/none.ocio"); }),
+/// Sets $OCIO for as long as it lives.
+class OcioVariable {
+ public:
+  explicit OcioVariable(const std::string& file) { ::setenv("OCIO", file.c_str(), 1); }
+  OcioVariable(const OcioVariable&) = delete;
+  OcioVariable& operator=(const OcioVariable&) = delete;
+  ~OcioVariable() { ::unsetenv("OCIO"); }
+};
+
+TEST(ChosenConfig, ASessionsFileElseTheBuiltIn) {
+  EXPECT_EQ(environmentConfig(), nullptr);
+  EXPECT_EQ(programConfig()->name(), "built-in");
+  EXPECT_EQ(programConfig(kHandMade)->title(), "hand-made");
+  EXPECT_THAT(inputError([] { static_cast<void>(programConfig("/nowhere/none.ocio")); }),
               AllOf(HasSubstr("/nowhere/none.ocio"), HasSubstr("color_config")));
-  EXPECT_EQ(ColorConfig::current().title(), "hand-made") << "a mistake changes nothing";
-  ColorConfig::choose({});
-  EXPECT_EQ(&ColorConfig::current(), &before);
+}
+
+TEST(ChosenConfig, TheEnvironmentGoesBeforeASession) {
+  const OcioVariable good(kHandMade);
+  EXPECT_EQ(environmentConfig()->title(), "hand-made");
+  EXPECT_EQ(programConfig("/nowhere/none.ocio")->title(), "hand-made");
+  const OcioVariable bad("/nowhere/mine.ocio");
+  EXPECT_THAT(inputError([] { static_cast<void>(programConfig()); }),
+              AllOf(HasSubstr("/nowhere/mine.ocio"), HasSubstr("$OCIO")));
+}
+
+/// What a configuration makes of one colour: into another space, and through a view.
+std::vector<float> converted(const ColorConfig& config, const std::string& to, const std::string& view) {
+  Image image(ImageSpec::rgb(3, 2), .18F);
+  image.plane(0)[1] = .9F;
+  Image seen = image.clone();
+  config.convert(image.span(), "acescg", to);
+  config.applyView(seen.span(), "acescg", {"Projector", view});
+  std::vector<float> values(image.plane(0), image.plane(0) + 3 * image.pixelCount());
+  values.insert(values.end(), seen.plane(0), seen.plane(0) + 3 * seen.pixelCount());
+  return values;
+}
+
+TEST(ColorConfig, ThreadsThatAskForTheSameAtOnceGetTheSame) {
+  const std::vector<std::string> spaces = {"lin_rec709", "srgb", "log_camera", "work", "aces"};
+  const std::vector<std::string> views = {"Film", "Plain"};
+  std::vector<std::vector<float>> alone;
+  for (size_t i = 0; i < 10; ++i)
+    alone.push_back(converted(ColorConfig(kHandMade), spaces[i % 5], views[i % 2]));
+  const ColorConfig shared(kHandMade);
+  std::vector<std::vector<float>> together(40);
+  {
+    std::vector<std::jthread> threads;
+    for (size_t i = 0; i < together.size(); ++i)
+      threads.emplace_back([&, i] { together[i] = converted(shared, spaces[i % 5], views[i % 2]); });
+  }
+  for (size_t i = 0; i < together.size(); ++i) EXPECT_EQ(together[i], alone[i % 10]) << i;
 }
 
 TEST(ColorConfig, ABrokenConfigurationIsSaidInOneLine) {

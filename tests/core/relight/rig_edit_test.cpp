@@ -6,6 +6,7 @@
 #include "core/relight/rig_edit.h"
 #include "core/relight/setting.h"
 #include "core/set/set_color_space.h"
+#include "tests/support/builtin_colors.h"
 
 namespace swaplight {
 namespace {
@@ -30,23 +31,24 @@ SolvedSet twoLights() {
 
 TEST(RigEdit, AsCapturedGivesThePhotographAgain) {
   const SolvedSet set = twoLights();
-  const Rig rig = rigOfShot(defaultRig(set.capture), set, 0);
+  const Rig rig = rigOfShot(test::builtinColors(), defaultRig(set.capture), set, 0);
   const Image frame = relight(set, rigFactors(rig));
   EXPECT_FLOAT_EQ(frame.plane(0)[0], 0.9F * 0.5F + 0.1F * 0.1F);
   EXPECT_FLOAT_EQ(frame.plane(1)[0], 0.2F * 0.3F + 0.8F * 0.2F);
-  const Rig second = rigOfShot(defaultRig(set.capture), set, 1);
+  const Rig second = rigOfShot(test::builtinColors(), defaultRig(set.capture), set, 1);
   EXPECT_EQ(second.lights[0].stops, 1.5F);
   EXPECT_EQ(second.lights[1], defaultRig(set.capture).lights[1]);  // unknown there
 }
 
 TEST(RigEdit, AsCapturedIsTheSameInEveryWorkingSpace) {
   const SolvedSet own = twoLights();
-  const SolvedSet wide = copyInColorSpace(own, "acescg");
+  const SolvedSet wide = copyInColorSpace(test::builtinColors(), own, "acescg");
   EXPECT_EQ(wide.colorSpace(), "acescg");
   EXPECT_EQ(own.colorSpace(), "lin_rec709") << "the set itself stays";
-  EXPECT_EQ(rigOfShot(defaultRig(wide.capture), wide, 0), rigOfShot(defaultRig(own.capture), own, 0));
+  EXPECT_EQ(rigOfShot(test::builtinColors(), defaultRig(wide.capture), wide, 0),
+            rigOfShot(test::builtinColors(), defaultRig(own.capture), own, 0));
   Image frame = allWhite(wide);
-  ColorConfig::current().convert(frame.span(), "acescg", "lin_rec709");
+  test::builtinColors().convert(frame.span(), "acescg", "lin_rec709");
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(frame.plane(c)[0], allWhite(own).plane(c)[0], 1e-6F);
 }
 
@@ -56,7 +58,8 @@ TEST(RigEdit, AChosenLightMakesAPixelNeutralAndTheOthersStay) {
   applySetting(rig.lights[0], "3200K,+0.5st");
   const size_t chosen[] = {0};
   const PixelShares shares = pixelShares(set, 0, 0);
-  const std::optional<Rig> neutral = neutralizePixel(rig, shares, chosen, "lin_rec709");
+  const std::optional<Rig> neutral =
+      neutralizePixel(test::builtinColors(), rig, shares, chosen, "lin_rec709");
   ASSERT_TRUE(neutral);
   EXPECT_EQ(neutral->lights[1], rig.lights[1]);
   EXPECT_EQ(neutral->lights[0].stops, 0.5F);
@@ -73,7 +76,8 @@ TEST(RigEdit, AChosenLightMakesAPixelNeutralAndTheOthersStay) {
 TEST(RigEdit, ALightThatDoesNotReachAPixelCannotMakeItNeutral) {
   const SolvedSet set = twoLights();
   const size_t chosen[] = {0};
-  EXPECT_FALSE(neutralizePixel(defaultRig(set.capture), pixelShares(set, 1, 0), chosen, "lin_rec709"));
+  EXPECT_FALSE(neutralizePixel(test::builtinColors(), defaultRig(set.capture), pixelShares(set, 1, 0), chosen,
+                               "lin_rec709"));
 }
 
 TEST(RigEdit, LockedLightsKeepTheirRatio) {
@@ -129,19 +133,20 @@ TEST(RigEdit, SharesOfAPixelAddUpToTheRelitPicture) {
   applySetting(rig.lights[0], "3200K,+1st");
   rig.ambient = 2;
   const Image relit = relight(set, rigFactors(rig), rig.ambient);
-  const std::vector<Rgb> shares = relitShares(rig, pixelShares(set, 0, 0), "lin_rec709");
+  const std::vector<Rgb> shares =
+      relitShares(test::builtinColors(), rig, pixelShares(set, 0, 0), "lin_rec709");
   ASSERT_EQ(shares.size(), 3U);
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(shares[0][c] + shares[1][c] + shares[2][c], relit.plane(c)[0], 1e-5F);
 }
 
 TEST(RigEdit, ALightTakesTheHueOfAPixelWhateverItsBrightness) {
-  const LightColor color = lightColorOfPixel({0.5F, 0.25F, 0.1F}, "lin_rec709");
+  const LightColor color = lightColorOfPixel(test::builtinColors(), {0.5F, 0.25F, 0.1F}, "lin_rec709");
   const Rgb factor = colorFactor(color);
   EXPECT_NEAR(factor.r, 1, 1e-4F);
   EXPECT_NEAR(factor.g, 0.5F, 1e-4F);
   EXPECT_NEAR(factor.b, 0.2F, 1e-4F);
-  EXPECT_EQ(lightColorOfPixel(Rgb(0), "lin_rec709"), LightColor{});
+  EXPECT_EQ(lightColorOfPixel(test::builtinColors(), Rgb(0), "lin_rec709"), LightColor{});
 }
 
 }  // namespace

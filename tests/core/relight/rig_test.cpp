@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/relight/setting.h"
+#include "tests/support/builtin_colors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace swaplight {
@@ -38,7 +39,7 @@ TEST(Rig, FactorsForOtherPrimariesKeepWhiteAndLuminance) {
   Rig rig = defaultRig(captureOf({"white", "red", "off"}));
   applySetting(rig.lights[1], "rgb:1/0/0");
   applySetting(rig.lights[2], "off");
-  const std::vector<Rgb> factors = rigFactors(rig, "acescg");
+  const std::vector<Rgb> factors = rigFactors(test::builtinColors(), rig, "acescg");
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(factors[0][c], 1, 1e-4);
     EXPECT_EQ(factors[2][c], 0);
@@ -47,7 +48,7 @@ TEST(Rig, FactorsForOtherPrimariesKeepWhiteAndLuminance) {
   EXPECT_NEAR(factors[1].x, 0.6131f, 2e-3);
   EXPECT_NEAR(factors[1].y, 0.0702f, 2e-3);
   EXPECT_NEAR(factors[1].z, 0.0206f, 2e-3);
-  EXPECT_EQ(rigFactors(rig, "lin_rec709"), rigFactors(rig));
+  EXPECT_EQ(rigFactors(test::builtinColors(), rig, "lin_rec709"), rigFactors(rig));
 }
 
 TEST(Rig, ComesBackFromJson) {

@@ -9,6 +9,7 @@
 #include "core/capture/capture.h"
 #include "core/image/io/image_io.h"
 #include "core/solve/solve.h"
+#include "tests/support/builtin_colors.h"
 #include "tests/support/synthetic_capture.h"
 
 namespace swaplight {
@@ -121,7 +122,8 @@ TEST(AlignShots, LightsFromOtherSidesAreNotTakenForAMovedCameraButHalfAPixelIs) 
     EXPECT_GT(farthest, 0.15F) << "the whole pictures alone would have it move";
   }
   for (const char* name : {"three_point", "film_set", "two_swapped"}) {
-    const CapturePixels still = loadCapturePixels(readCapture(samples / name / "capture.json"));
+    const CapturePixels still = loadCapturePixels(
+        test::builtinColors(), readCapture(test::builtinColors(), samples / name / "capture.json"));
     for (const ShotShift half : {ShotShift{0.5F, 0}, ShotShift{0, -0.5F}, ShotShift{-0.35F, 0.35F}}) {
       std::vector<ShotShift> shifts(still.shots.size());
       shifts[1] = half;

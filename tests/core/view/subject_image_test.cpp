@@ -7,6 +7,7 @@
 #include "core/relight/setting.h"
 #include "core/view/probe.h"
 #include "core/view/subject_image.h"
+#include "tests/support/builtin_colors.h"
 
 namespace swaplight {
 namespace {
@@ -71,7 +72,8 @@ TEST(Probe, TellsAPixelUnderTheRig) {
   const SolvedSet set = smallSet();
   Rig rig = defaultRig(set.capture);
   applySetting(rig.lights[0], "-1st");
-  const PixelProbe probe = probePixels(set, rig, 0, 0, 1, plainTable(), kRec709Luminance);
+  const PixelProbe probe =
+      probePixels(test::builtinColors(), set, rig, 0, 0, 1, plainTable(), kRec709Luminance);
   EXPECT_NEAR(probe.linear.g, 0.25F, 1e-5F);
   EXPECT_NEAR(probe.stops, std::log2(0.25F / 0.18F), 1e-4F);
   EXPECT_NEAR(probe.shares[0], 0.6F, 1e-4F);
@@ -82,7 +84,8 @@ TEST(Probe, TellsAPixelUnderTheRig) {
 
 TEST(Probe, ASquareAtTheEdgeIsTheMeanOfWhatIsThere) {
   const SolvedSet set = smallSet();
-  const PixelProbe probe = probePixels(set, defaultRig(set.capture), 1, 0, 9, plainTable(), kRec709Luminance);
+  const PixelProbe probe = probePixels(test::builtinColors(), set, defaultRig(set.capture), 1, 0, 9,
+                                       plainTable(), kRec709Luminance);
   EXPECT_NEAR(probe.linear.r, 0.29F, 1e-5F);
   EXPECT_EQ(probe.flags, kTooDark | kFilled);
 }
@@ -91,7 +94,8 @@ TEST(Probe, BlackHasNoStopsAndNoShares) {
   SolvedSet set = smallSet();
   Rig rig = defaultRig(set.capture);
   applySetting(rig.lights[1], "off");
-  const PixelProbe probe = probePixels(set, rig, 1, 0, 1, plainTable(), kRec709Luminance);
+  const PixelProbe probe =
+      probePixels(test::builtinColors(), set, rig, 1, 0, 1, plainTable(), kRec709Luminance);
   EXPECT_TRUE(std::isinf(probe.stops));
   EXPECT_EQ(probe.shares[0] + probe.shares[1], 0);
 }
