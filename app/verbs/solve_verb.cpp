@@ -61,6 +61,8 @@ void addSolveVerb(Program& program) {
       ->type_name("NAME");
   verb.add_flag("--multipart", a->file.multipart, "One EXR part a light instead of layers");
   verb.add_flag("--float", a->file.floatPictures, "Contributions as 32-bit float instead of half");
+  verb.add_flag("--half", a->file.halfSum,
+                "R G B, their sum, as half instead of 32-bit float: a smaller file");
   a->solve.addTo(verb);
 }
 

@@ -53,7 +53,7 @@ Image sumAsWritten(const SolvedSet& set, bool half) {
 }
 
 /// Whether half float holds the sum to a thousandth of full scale. Where lamps in the picture are brighter
-/// than that allows, R G B is written as float, so that it stays the sum of its layers.
+/// than that allows, R G B is written as float even where half was asked for: it stays the sum of its layers.
 bool halfIsEnough(const Image& sum) {
   constexpr float kMost = 1e-3F;
   std::atomic<bool> enough = true;
@@ -85,9 +85,9 @@ std::vector<std::string> lightNames(const Capture& capture) {
 }
 
 /// The file as one part a layer.
-std::vector<PartToWrite> partsOf(const SolvedSet& set, const Image& sum, PixelType pictures) {
-  const PixelType sumType =
-      pictures == PixelType::Half && halfIsEnough(sum) ? PixelType::Half : PixelType::Float;
+std::vector<PartToWrite> partsOf(const SolvedSet& set, const Image& sum, const SolvedFileOptions& options) {
+  const PixelType pictures = options.floatPictures ? PixelType::Float : PixelType::Half;
+  const PixelType sumType = options.halfSum && halfIsEnough(sum) ? PixelType::Half : PixelType::Float;
   const std::vector<std::string> colors(std::begin(kColors), std::end(kColors));
   const std::vector<std::string> lights = lightNames(set.capture);
   std::vector<PartToWrite> parts = {partOf("rgb", sum, colors, sumType)};
@@ -232,9 +232,8 @@ void writeSolvedSet(const SolvedSet& set, const fs::path& file, const SolvedFile
   if (file.extension() != ".exr")
     throw InputError("{}: a solved set is written as OpenEXR. Name it {}.", file.string(),
                      fs::path(file).replace_extension(".exr").string());
-  const PixelType pictures = options.floatPictures ? PixelType::Float : PixelType::Half;
-  const Image sum = sumAsWritten(set, pictures == PixelType::Half);
-  std::vector<PartToWrite> parts = partsOf(set, sum, pictures);
+  const Image sum = sumAsWritten(set, !options.floatPictures);
+  std::vector<PartToWrite> parts = partsOf(set, sum, options);
   if (!options.multipart) parts = {merged(parts)};
   FileToWrite contents{set.width(),      set.height(),        std::move(parts),
                        set.colorSpace(), options.compression, headerOf(set, file)};

@@ -83,7 +83,7 @@ TEST_P(SolvedFile, TheLayersAddUpToTheBeautyToTheLastBit) {
       float sum = 0;
       for (const char* layer : {"key.", "fill.", "rim.", "ambient."})
         sum += all.plane(all.channelIndex(std::string(layer) + c))[p];
-      ASSERT_EQ(all.plane(all.channelIndex(c))[p], roundedToHalf(sum));
+      ASSERT_EQ(all.plane(all.channelIndex(c))[p], sum);
     }
 }
 
@@ -98,8 +98,9 @@ TEST(SolvedFileHeader, HoldsWhatTheContractSays) {
                                        "quality.residual", "quality.sigma", "quality.flags"}));
   for (int c = 0; c < spec.nchannels; ++c) {
     const std::string& name = spec.channelnames[static_cast<size_t>(c)];
-    const bool data = name.starts_with("beta.") || name.starts_with("quality.");
-    EXPECT_EQ(spec.channelformat(c), data ? OIIO::TypeFloat : OIIO::TypeHalf) << name;
+    const bool isLight =
+        name.find('.') != std::string::npos && !name.starts_with("beta.") && !name.starts_with("quality.");
+    EXPECT_EQ(spec.channelformat(c), isLight ? OIIO::TypeHalf : OIIO::TypeFloat) << name;
   }
   EXPECT_THAT(spec.get_string_attribute("Software"), HasSubstr("swaplight "));
   EXPECT_EQ(Json::parse(spec.get_string_attribute("swaplight/capture").c_str())["name"], "set");
@@ -109,11 +110,26 @@ TEST(SolvedFileHeader, HoldsWhatTheContractSays) {
   EXPECT_FLOAT_EQ(static_cast<const float*>(xy->data())[0], 0.713F) << "ACEScg";
 }
 
-TEST(SolvedFileHeader, ASumThatHalfCannotHoldIsFloat) {
+TEST(SolvedFileHeader, TheSumIsHalfWhereThatIsAskedFor) {
+  const TemporaryFolder folder;
+  writeSolvedSet(threeLights(), folder / "solved.exr", {.halfSum = true});
+  const auto in = OIIO::ImageInput::open((folder / "solved.exr").string());
+  ASSERT_TRUE(in);
+  EXPECT_EQ(in->spec().channelformat(in->spec().channelindex("R")), OIIO::TypeHalf);
+  const Image all = readImage(folder / "solved.exr").image;
+  for (size_t p = 0; p < all.pixelCount(); ++p) {
+    float sum = 0;
+    for (const char* layer : {"key.G", "fill.G", "rim.G", "ambient.G"})
+      sum += all.plane(all.channelIndex(layer))[p];
+    ASSERT_EQ(all.plane(all.channelIndex("G"))[p], roundedToHalf(sum));
+  }
+}
+
+TEST(SolvedFileHeader, ASumThatHalfCannotHoldIsFloatAllTheSame) {
   const TemporaryFolder folder;
   SolvedSet set = threeLights();
   set.contributions[0] = randomPicture(4, 6);
-  writeSolvedSet(set, folder / "solved.exr");
+  writeSolvedSet(set, folder / "solved.exr", {.halfSum = true});
   const auto in = OIIO::ImageInput::open((folder / "solved.exr").string());
   ASSERT_TRUE(in);
   EXPECT_EQ(in->spec().channelformat(in->spec().channelindex("R")), OIIO::TypeFloat);
