@@ -7,7 +7,7 @@
 # Their compile options must be the same, and so add_compile_options stands before.
 
 set(SWAPLIGHT_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional>
-  <span> <string> <utility> <vector> <fmt/format.h> <fmt/ranges.h> <glm/glm.hpp>)
+  <span> <string> <utility> <vector> <fmt/format.h> <fmt/ranges.h> <glm/glm.hpp> <nlohmann/json.hpp>)
 set(SWAPLIGHT_COMMON_LIBRARIES fmt::fmt glm::glm nlohmann_json::nlohmann_json)
 
 macro(swaplight_headers name)

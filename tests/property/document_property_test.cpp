@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "core/base/json.h"
 #include "core/relight/setting.h"
 #include "core/session/document_editor.h"
 #include "core/session/session_file.h"
@@ -37,7 +38,7 @@ RC_GTEST_PROP(Properties, AnEditStackComesBackFromJson, ()) {
 RC_GTEST_PROP(Properties, ASessionComesBackFromJson, ()) {
   Session session;
   session.document = anyDocument();
-  session.unknown = {{"written by a later version", anyInt(0, 9)}};
+  session.unknown = Json{{"written by a later version", anyInt(0, 9)}};
   const Json json = Json::parse(jsonFromSession(session, "/sets").dump());
   const Session read = sessionFromJson(json, "/sets", "any.swaplight");
   RC_ASSERT(read.document == session.document);

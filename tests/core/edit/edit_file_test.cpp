@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/file/json_file.h"
 #include "tests/support/temporary_folder.h"
 
