@@ -1,13 +1,13 @@
 # The Debian packages that building, testing and checking take, and how they are installed. Sourced by the scripts.
 
 # openimageio-tools: OpenImageIO's CMake files want its programs to be there.
-build_packages=(g++ cmake ninja-build pkg-config ccache
+build_packages=(g++ cmake ninja-build pkg-config
   libopenimageio-dev openimageio-tools libopencolorio-dev libopencv-dev libopencv-contrib-dev libtbb-dev
   libeigen3-dev zlib1g-dev libdeflate-dev libopenexr-dev liblcms2-dev libssl-dev
   libfmt-dev nlohmann-json3-dev libcli11-dev libglm-dev
   libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl1 libfreetype-dev
   fonts-inter fonts-material-design-icons-iconfont)
-test_packages=(libgtest-dev libgmock-dev python3 python3-numpy python3-openimageio xvfb xdotool python3-xlib imagemagick)
+test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-numpy python3-openimageio xvfb xdotool python3-xlib imagemagick)
 check_packages=(git clang clang-format clang-tidy)
 fresh_packages=(mmdebstrap git)
 
