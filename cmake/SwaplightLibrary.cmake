@@ -10,10 +10,19 @@
 # The link line is the architecture: a test refuses an include that the line does not name, a file that is not
 # listed, and circles (tests/structure).
 
+set(SWAPLIGHT_KERNEL_LEVELS "all" CACHE STRING "all: kernels for each class of processor; native: for this one only")
 set(SWAPLIGHT_LEVELS 1)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT SWAPLIGHT_SANITIZE)
+set(SWAPLIGHT_LEVEL_1_OPTIONS "")
+if(SWAPLIGHT_SANITIZE OR SWAPLIGHT_KERNEL_LEVELS STREQUAL "native")
+  add_compile_definitions(SWAPLIGHT_ONE_LEVEL)  # core/simd/simd.h
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   list(APPEND SWAPLIGHT_LEVELS 3 4)
 endif()
+if(SWAPLIGHT_KERNEL_LEVELS STREQUAL "native")
+  set(SWAPLIGHT_LEVEL_1_OPTIONS -march=native)
+endif()
+set(SWAPLIGHT_LEVEL_3_OPTIONS -march=x86-64-v3)
+set(SWAPLIGHT_LEVEL_4_OPTIONS -march=x86-64-v4)
 
 # Compiles files of kernels once for each class of processor, into a target.
 function(swaplight_kernels target)
@@ -22,7 +31,7 @@ function(swaplight_kernels target)
     add_library(${kernels} OBJECT ${ARGN})
     target_include_directories(${kernels} PRIVATE ${PROJECT_SOURCE_DIR})
     target_compile_definitions(${kernels} PRIVATE SWAPLIGHT_LEVEL=level${level})
-    target_compile_options(${kernels} PRIVATE -O3 $<$<NOT:$<EQUAL:${level},1>>:-march=x86-64-v${level}>)
+    target_compile_options(${kernels} PRIVATE -O3 ${SWAPLIGHT_LEVEL_${level}_OPTIONS})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${kernels}>)
     set_property(GLOBAL APPEND PROPERTY SWAPLIGHT_KERNELS ${kernels})
   endforeach()

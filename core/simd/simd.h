@@ -40,7 +40,7 @@
 ///
 /// SWAPLIGHT_DECLARE_KERNEL(name, parameters...) declares void name(parameters...) for every class;
 /// SWAPLIGHT_KERNEL(name) is the one for this machine.
-#if defined(__x86_64__) && !defined(SWAPLIGHT_SANITIZE)
+#if defined(__x86_64__) && !defined(SWAPLIGHT_ONE_LEVEL)
 #define SWAPLIGHT_DECLARE_KERNEL(name, ...) \
   namespace level1 {                        \
   void name(__VA_ARGS__);                   \
