@@ -60,8 +60,7 @@ void SolveArguments::addTo(CLI::App& verb) {
   add(verb.add_option("--solver", m_solve.solver,
                       fmt::format("Instead of the model's own estimator: {}", fmt::join(solvers, ", "))))
       ->type_name("NAME");
-  add(verb.add_option("--denoise", m_solve.denoise,
-                      "off or guided: smooth what noise left, by the sum's edges"))
+  add(verb.add_option("--denoise", m_denoise, "off or guided: smooth what noise left, by the sum's edges"))
       ->type_name("HOW")
       ->capture_default_str();
   add(verb.add_flag("--solve-ambient", m_solve.solveAmbient,
@@ -88,7 +87,7 @@ SolveOptions SolveArguments::resolve() const {
   SolveOptions resolved = m_solve;
   resolved.model = modelFromName(m_model);
   resolved.align = chosen("--align", m_align, "off", "on");
-  chosen("--denoise", m_solve.denoise, "off", "guided");
+  if (chosen("--denoise", m_denoise, "off", "guided")) resolved.denoise = Denoise::Guided;
   if (!m_noise.empty()) resolved.noise = noiseFromText(m_noise);
   return resolved;
 }

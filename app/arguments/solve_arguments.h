@@ -21,6 +21,7 @@ class SolveArguments {
  private:
   std::string m_model = "auto";
   std::string m_align = "off";
+  std::string m_denoise = "off";
   std::string m_noise;
   SolveOptions m_solve;
   std::vector<const CLI::Option*> m_options;

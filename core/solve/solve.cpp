@@ -184,6 +184,7 @@ void fillDarkBeta(SolvedSet& set) {
 
 SolvedSet solve(const Capture& given, const CapturePixels& photographs, const SolveOptions& options,
                 const Progress& progress) {
+  options.check();
   const auto started = std::chrono::steady_clock::now();
   const std::string where = given.file.empty() ? given.name : given.file.filename().string();
   const Capture capture = options.solveAmbient ? withAmbientLight(given, where) : given;
@@ -259,7 +260,7 @@ SolvedSet solve(const Capture& given, const CapturePixels& photographs, const So
   }
   flagOutside(report.shifts, set);
   fillDarkBeta(set);
-  if (options.denoise == "guided") {
+  if (options.denoise == Denoise::Guided) {
     denoiseGuided(set, context, options.guidedRadius);
     updateBeta(set);
     fillDarkBeta(set);

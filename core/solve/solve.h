@@ -8,8 +8,8 @@
 namespace swaplight {
 
 /// Tells the lights of a capture apart: the one entry point to every estimator.
-/// Throws InputError where the capture cannot be solved (equal lights, more lights than shots can tell, an
-/// estimator that does not fit), Stopped when asked to.
+/// Throws InputError where an option is out of its range or the capture cannot be solved (equal lights, more
+/// lights than shots can tell, an estimator that does not fit), Stopped when asked to.
 [[nodiscard]] SolvedSet solve(const Capture& capture, const CapturePixels& pixels,
                               const SolveOptions& options, const Progress& progress = {});
 

@@ -1,6 +1,7 @@
 #include "core/solve/model/solve_options.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "core/base/error.h"
@@ -19,21 +20,64 @@ constexpr std::array<std::pair<Model, const char*>, 5> kModels = {{
     {Model::Transport, "transport"},
 }};
 
-}  // namespace
+constexpr std::array<std::pair<Denoise, const char*>, 2> kDenoising = {{
+    {Denoise::Off, "off"},
+    {Denoise::Guided, "guided"},
+}};
 
-std::string modelName(Model model) {
-  for (const auto& [value, name] : kModels)
-    if (value == model) return name;
-  return "auto";
+// What is taken for a slip of the pen; in units of full scale, and pixels.
+constexpr double kMostRead = 1e6;
+constexpr double kLeastFullWell = 1e-6, kMostFullWell = 1e30;
+constexpr int kWidestRadius = 1000;
+
+template <typename Value, size_t count>
+std::string nameIn(const std::array<std::pair<Value, const char*>, count>& names, Value wanted) {
+  for (const auto& [value, name] : names)
+    if (value == wanted) return name;
+  return names.front().second;
 }
 
-Model modelFromName(const std::string& name) {
+/// `what` begins the message, as "there is no model".
+template <typename Value, size_t count>
+Value valueIn(const std::array<std::pair<Value, const char*>, count>& names, const std::string& name,
+              const char* what) {
   std::string known;
-  for (const auto& [value, text] : kModels) {
+  for (const auto& [value, text] : names) {
     if (name == text) return value;
     known += known.empty() ? text : std::string(", ") + text;
   }
-  throw InputError("there is no model \"{}\". Choose one of: {}", name, known);
+  throw InputError("{} \"{}\". Choose one of: {}", what, name, known);
+}
+
+/// Throws InputError where it lies outside, or is not a number.
+void checkRange(const char* what, double value, double low, double high) {
+  if (!(value >= low && value <= high))
+    throw InputError("the {} of a solve is {}, expected {} to {}", what, value, low, high);
+}
+
+}  // namespace
+
+std::string modelName(Model model) {
+  return nameIn(kModels, model);
+}
+
+Model modelFromName(const std::string& name) {
+  return valueIn(kModels, name, "there is no model");
+}
+
+std::string denoiseName(Denoise denoise) {
+  return nameIn(kDenoising, denoise);
+}
+
+Denoise denoiseFromName(const std::string& name) {
+  return valueIn(kDenoising, name, "there is no denoising");
+}
+
+void SolveOptions::check() const {
+  if (noise) checkRange("read noise", noise->read, 0, kMostRead);
+  if (noise) checkRange("full well", noise->fullWell, kLeastFullWell, kMostFullWell);
+  if (!(colorUncertainty < 0)) checkRange("colour uncertainty", colorUncertainty, 0, 1);
+  checkRange("radius of denoising", guidedRadius, 1, kWidestRadius);
 }
 
 Json jsonFromSolveOptions(const SolveOptions& options) {
@@ -44,7 +88,7 @@ Json jsonFromSolveOptions(const SolveOptions& options) {
   json["refine_colors"] = options.refineColors;
   json["ambient"] = options.solveAmbient;
   json["align"] = options.align;
-  json["denoise"] = options.denoise;
+  json["denoise"] = denoiseName(options.denoise);
   json["guided_radius"] = options.guidedRadius;
   return json;
 }
@@ -56,17 +100,18 @@ SolveOptions solveOptionsFromJson(const Json& json, const std::string& where) {
   options.solver = fields.text("solver").value_or("");
   if (const Json* noise = fields.find("noise")) {
     JsonFields sensor(*noise, where + ": noise");
-    options.noise = SensorNoise{sensor.number("read", 0, 1e6).value_or(0),
-                                sensor.number("full_well", 1e-6, 1e12).value_or(SensorNoise{}.fullWell)};
+    options.noise = SensorNoise{
+        sensor.number("read", 0, kMostRead).value_or(0),
+        sensor.number("full_well", kLeastFullWell, kMostFullWell).value_or(SensorNoise{}.fullWell)};
   }
   options.colorUncertainty =
       static_cast<float>(fields.number("color_uncertainty", 0, 1).value_or(options.colorUncertainty));
   options.refineColors = fields.boolean("refine_colors").value_or(options.refineColors);
   options.solveAmbient = fields.boolean("ambient").value_or(options.solveAmbient);
   options.align = fields.boolean("align").value_or(options.align);
-  options.denoise = fields.text("denoise").value_or(options.denoise);
+  if (const auto denoise = fields.text("denoise")) options.denoise = denoiseFromName(*denoise);
   options.guidedRadius =
-      static_cast<int>(fields.number("guided_radius", 1, 1000).value_or(options.guidedRadius));
+      static_cast<int>(fields.number("guided_radius", 1, kWidestRadius).value_or(options.guidedRadius));
   return options;
 }
 

@@ -19,6 +19,14 @@ enum class Model {
 [[nodiscard]] std::string modelName(Model model);
 [[nodiscard]] Model modelFromName(const std::string& name);  ///< throws InputError, listing the known
 
+/// What is done about the noise that telling the lights apart leaves.
+enum class Denoise {
+  Off,
+  Guided,  ///< proportions pooled with like neighbours: see denoise.h
+};
+[[nodiscard]] std::string denoiseName(Denoise denoise);
+[[nodiscard]] Denoise denoiseFromName(const std::string& name);  ///< throws InputError, listing the known
+
 /// What the person asks of a solve. What was made of it stands in SolveReport.
 struct SolveOptions {
   Model model = Model::Auto;
@@ -27,12 +35,14 @@ struct SolveOptions {
   /// Relative standard error of the light colours, 0..1: real gels are known to a few per cent. Negative:
   /// estimated from the shots.
   float colorUncertainty = -1;
-  bool solveAmbient = false;    ///< one more unknown light, the same in every shot (K > N)
-  bool refineColors = false;    ///< estimate the light colours from the pictures, starting at the manifest's
-  bool align = false;           ///< register the shots to the first (sub-pixel translation)
-  std::string denoise = "off";  ///< off | guided
-  int guidedRadius = 8;         ///< pixels, for denoise = guided
+  bool solveAmbient = false;  ///< one more unknown light, the same in every shot (K > N)
+  bool refineColors = false;  ///< estimate the light colours from the pictures, starting at the manifest's
+  bool align = false;         ///< register the shots to the first (sub-pixel translation)
+  Denoise denoise = Denoise::Off;
+  int guidedRadius = 8;  ///< pixels, 1..1000: how far Denoise::Guided looks
 
+  /// Throws InputError that names the first value out of its range.
+  void check() const;
   bool operator==(const SolveOptions&) const = default;
 };
 

@@ -55,7 +55,7 @@ TEST(Denoise, NoiseGoesAndAnEdgeThatTheSumDoesNotShowStays) {
   SolveOptions options;
   options.solver = "maximum-likelihood";
   const SolvedSet plain = solve(capture, pixels, options);
-  options.denoise = "guided";
+  options.denoise = Denoise::Guided;
   const SolvedSet smooth = solve(capture, pixels, options);
   const double jump = columnMean(smooth, kEdgeColumn - 1) - columnMean(smooth, kEdgeColumn);
   EXPECT_LT(flatError(smooth), 0.2 * flatError(plain));
@@ -68,7 +68,7 @@ TEST(Denoise, TheSumOfTheLightsIsNotTouched) {
   const CapturePixels pixels = photograph(capture, SyntheticSet(3, 0.2F));
   SolveOptions options;
   const SolvedSet plain = solve(capture, pixels, options);
-  options.denoise = "guided";
+  options.denoise = Denoise::Guided;
   const SolvedSet smooth = solve(capture, pixels, options);
   const Image before = allWhite(plain);
   const Image after = allWhite(smooth);

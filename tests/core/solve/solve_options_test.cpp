@@ -1,0 +1,57 @@
+#include "core/solve/model/solve_options.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/json.h"
+#include "tests/support/temporary_folder.h"
+
+namespace swaplight {
+namespace {
+
+using test::inputError;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TEST(SolveOptions, DenoisingComesBackFromJson) {
+  SolveOptions options;
+  options.denoise = Denoise::Guided;
+  options.guidedRadius = 3;
+  const Json json = jsonFromSolveOptions(options);
+  EXPECT_EQ(json["denoise"], "guided");
+  EXPECT_EQ(solveOptionsFromJson(json), options);
+  EXPECT_EQ(jsonFromSolveOptions({})["denoise"], "off");
+}
+
+TEST(SolveOptions, AnUnknownDenoisingIsNotTakenForNone) {
+  EXPECT_THAT(inputError([] {
+                static_cast<void>(solveOptionsFromJson({{"denoise", "strong"}}));
+              }),
+              AllOf(HasSubstr("\"strong\""), HasSubstr("off, guided")));
+}
+
+TEST(SolveOptions, WhatLiesOutOfItsRangeIsSaid) {
+  EXPECT_NO_THROW(SolveOptions().check());
+  const auto message = [](const auto& spoil) {
+    SolveOptions options;
+    spoil(options);
+    return inputError([&] { options.check(); });
+  };
+  EXPECT_THAT(message([](SolveOptions& options) { options.guidedRadius = 0; }),
+              AllOf(HasSubstr("radius"), HasSubstr("1 to 1000")));
+  EXPECT_THAT(message([](SolveOptions& options) { options.colorUncertainty = 2; }), HasSubstr("0 to 1"));
+  EXPECT_THAT(message([](SolveOptions& options) { options.colorUncertainty = NAN; }), HasSubstr("nan"));
+  EXPECT_THAT(message([](SolveOptions& options) {
+                options.noise = SensorNoise{-.1, 2e4};
+              }),
+              HasSubstr("read noise"));
+  EXPECT_THAT(message([](SolveOptions& options) {
+                options.noise = SensorNoise{.1, 0};
+              }),
+              HasSubstr("full well"));
+}
+
+}  // namespace
+}  // namespace swaplight
