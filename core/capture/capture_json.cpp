@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kFormat = "swaplight-capture";
 constexpr int kVersion = 1;
-constexpr double kMostStops = 40;
+constexpr double kMostStops = 40;  // either way: no camera's exposures span so much
 
 /// Keeps what a newer or another program wrote, and says so.
 Json keepUnknown(const JsonFields& fields, std::vector<std::string>& warnings) {

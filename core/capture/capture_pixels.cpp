@@ -19,6 +19,16 @@ namespace {
 constexpr float kNoClip = std::numeric_limits<float>::infinity();
 constexpr int kGrain = 64;  // rows
 
+/// In steps of a file's coding: values this little below white are saturated too. They stand for it after a
+/// decoder's rounding; a whole step below is a value of its own.
+constexpr float kWhiteMargin = 0.25F;
+
+/// Noise makes dark pixels a little negative. What is darker is no noise, and is told: this part of full
+/// scale (by judgement: a black level that is a little wrong is no damage), or this many standard deviations
+/// of a read noise that is known, whichever is more: normal noise passes six in one of 10^9 pixels.
+constexpr double kDarkest = 0.02;
+constexpr double kReadDeviations = 6;
+
 /// A picture of the capture, as read and in linear light.
 struct Picture {
   std::filesystem::path file;
@@ -51,12 +61,12 @@ void describeCoding(const ColorConfig& config, Picture& picture, const std::stri
   const float step = 1.0F / static_cast<float>((1 << std::clamp(bits, 1, 16)) - 1);
   const float white = linearOf(config, 1, from, to);
   picture.quantum = white - linearOf(config, 1 - step, from, to);
-  picture.clip = white - picture.quantum / 4;
+  picture.clip = white - kWhiteMargin * picture.quantum;
 }
 
-/// Noise makes dark pixels a little negative; no sensor makes them more so than this.
+/// No sensor's noise makes pixels more negative than this.
 float lowestCredible(const Capture& capture) {
-  return -static_cast<float>(std::max(0.02, capture.noise ? 6 * capture.noise->read : 0.0));
+  return -static_cast<float>(std::max(kDarkest, capture.noise ? kReadDeviations * capture.noise->read : 0.0));
 }
 
 /// Describes a damaged picture.

@@ -15,6 +15,16 @@ namespace {
 
 constexpr int kGrain = 64;           // rows
 constexpr float kPileFrom = 0.999F;  // of the largest value: saturated pixels differ by their read noise
+constexpr float kFullScale = 1e-4F;  // how near to 1 a largest value is full scale
+// A pile, see sensor_limits.h: so many samples from kPileFrom on, and no less than this part of those between
+// kBelowPile and it. Highlights that fade evenly would have (1 - .999) / (.999 - .95), a fiftieth.
+constexpr size_t kLeastPile = 16;
+constexpr size_t kPilePart = 4;  // a quarter
+constexpr float kBelowPile = 0.95F;
+constexpr int kPiledShots = 2;  // a lamp that is brightest in one shot only is no limit of the sensor
+// Of a step of 16 bits: how far a value may lie from one of fewer bits that was rounded to 16; half a step,
+// and a tenth of that for the arithmetic of float.
+constexpr float kCodingTolerance = 0.55F;
 constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
 SWAPLIGHT_SIMD(PixelCounts, countRange,
@@ -42,7 +52,7 @@ struct Pile {
 
 SWAPLIGHT_SIMD(Pile, pileIn, (const float* values, size_t count, float level), (values, count, level)) {
   const float from = level * kPileFrom;
-  const float lower = level * 0.95F;
+  const float lower = level * kBelowPile;
   uint32_t at = 0;
   uint32_t below = 0;
   for (size_t p = 0; p < count; ++p) {
@@ -64,13 +74,13 @@ bool hasPile(const Image& image, float level) {
       below += pile.below;
     }
   });
-  return at >= 16 && at * 4 >= below;
+  return at >= kLeastPile && at * kPilePart >= below;
 }
 
 /// True where every value is one of 2^bits levels, to half a step of 16 bits.
 bool isCodedWith(const Image& image, int bits) {
   const auto levels = static_cast<float>((1 << bits) - 1);
-  const float tolerance = 0.55F * levels / 65535.0F;
+  const float tolerance = kCodingTolerance * levels / 65535.0F;
   for (int c = 0; c < image.channelCount(); ++c)
     for (size_t p = 0; p < image.pixelCount(); ++p) {
       const float level = image.plane(c)[p] * levels;
@@ -101,11 +111,11 @@ float floatClipLevel(std::span<const Image> shots, std::span<const PixelCounts> 
   constexpr float kNone = std::numeric_limits<float>::infinity();
   float largest = 0;
   for (const PixelCounts& count : counts) largest = std::max(largest, count.largest);
-  if (std::abs(largest - 1) <= 1e-4F) return std::min(largest, 1.0F);
+  if (std::abs(largest - 1) <= kFullScale) return std::min(largest, 1.0F);
   if (largest <= 0) return kNone;
   const auto piles =
       std::count_if(shots.begin(), shots.end(), [&](const Image& shot) { return hasPile(shot, largest); });
-  return piles >= 2 ? largest * kPileFrom : kNone;
+  return piles >= kPiledShots ? largest * kPileFrom : kNone;
 }
 
 int codingBits(const Image& image, int storedBits) {

@@ -13,9 +13,13 @@
 namespace swaplight {
 namespace {
 
-constexpr float kColorError = 0.03F;  ///< of gels; keeps noise-free pictures from dividing by nothing
-constexpr double kBad = 0.15;         ///< misfit
-constexpr double kSure = 0.7;         ///< of the next best misfit
+/// Relative error of the light colours that plans are compared under: real gels are known to a few per cent.
+/// It also keeps pictures without noise from dividing by nothing.
+constexpr float kColorError = 0.03F;
+// By judgement: they choose the words; the guess is the best plan whatever they are. A misfit is
+// ColorFit::disagreement.
+constexpr double kBad = 0.15;  ///< a misfit five times the colours' error: they are hardly those colours
+constexpr double kSure = 0.7;  ///< of the next best plan's misfit: nearer than that, noise may have decided
 
 /// Every way to go on from a first shot, shot by shot.
 void addPlans(int lights, size_t shots, bool repeat, std::vector<int>& steps,

@@ -9,8 +9,8 @@
 namespace swaplight {
 namespace {
 
-constexpr float kBright = 0.7F;  ///< where the brightest percent of the brightest shot is shown
-constexpr float kBrightPart = 0.99F;
+constexpr float kBrightPart = 0.99F;  ///< the quantile of the brightest shot that is shown at kBright
+constexpr float kBright = 0.7F;       ///< linear light of the screen: leaves half a stop for highlights
 
 /// The mean over the pixels that a pixel of the thumbnail covers; broken ones are left out.
 Image shrunk(const Image& shot, int width, int height) {

@@ -17,7 +17,7 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kLargestTable = size_t{16} << 20;
+constexpr size_t kLargestTable = size_t{16} << 20;  // bytes: no table of gels is
 
 std::vector<std::string> partsOf(std::string text) {
   std::replace_if(

@@ -18,8 +18,15 @@ constexpr int kMaxUnknowns = kMaxLights + 3;
 using Square =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxUnknowns, kMaxUnknowns>;
 
+// What is known of a pixel before it is photographed, as the inverse of a variance: without it a plan that
+// leaves something undetermined would cost infinitely much, and no two of them could be compared.
+
 /// 1 / the mean square of T, see typicalPixels: E[albedo^2] = .286, E[shading^2] = 1 / 12.
 constexpr double kContributionPrior = 42;
+
+/// 1 / the variance of rho, an albedo times the shading of all lights together, times the square of their
+/// number: that shading is lights / 4 in the mean, see typicalPixels, and rho known no better than that.
+constexpr double kReflectancePrior = 16;
 
 double signalOf(const LightPlan& plan, const TypicalPixel& pixel, int shot, int c) {
   double y = 0;
@@ -72,7 +79,7 @@ Square matteCovariance(const LightPlan& plan, const SensorNoise& noise, const Ty
     }
   }
   const double lights = n;
-  for (int c = 0; c < 3; ++c) fisher(c, c) += 16 / (lights * lights);
+  for (int c = 0; c < 3; ++c) fisher(c, c) += kReflectancePrior / (lights * lights);
   // 1 / the variance of proportions that may be anything.
   for (int i = 0; i < n; ++i)
     fisher(3 + i, 3 + i) += lights * lights * (lights + 1) / std::max(lights - 1, 1.0);

@@ -14,9 +14,15 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kAllOf = 20000;  // plans that are compared one by one
+constexpr size_t kAllOf = 20000;    // plans that are compared one by one
+constexpr size_t kStepsAPlan = 40;  // of the search for all plans, before it is given up as too many
+// Where there are more: so many climbs from random plans, of at most so many rounds over all entries. A climb
+// ends by itself when no change of one colour helps; the rounds only bound it.
 constexpr int kStarts = 16;
 constexpr int kPasses = 40;
+constexpr double kNoGain = 1e-9;  // relative: a smaller gain is one of rounding
+// Where the model is not known to be matte or free, both costs count alike.
+constexpr double kTransportWeight = 0.5;
 
 using Ring = std::vector<int>;  // of a rotation; the whole table where the coding is free
 
@@ -38,7 +44,9 @@ struct Space {
   }
   [[nodiscard]] double costOf(const Ring& ring) const {
     const LightPlan plan = planFromIndices(colors, tableOf(ring), options);
-    const double weight = options.model == Model::Lambert ? 0 : options.model == Model::Transport ? 1 : 0.5;
+    const double weight = options.model == Model::Lambert     ? 0
+                          : options.model == Model::Transport ? 1
+                                                              : kTransportWeight;
     double cost = weight > 0 ? weight * transportCost(plan, options.noise, pixels) : 0;
     if (weight < 1) cost += (1 - weight) * matteCost(plan, options.noise, pixels);
     return cost;
@@ -64,7 +72,7 @@ std::vector<Ring> allRings(const Space& space) {
   const int count = int(space.colors.size());
   size_t steps = 0;
   std::function<bool()> extend = [&] {
-    if (++steps > 40 * kAllOf) return false;
+    if (++steps > kStepsAPlan * kAllOf) return false;
     if (int(ring.size()) == space.length) {
       rings.push_back(ring);
       return rings.size() <= kAllOf;
@@ -136,7 +144,7 @@ Found climb(const Space& space, const Ring& ring) {
         if (changed[p] != changed[q]) attempt(changed);
       }
     }
-    if (!(found.cost < before * (1 - 1e-9))) break;
+    if (!(found.cost < before * (1 - kNoGain))) break;
   }
   return found;
 }
