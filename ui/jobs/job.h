@@ -1,102 +1,149 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "core/base/progress.h"
 
 namespace swaplight {
 
-/// Work in a thread of its own, with progress and cancel, for what would stop the interface. One at a time;
-/// the result is taken by the thread that started it.
+/// Work in a thread of its own, with progress and cancel, for what would stop the interface. Of one job the
+/// last work counts; the result is taken by the thread that started it. Nothing but the destructor waits for
+/// a thread.
 template <typename Result>
 class Job {
  public:
   Job() = default;
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
-  ~Job() { stopAndWait(); }
+  /// Stops what is running and waits for it: what the work and `done` refer to must outlive the job.
+  ~Job() {
+    drop();
+    for (Thread& old : m_dropped) old.thread.join();
+  }
 
   /// `work` runs in the thread; `done` is called from it at the end and at every progress, and may only wake
-  /// somebody up. A job that is still running is stopped first.
+  /// somebody up. Work that is still going on is told to stop and ends when it notices; nobody hears of its
+  /// result, nor of what went wrong in it. Until then both may be running.
   void start(std::function<Result(const Progress&)> work, std::function<void()> done) {
-    stopAndWait();
-    m_stop = false;
-    m_finished = false;
-    m_started = true;
-    setProgress(0, "");
-    m_thread = std::thread([this, work = std::move(work), done = std::move(done)] {
-      Progress progress;
-      progress.stop = &m_stop;
-      progress.report = [this, &done](float fraction, std::string_view what) {
-        if (setProgress(fraction, what)) done();
-      };
-      try {
-        m_result = work(progress);
-      } catch (...) {
-        m_error = std::current_exception();
-      }
-      m_finished = true;
-      done();
+    drop();
+    auto run = std::make_shared<Run>();
+    std::thread thread([run, work = std::move(work), done = std::move(done)]() mutable {
+      run->execute(std::exchange(work, nullptr), done);
     });
+    m_last = {std::move(thread), std::move(run)};
   }
 
   /// Started, and its result not yet taken.
-  [[nodiscard]] bool running() const { return m_started; }
-  void cancel() { m_stop = true; }
-  [[nodiscard]] bool cancelling() const { return m_stop; }
+  [[nodiscard]] bool running() const { return m_last.run != nullptr; }
+  void cancel() {
+    if (running()) m_last.run->stop = true;
+  }
+  /// Told to stop, and still running.
+  [[nodiscard]] bool cancelling() const { return running() && m_last.run->stop; }
 
+  /// 0..1; 0 where nothing is running.
   [[nodiscard]] float fraction() const {
-    const std::lock_guard lock(m_mutex);
-    return m_fraction;
+    if (!running()) return 0;
+    const std::lock_guard lock(m_last.run->mutex);
+    return m_last.run->fraction;
   }
+  /// What it is doing, in words.
   [[nodiscard]] std::string what() const {
-    const std::lock_guard lock(m_mutex);
-    return m_what;
+    if (!running()) return {};
+    const std::lock_guard lock(m_last.run->mutex);
+    return m_last.run->what;
   }
 
-  /// The result once it is there. Throws what the work threw, Stopped where it was cancelled.
+  /// The result once it is there. Throws what the work threw, Stopped where it was cancelled in time.
   std::optional<Result> take() {
-    if (!m_started || !m_finished) return std::nullopt;
-    m_thread.join();
-    m_started = false;
-    if (m_error) std::rethrow_exception(std::exchange(m_error, nullptr));
-    return std::exchange(m_result, std::nullopt);
+    forgetEnded();
+    if (!running() || !m_last.run->finished) return std::nullopt;
+    const Thread last = join(std::exchange(m_last, {}));
+    if (last.run->error) std::rethrow_exception(last.run->error);
+    return std::move(last.run->result);
   }
 
  private:
-  bool setProgress(float fraction, std::string_view what) {
-    const std::lock_guard lock(m_mutex);
-    const bool visible = fraction - m_fraction >= 0.01F || fraction < m_fraction || what != m_what;
-    if (visible) {
-      m_fraction = fraction;
-      m_what = what;
+  /// What a thread shares with who started it. It belongs to both: a thread that nobody waits for has a place
+  /// for its result all the same.
+  struct Run {
+    std::atomic<bool> stop{false};
+    std::atomic<bool> dropped{false};  ///< nobody wants the result
+    std::atomic<bool> finished{false};
+    std::mutex mutex;  ///< of the next two
+    float fraction = 0;
+    std::string what;
+    std::optional<Result> result;  ///< until `finished` the thread's, then the owner's
+    std::exception_ptr error;
+
+    void execute(std::function<Result(const Progress&)> work, const std::function<void()>& done) {
+      Progress progress;
+      progress.stop = &stop;
+      progress.report = [&](float part, std::string_view words) {
+        if (set(part, words) && !dropped) done();
+      };
+      try {
+        result = work(progress);
+      } catch (...) {
+        error = std::current_exception();
+      }
+      work = nullptr;  // what it holds goes before somebody hears of the result
+      finished = true;
+      if (!dropped) done();
     }
-    return visible;
+
+   private:
+    /// Whether the change can be seen.
+    bool set(float part, std::string_view words) {
+      const std::lock_guard lock(mutex);
+      const bool visible = part - fraction >= 0.01F || part < fraction || words != what;
+      if (visible) {
+        fraction = part;
+        what = words;
+      }
+      return visible;
+    }
+  };
+  struct Thread {
+    std::thread thread;
+    std::shared_ptr<Run> run;
+  };
+
+  static Thread join(Thread thread) {
+    thread.thread.join();
+    return thread;
   }
 
-  void stopAndWait() {
-    m_stop = true;
-    if (m_thread.joinable()) m_thread.join();
-    m_started = false;
-    m_result.reset();
-    m_error = nullptr;
+  /// The last work counts no more.
+  void drop() {
+    if (running()) {
+      m_last.run->dropped = true;
+      m_last.run->stop = true;
+      m_dropped.push_back(std::exchange(m_last, {}));
+    }
+    forgetEnded();
   }
 
-  std::thread m_thread;
-  std::atomic<bool> m_stop{false};
-  std::atomic<bool> m_finished{false};
-  bool m_started = false;
-  mutable std::mutex m_mutex;
-  float m_fraction = 0;
-  std::string m_what;
-  std::optional<Result> m_result;
-  std::exception_ptr m_error;
+  /// Threads that have come to their end are joined without waiting.
+  void forgetEnded() {
+    const auto ended = std::partition(m_dropped.begin(), m_dropped.end(),
+                                      [](const Thread& old) { return !old.run->finished; });
+    std::for_each(ended, m_dropped.end(), [](Thread& old) { old.thread.join(); });
+    m_dropped.erase(ended, m_dropped.end());
+  }
+
+  Thread m_last;
+  std::vector<Thread> m_dropped;  ///< not yet ended
 };
 
 }  // namespace swaplight
