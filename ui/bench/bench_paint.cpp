@@ -28,7 +28,7 @@ struct Case {
 constexpr Case kCases[] = {{"25 strokes an edit", 25}, {"every stroke an edit", 1}};
 
 /// The light and what the brush does to it, another one every few strokes.
-void chooseBrush(StudioContext& context, int turn) {
+void chooseBrush(ViewerContext& context, int turn) {
   using Mode = BrushState::Mode;
   constexpr Mode kModes[] = {Mode::Add, Mode::Remove, Mode::SetTo};
   BrushState& brush = context.editing.brush;
@@ -60,7 +60,7 @@ void paintStroke(BenchStage& stage, std::mt19937& random, std::vector<double>& d
     stepY = (down(random) - y) / (2 * kMoves);
   }
   timedFrame(stage, x, y, false);
-  StudioContext& context = stage.studio().context();
+  ViewerContext& context = stage.studio().context();
   for (int move = 0; move < kMoves; ++move) {
     const uint64_t before = context.editor.revision();
     const double time = timedFrame(stage, x, y, true);
@@ -102,7 +102,7 @@ Json timedSave(BenchStage& stage) {
 }
 
 Json measure(BenchStage& stage, const Case& which) {
-  StudioContext& context = stage.studio().context();
+  ViewerContext& context = stage.studio().context();
   std::mt19937 random(7);
   std::vector<double> dabs;
   for (int stroke = 0; stroke < kStrokes; ++stroke) {
@@ -125,7 +125,7 @@ Json measure(BenchStage& stage, const Case& which) {
 
 Json benchPaint(const StudioOptions& options) {
   BenchStage stage(options);
-  StudioContext& context = stage.studio().context();
+  ViewerContext& context = stage.studio().context();
   stage.openLarge(kWidth, kHeight);
   for (int i = 0; i < kWarmUpFrames; ++i) stage.drawFrame();
   context.actions.run("brush.take");

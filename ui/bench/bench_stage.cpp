@@ -70,9 +70,8 @@ BenchStage::BenchStage(const StudioOptions& options)
 void BenchStage::openLarge(int width, int height) {
   OpenSet set;
   set.source = m_source;
-  set.solved = std::make_shared<SolvedSet>(tiledSet(m_small, width, height));
-  set.original = set.found = set.solved;
-  set.pictures = std::make_shared<ViewPictures>(set.solved);
+  set.original = set.found = std::make_shared<SolvedSet>(tiledSet(m_small, width, height));
+  set.live = std::make_shared<LiveSet>(set.original);
   m_studio->context().session.openSet(std::move(set));
 }
 
@@ -88,7 +87,7 @@ Json BenchStage::circumstances() const {
   return Json{{"window", {m_screen->width(), m_screen->height()}},
               {"in", m_where},
               {"lights", m_small.lightCount()},
-              {"engine", m_studio->context().pictures.words()},
+              {"engine", m_studio->context().renderer.words()},
               {"load_before", loadAverage()}};
 }
 

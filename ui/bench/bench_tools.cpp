@@ -23,7 +23,7 @@ class Stopwatch {
  public:
   Stopwatch(BenchStage& stage, Json& results) : m_stage(stage), m_results(results) {}
 
-  void time(const char* what, const std::function<void(StudioContext&)>& begin) {
+  void time(const char* what, const std::function<void(ViewerContext&)>& begin) {
     const auto start = BenchClock::now();
     begin(m_stage.studio().context());
     double longest = frame(start), until = longest;
@@ -40,7 +40,7 @@ class Stopwatch {
 
   /// A shape dragged over the picture; the drag is a gesture.
   void drag(const char* what, const ShapeKind& kind) {
-    StudioContext& context = m_stage.studio().context();
+    ViewerContext& context = m_stage.studio().context();
     Document begun = context.document();
     Edit edit = brushEdit(context);
     edit.mask = {draggedShape(kind, {400, 900}, {1800, 1300}, false)};
@@ -69,6 +69,8 @@ class Stopwatch {
     settle();
   }
 
+  [[nodiscard]] const LightsContext& lights() const { return m_stage.studio().lights(); }
+
   void settle() {
     const EditController& edits = m_stage.studio().context().edits;
     for (int quiet = 0; quiet < kQuietFrames;) {
@@ -93,7 +95,7 @@ Mask alike(SimilarShape::By by) {
                        SelectHow::Replace);
 }
 
-void addEverywhere(StudioContext& context, const char* name, const Operation& operation) {
+void addEverywhere(ViewerContext& context, const char* name, const Operation& operation) {
   Document next = context.document();
   Edit edit = brushEdit(context);
   edit.operation = operation;
@@ -104,33 +106,33 @@ void addEverywhere(StudioContext& context, const char* name, const Operation& op
 void timeViews(Stopwatch& watch) {
   using Kind = ViewSubject::Kind;
   const auto look = [&](const char* what, Kind kind) {
-    watch.time(what, [&](StudioContext& context) { context.view.subject = {kind, 0}; });
+    watch.time(what, [&](ViewerContext& context) { context.view.subject = {kind, 0}; });
   };
   look("beta shown", Kind::Beta);
   look("reflectance shown", Kind::Reflectance);
   look("residual shown", Kind::Residual);
   look("relit again", Kind::Relit);
   const auto open = [&](const char* what, bool PanelLayout::*panel) {
-    watch.time(what, [&](StudioContext& context) { context.layout.*panel = true; });
+    watch.time(what, [&](ViewerContext& context) { context.layout.*panel = true; });
   };
   open("key, fill and back shown", &PanelLayout::threePoint);
   watch.time("a look of ten applied",
-             [](StudioContext& context) { applyPreset(context, presetLooks().front()); });
+             [&](ViewerContext&) { applyPreset(watch.lights(), presetLooks().front()); });
   open("the gallery opened", &PanelLayout::gallery);
   open("the scopes opened", &PanelLayout::scopes);
 }
 
 void timeSelections(Stopwatch& watch) {
-  watch.time("what is alike in colour selected", [](StudioContext& context) {
+  watch.time("what is alike in colour selected", [](ViewerContext& context) {
     changeSelection(context, "Select", alike(SimilarShape::By::Color));
   });
-  watch.time("its edge softened", [](StudioContext& context) {
+  watch.time("its edge softened", [](ViewerContext& context) {
     changeSelection(context, "Soften", featheredSelection(context.document().selection, 80));
   });
-  watch.time("what is alike in shares selected", [](StudioContext& context) {
+  watch.time("what is alike in shares selected", [](ViewerContext& context) {
     changeSelection(context, "Select", alike(SimilarShape::By::Share));
   });
-  watch.time("an edit inside of it", [](StudioContext& context) {
+  watch.time("an edit inside of it", [](ViewerContext& context) {
     Document next = context.document();
     Edit edit = brushEdit(context);
     edit.mask = maskWithin({}, next.selection);
@@ -138,7 +140,7 @@ void timeSelections(Stopwatch& watch) {
     context.editor.edit("Edit", std::move(next));
   });
   watch.time("nothing selected",
-             [](StudioContext& context) { changeSelection(context, "Select nothing", {}); });
+             [](ViewerContext& context) { changeSelection(context, "Select nothing", {}); });
 }
 
 }  // namespace
@@ -151,7 +153,7 @@ Json benchTools(const StudioOptions& options) {
   Stopwatch watch(stage, steps);
   watch.settle();
   const auto run = [&](const char* what, const char* action) {
-    watch.time(what, [&](StudioContext& context) { context.actions.run(action); });
+    watch.time(what, [&](ViewerContext& context) { context.actions.run(action); });
   };
   run("the brush taken", "brush.take");
   run("a new light", "brush.new_light");
@@ -165,8 +167,8 @@ Json benchTools(const StudioOptions& options) {
   kind.kind = ShapeKind::Kind::Text;
   watch.drag("words dragged", kind);
   watch.time("a blur over all of it",
-             [](StudioContext& context) { addEverywhere(context, "Blur", BlurOperation{64}); });
-  watch.time("a curve over all of it", [](StudioContext& context) {
+             [](ViewerContext& context) { addEverywhere(context, "Blur", BlurOperation{64}); });
+  watch.time("a curve over all of it", [](ViewerContext& context) {
     addEverywhere(context, "Curve", CurveOperation{{{0, 0}, {0.5F, 0.3F}, {1, 1}}});
     context.editing.chosen = static_cast<int>(context.document().edits.edits.size()) - 1;
     context.editing.open = true;

@@ -42,7 +42,7 @@ double processorSeconds() {
 
 Json measure(BenchStage& stage, const Case& which) {
   StudioWindow& studio = stage.studio();
-  StudioContext& context = studio.context();
+  ViewerContext& context = studio.context();
   stage.openLarge(which.width, which.height);
   context.layout.scopes = which.scopes;
   for (int i = 0; i < kWarmUpFrames; ++i) stage.drawFrame();

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/shadow/detect/detect_shadows.h"
-#include "ui/control/studio_context.h"
+#include "ui/jobs/take_or_report.h"
 
 namespace swaplight {
 namespace {
@@ -16,13 +16,6 @@ constexpr std::chrono::milliseconds kSeenBudget{160};  // and for what is: the r
 constexpr int kTilesAtOnce = 4;
 constexpr size_t kDrawnKept = 3;
 
-std::shared_ptr<const LightShadows> shadowsOf(
-    const std::map<std::string, std::shared_ptr<const LightShadows>>& found, const std::string& light) {
-  const auto known = found.find(light);
-  if (known == found.end()) throw InputError("\"{}\" is no light of the set: it has no shadows.", light);
-  return known->second;
-}
-
 /// Shapes that take long to draw.
 bool isSlow(const MaskShape& shape) {
   return std::holds_alternative<SimilarShape>(shape.shape) ||
@@ -31,8 +24,8 @@ bool isSlow(const MaskShape& shape) {
 
 }  // namespace
 
-void EditController::beginFrame(StudioContext& studio) {
-  const OpenSet* set = studio.set();
+void EditController::beginFrame() {
+  const OpenSet* set = m_parts.session.set();
   if (!set) {
     m_set.reset();
     return;
@@ -40,7 +33,7 @@ void EditController::beginFrame(StudioContext& studio) {
   if (m_set != set->original) {
     m_set = set->original;
     m_room = {};
-    m_found = std::make_shared<Found>();
+    m_found = std::make_shared<FoundShadows>();
     m_making.cancel();
     m_finding.cancel();
     m_files.forget();
@@ -52,63 +45,51 @@ void EditController::beginFrame(StudioContext& studio) {
     m_foundFor.clear();
     m_needsShadows = m_stopped = false;
   }
-  takeJobs(studio);
+  takeJobs();
 }
 
-void EditController::show(StudioContext& studio, const PixelRect& visible) {
+void EditController::show(const PixelRect& visible) {
   if (!m_set) return;
-  follow(studio);
-  seekShadows(studio);
-  if (m_room.edited) update(studio, visible);
+  follow();
+  seekShadows();
+  if (m_room.edited) update(visible);
 }
 
-void EditController::takeJobs(StudioContext& studio) {
-  m_files.update(studio.messages);
-  try {
-    if (auto room = m_making.take())
-      if (&room->edited->original() == m_set.get()) adopt(studio, std::move(*room));
-  } catch (const Stopped&) {
-  } catch (const std::exception& error) {
-    studio.messages.error(error.what());
-  }
-  try {
-    takeDrawn();
-  } catch (const Stopped&) {
-  } catch (const std::exception& error) {
-    studio.messages.error(error.what());
-  }
-  try {
-    auto found = m_finding.take();
-    if (found && found->set == m_set) {
-      *m_found = std::move(found->found);
-      m_foundFor = std::move(found->thresholds);
-      m_followed = false;
-      m_drawingStale = true;
-      m_drawn.clear();
-    }
-  } catch (const Stopped&) {
-  } catch (const std::exception& error) {
-    studio.messages.error(error.what());
-  }
+void EditController::takeJobs() {
+  m_files.update(m_parts.messages);
+  takeOrReport(m_making, m_parts.messages, "edits", [this](Room room) {
+    if (&room.edited->original() == m_set.get()) adopt(std::move(room));
+  });
+  takeDrawn();
+  takeOrReport(m_finding, m_parts.messages, "finding shadows", [this](FoundOf found) {
+    if (found.set != m_set) return;
+    m_found->replace(std::move(found.found));
+    m_foundFor = std::move(found.thresholds);
+    m_followed = false;
+    m_drawingStale = true;
+    m_drawn.clear();
+  });
 }
 
 void EditController::takeDrawn() {
-  if (!m_drawing.running()) return;
-  const auto keep = [this](std::shared_ptr<const MaskRaster> raster) {
-    m_drawn.push_back({m_drawingShape, std::move(raster)});
-    if (m_drawn.size() > kDrawnKept) m_drawn.pop_front();
-  };
   try {
     auto raster = m_drawing.take();
     if (!raster || m_drawingStale) return;
     if (m_room.edited) m_room.edited->ground().keep(m_drawingShape, *raster);
-    keep(std::move(*raster));
+    keepDrawn(std::move(*raster));
+  } catch (const Stopped&) {
+    keepDrawn(nullptr);
   } catch (const InputError&) {
-    keep(nullptr);  // who asks for it is told why
-  } catch (...) {
-    keep(nullptr);  // or it would be begun again in every frame
-    throw;
+    keepDrawn(nullptr);  // who asks for it is told why
+  } catch (const std::exception& error) {
+    keepDrawn(nullptr);  // or it would be begun again in every frame
+    m_parts.messages.error(error.what());
   }
+}
+
+void EditController::keepDrawn(std::shared_ptr<const MaskRaster> raster) {
+  m_drawn.push_back({m_drawingShape, std::move(raster)});
+  if (m_drawn.size() > kDrawnKept) m_drawn.pop_front();
 }
 
 bool EditController::isDrawn(const MaskShape& shape) {
@@ -119,22 +100,22 @@ bool EditController::isDrawn(const MaskShape& shape) {
   m_drawingShape = shape;
   m_drawingStale = false;
   m_drawing.start(
-      [set = m_set, found = *m_found, shape](const Progress&) {
-        MaskGround ground(*set, [&found](const std::string& light) { return shadowsOf(found, light); });
+      [set = m_set, found = m_found->all(), shape](const Progress&) {
+        MaskGround ground(*set, [&found](const std::string& light) { return shadowsOf(*found, light); });
         return ground.raster(shape);
       },
       m_wake);
   return false;
 }
 
-void EditController::follow(StudioContext& studio) {
-  const EditStack& wanted = studio.document().edits;
+void EditController::follow() {
+  const EditStack& wanted = m_parts.editor.document().edits;
   if (m_followed && wanted == m_wanted) return;
-  if (!m_room.edited && !(wanted.edits.empty() && wanted.newLights.empty())) return prepare(studio);
+  if (!m_room.edited && !(wanted.edits.empty() && wanted.newLights.empty())) return prepare();
   if (m_room.edited) {
     const EditStack stack = usable(wanted);
     if (!isReady(stack)) return;  // the picture follows when it is
-    setStack(studio, stack);
+    setStack(stack);
     m_files.release();
     m_filesStale = false;
   }
@@ -163,29 +144,29 @@ void EditController::readFilesAgain() {
   m_followed = false;
 }
 
-void EditController::prepare(StudioContext& studio) {
-  if (m_room.edited || m_making.running() || !studio.set()) return;
+void EditController::prepare() {
+  if (m_room.edited || m_making.running() || !m_parts.session.set()) return;
   m_making.start([set = m_set, found = m_found](const Progress&) { return makeRoom(set, found); }, m_wake);
 }
 
 EditController::Room EditController::makeRoom(std::shared_ptr<const SolvedSet> set,
-                                              std::shared_ptr<Found> found) {
+                                              std::shared_ptr<FoundShadows> found) {
   Room room;
   room.edited = std::make_shared<EditedSet>(
       std::move(set),
-      [found = std::move(found)](const std::string& light) { return shadowsOf(*found, light); });
+      [found = std::move(found)](const std::string& light) { return shadowsOf(*found->all(), light); });
   room.edited->update();
-  const std::shared_ptr<const SolvedSet> result(room.edited, &room.edited->result());
-  room.pictures = std::make_shared<ViewPictures>(result);
+  room.live =
+      std::make_shared<LiveSet>(std::shared_ptr<const SolvedSet>(room.edited, &room.edited->result()));
   return room;
 }
 
-void EditController::adopt(StudioContext& studio, Room room) {
+void EditController::adopt(Room room) {
   m_room = std::move(room);
   m_followed = false;
-  studio.session.showEdited({m_room.edited, &m_room.edited->result()}, m_room.pictures);
-  studio.subjects.editsChanged();
-  studio.pictures.forget();
+  m_parts.session.showEdited(m_room.live);
+  m_parts.subjects.editsChanged();
+  m_parts.renderer.forget();
   ++m_revision;
 }
 
@@ -197,33 +178,33 @@ EditStack EditController::usable(const EditStack& wanted) {
       edit = std::make_shared<const Edit>(*edit);
   const auto needs = [](const auto& edit) { return usesShadows(*edit); };
   if (std::any_of(stack.edits.begin(), stack.edits.end(), needs)) m_needsShadows = true;
-  if (!m_found->empty()) return stack;
+  if (!m_found->all()->empty()) return stack;
   const size_t all = stack.edits.size();
   stack.edits.erase(std::remove_if(stack.edits.begin(), stack.edits.end(), needs), stack.edits.end());
   if (stack.edits.size() < all) m_stopped = false;  // they are needed now
   return stack;
 }
 
-void EditController::setStack(StudioContext& studio, const EditStack& stack) {
-  if (m_room.edited->stack().newLights == stack.newLights) return applyStack(studio, stack);
+void EditController::setStack(const EditStack& stack) {
+  if (m_room.edited->stack().newLights == stack.newLights) return applyStack(stack);
   {
-    const std::unique_lock lock(m_room.pictures->pixels());
-    applyStack(studio, stack);
-    m_room.pictures->lightsChanged();
+    LiveSet::Writing writing = m_room.live->write();
+    applyStack(stack);
+    writing.lightsChanged();
   }
-  studio.session.lightsChanged();
-  studio.subjects.editsChanged();
-  studio.pictures.forget();
+  m_parts.session.lightsChanged();
+  m_parts.subjects.editsChanged();
+  m_parts.renderer.forget();
   ++m_revision;
 }
 
-void EditController::applyStack(StudioContext& studio, const EditStack& stack) {
+void EditController::applyStack(const EditStack& stack) {
   try {
     m_room.edited->setStack(stack);
     m_complaint.clear();
     return;
   } catch (const InputError& error) {
-    if (m_complaint != error.what()) studio.messages.error(error.what());
+    if (m_complaint != error.what()) m_parts.messages.error(error.what());
     m_complaint = error.what();
   }
   // All but those that cannot be applied.
@@ -240,12 +221,12 @@ void EditController::applyStack(StudioContext& studio, const EditStack& stack) {
   m_room.edited->setStack(good);
 }
 
-void EditController::update(StudioContext& studio, const PixelRect& visible) {
+void EditController::update(const PixelRect& visible) {
   EditedSet& edited = *m_room.edited;
   if (!edited.staleTile()) return;
   // Scopes may be counting: they need a moment.
-  const std::unique_lock lock(m_room.pictures->pixels(), std::try_to_lock);
-  if (!lock) {
+  std::optional<LiveSet::Writing> writing = m_room.live->tryWrite();
+  if (!writing) {
     m_wake();
     return;
   }
@@ -268,42 +249,43 @@ void EditController::update(StudioContext& studio, const PixelRect& visible) {
     if (!rest) break;
     compute(*rest);
   }
-  refresh(studio, changed);
+  refresh(*writing, changed);
   if (edited.staleTile()) m_wake();
 }
 
-void EditController::refresh(StudioContext& studio, const std::vector<PixelRect>& changed) {
+void EditController::refresh(LiveSet::Writing& writing, const std::vector<PixelRect>& changed) {
   if (changed.empty()) return;
-  m_room.pictures->refresh(changed);
-  for (const Pyramid& picture : m_room.pictures->contributions())
+  writing.pixelsChanged(changed);
+  for (const Pyramid& picture : m_room.live->pictures().contributions())
     for (const PixelRect& rect : changed)
-      studio.pictures.changed(picture, {rect.x, rect.y, rect.width, rect.height});
-  if (studio.subjects.editsChanged()) studio.pictures.forget();
+      m_parts.renderer.changed(picture, {rect.x, rect.y, rect.width, rect.height});
+  if (m_parts.subjects.editsChanged()) m_parts.renderer.forget();
   ++m_revision;
 }
 
-std::shared_ptr<const LightShadows> EditController::shadows(StudioContext& studio, const std::string& light) {
+std::shared_ptr<const LightShadows> EditController::shadows(const std::string& light) {
   m_needsShadows = true;
-  if (m_found->empty()) seekShadows(studio);
-  const auto known = m_found->find(light);
-  return known == m_found->end() ? nullptr : known->second;
+  const FoundShadows::All found = m_found->all();
+  if (found->empty()) seekShadows();
+  const auto known = found->find(light);
+  return known == found->end() ? nullptr : known->second;
 }
 
-std::shared_ptr<const MaskRaster> EditController::raster(StudioContext& studio, const MaskShape& shape) {
+std::shared_ptr<const MaskRaster> EditController::raster(const MaskShape& shape) {
   if (!m_room.edited) {
-    prepare(studio);
+    prepare();
     return nullptr;
   }
-  if (m_found->empty() && usesShadows(Mask{shape})) {
+  if (m_found->all()->empty() && usesShadows(Mask{shape})) {
     m_needsShadows = true;
-    seekShadows(studio);
+    seekShadows();
     return nullptr;
   }
   return isDrawn(shape) ? m_room.edited->ground().raster(shape) : nullptr;
 }
 
-bool EditController::shadowsCurrent(const StudioContext& studio) const {
-  return !m_found->empty() && m_foundFor == studio.document().edits.shadowThresholds;
+bool EditController::shadowsCurrent() const {
+  return !m_found->all()->empty() && m_foundFor == m_parts.editor.document().edits.shadowThresholds;
 }
 
 void EditController::stopFindingShadows() {
@@ -311,9 +293,9 @@ void EditController::stopFindingShadows() {
   m_stopped = true;
 }
 
-void EditController::seekShadows(StudioContext& studio) {
-  if (!m_needsShadows || m_stopped || shadowsCurrent(studio) || studio.editor.inGesture()) return;
-  const Thresholds& thresholds = studio.document().edits.shadowThresholds;
+void EditController::seekShadows() {
+  if (!m_needsShadows || m_stopped || shadowsCurrent() || m_parts.editor.inGesture()) return;
+  const Thresholds& thresholds = m_parts.editor.document().edits.shadowThresholds;
   if (m_finding.running()) {
     if (m_findingFor != thresholds) m_finding.cancel();
     return;

@@ -8,13 +8,17 @@
 #include <vector>
 
 #include "core/edit/apply/edited_set.h"
+#include "core/session/document_editor.h"
+#include "render/picture_screen.h"
 #include "ui/control/beta_reader.h"
+#include "ui/control/found_shadows.h"
+#include "ui/control/session_controller.h"
+#include "ui/control/subject_pictures.h"
 #include "ui/jobs/job.h"
-#include "ui/pictures/view_pictures.h"
+#include "ui/jobs/messages.h"
+#include "ui/pictures/live_set.h"
 
 namespace swaplight {
-
-struct StudioContext;
 
 /// Sees to it that the studio shows the set with the document's edits. What is seen is computed at once, the
 /// rest a little in each frame; what takes long (room for the edited set, finding shadows, drawing
@@ -22,25 +26,34 @@ struct StudioContext;
 /// that the rig has, or have one more.
 class EditController {
  public:
-  explicit EditController(std::function<void()> wake) : m_wake(std::move(wake)), m_files(m_wake) {}
+  /// What it follows, and what it tells. All outlive it.
+  struct Parts {
+    const DocumentEditor& editor;
+    SessionController& session;
+    SubjectPictures& subjects;
+    PictureScreen& renderer;
+    Messages& messages;
+  };
+  EditController(const Parts& parts, std::function<void()> wake)
+      : m_parts(parts), m_wake(std::move(wake)), m_files(m_wake) {}
 
   /// To be called at the beginning of each frame: turns to the set that is open, takes what threads have
   /// made.
-  void beginFrame(StudioContext& studio);
+  void beginFrame();
   /// To be called in each frame when nothing more is edited in it, before the picture is drawn. `visible`:
   /// the part of it that is seen.
-  void show(StudioContext& studio, const PixelRect& visible);
+  void show(const PixelRect& visible);
   /// Makes room for edits before the first one is there, so that a stroke need not wait.
-  void prepare(StudioContext& studio);
+  void prepare();
 
   /// A light's shadows, of the set as solved; begins to look for them where nobody has yet: nullptr until
   /// they are there. For the document's thresholds, or still for those before.
-  std::shared_ptr<const LightShadows> shadows(StudioContext& studio, const std::string& light);
+  std::shared_ptr<const LightShadows> shadows(const std::string& light);
   /// A shape of a mask as pixels; nullptr while there is no room for edits, the shadows are being looked
   /// for or the shape is being drawn, and for shapes that are formulas. Throws InputError as MaskGround does.
-  std::shared_ptr<const MaskRaster> raster(StudioContext& studio, const MaskShape& shape);
+  std::shared_ptr<const MaskRaster> raster(const MaskShape& shape);
   /// Whether shadows() are for the document's thresholds.
-  [[nodiscard]] bool shadowsCurrent(const StudioContext& studio) const;
+  [[nodiscard]] bool shadowsCurrent() const;
   [[nodiscard]] bool findingShadows() const { return m_finding.running(); }
   [[nodiscard]] float findingFraction() const { return m_finding.fraction(); }
   /// Stops looking for shadows until somebody asks again.
@@ -60,37 +73,38 @@ class EditController {
   [[nodiscard]] uint64_t revision() const { return m_revision; }
 
  private:
-  /// An edited set, and what the viewer needs of it.
+  /// An edited set, and what others see of it.
   struct Room {
     std::shared_ptr<EditedSet> edited;
-    std::shared_ptr<ViewPictures> pictures;
+    std::shared_ptr<LiveSet> live;  ///< of its result
   };
-  using Found = std::map<std::string, std::shared_ptr<const LightShadows>>;
   using Thresholds = std::map<std::string, float>;
   struct FoundOf {
     std::shared_ptr<const SolvedSet> set;
     Thresholds thresholds;
-    Found found;
+    ShadowsByLight found;
   };
 
-  void follow(StudioContext& studio);
-  void takeJobs(StudioContext& studio);
+  void follow();
+  void takeJobs();
   void takeDrawn();
-  [[nodiscard]] static Room makeRoom(std::shared_ptr<const SolvedSet> set, std::shared_ptr<Found> found);
-  void adopt(StudioContext& studio, Room room);
+  void keepDrawn(std::shared_ptr<const MaskRaster> raster);
+  [[nodiscard]] static Room makeRoom(std::shared_ptr<const SolvedSet> set,
+                                     std::shared_ptr<FoundShadows> found);
+  void adopt(Room room);
   /// Looks for shadows where somebody needs them and there are none for the thresholds of now.
-  void seekShadows(StudioContext& studio);
+  void seekShadows();
   /// What of the document can be shown now.
   [[nodiscard]] EditStack usable(const EditStack& wanted);
   /// Whether the shape is drawn, or is drawn at once where it is asked for; else begins to draw it.
   bool isDrawn(const MaskShape& shape);
   /// Whether all that the stack needs is drawn and read; else begins to.
   bool isReady(const EditStack& stack);
-  void setStack(StudioContext& studio, const EditStack& stack);
+  void setStack(const EditStack& stack);
   /// As much of the stack as can be applied.
-  void applyStack(StudioContext& studio, const EditStack& stack);
-  void update(StudioContext& studio, const PixelRect& visible);
-  void refresh(StudioContext& studio, const std::vector<PixelRect>& changed);
+  void applyStack(const EditStack& stack);
+  void update(const PixelRect& visible);
+  void refresh(LiveSet::Writing& writing, const std::vector<PixelRect>& changed);
 
   /// A selection that was drawn in a thread.
   struct Drawn {
@@ -98,13 +112,14 @@ class EditController {
     std::shared_ptr<const MaskRaster> raster;  ///< nullptr: it cannot be drawn
   };
 
+  Parts m_parts;
   std::function<void()> m_wake;
   std::shared_ptr<const SolvedSet> m_set;  ///< as solved
   Room m_room;
   EditStack m_wanted;  ///< the document's when it was looked at last
   bool m_followed = false;
-  std::shared_ptr<Found> m_found = std::make_shared<Found>();
-  Thresholds m_foundFor;        ///< thresholds of what was found
+  std::shared_ptr<FoundShadows> m_found = std::make_shared<FoundShadows>();  ///< of m_set
+  Thresholds m_foundFor;                                                     ///< thresholds of what was found
   Thresholds m_findingFor;      ///< thresholds of what is looked for
   bool m_needsShadows = false;  ///< somebody has asked for them
   bool m_stopped = false;       ///< the person has stopped the search

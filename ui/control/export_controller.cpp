@@ -1,7 +1,5 @@
 #include "ui/control/export_controller.h"
 
-#include "core/base/error.h"
-
 namespace swaplight {
 
 void ExportController::start(std::shared_ptr<const ColorConfig> config, std::shared_ptr<const SolvedSet> set,
@@ -15,19 +13,13 @@ void ExportController::start(std::shared_ptr<const ColorConfig> config, std::sha
 }
 
 void ExportController::update(Messages& messages) {
-  try {
-    const auto files = m_job.take();
-    if (!files) return;
-    std::string words = "Exported " + files->front().string();
-    if (files->size() > 1) words += " and " + std::to_string(files->size() - 1) + " more";
+  using Files = std::vector<std::filesystem::path>;
+  const Taken taken = takeOrReport(m_job, messages, "this export", [&](const Files& files) {
+    std::string words = "Exported " + files.front().string();
+    if (files.size() > 1) words += " and " + std::to_string(files.size() - 1) + " more";
     messages.info(words);
-  } catch (const Stopped&) {
-    messages.info("Export cancelled.");
-  } catch (const std::bad_alloc&) {
-    messages.error("There is not enough memory for this export.");
-  } catch (const std::exception& error) {
-    messages.error(error.what());
-  }
+  });
+  if (taken == Taken::Stopped) messages.info("Export cancelled.");
 }
 
 }  // namespace swaplight

@@ -8,8 +8,7 @@
 
 #include "core/export/document_export.h"
 #include "core/set/solved_set.h"
-#include "ui/jobs/job.h"
-#include "ui/jobs/messages.h"
+#include "ui/jobs/take_or_report.h"
 
 namespace swaplight {
 

@@ -6,75 +6,75 @@
 
 namespace swaplight {
 
-const LightRatios& lightRatios(StudioContext& studio) {
-  LookState& state = studio.looks;
-  if (state.ratiosOfSet != studio.session.setRevision()) {
-    state.ratios = LightRatios(*studio.set()->solved);
-    state.ratiosOfSet = studio.session.setRevision();
+const LightRatios& lightRatios(const LightsContext& lights) {
+  LookState& state = lights.looks;
+  if (state.ratiosOfSet != lights.session.setRevision()) {
+    state.ratios = LightRatios(lights.set()->solved());
+    state.ratiosOfSet = lights.session.setRevision();
   }
   return state.ratios;
 }
 
-void applyPreset(StudioContext& studio, const Look& look) {
+void applyPreset(const LightsContext& lights, const Look& look) {
   // Another preset instead of one that is being tried: both are over what was before.
-  const LookState::Blend* tried = activeBlend(studio);
-  const Rig before = tried ? tried->before : studio.document().rig;
+  const LookState::Blend* tried = activeBlend(lights);
+  const Rig before = tried ? tried->before : lights.document().rig;
   try {
-    const Rig whole = applyLook(before, look, lightRatios(studio));
-    editRig(studio, look.name, whole);
+    const Rig whole = applyLook(before, look, lightRatios(lights));
+    editRig(lights, look.name, whole);
     if (leavesDark(whole))
-      studio.messages.info(
+      lights.messages.info(
           "No light comes from behind in this set, and " + look.name +
           " leaves the others dark. Give a light the role back below, or paint a new light on "
           "the background (Shift+B).");
-    studio.looks.blend = LookState::Blend{look.name, before, whole, whole, 1};
+    lights.looks.blend = LookState::Blend{look.name, before, whole, whole, 1};
   } catch (const InputError& error) {
-    studio.messages.error(error.what());
+    lights.messages.error(error.what());
   }
 }
 
-const LookState::Blend* activeBlend(const StudioContext& studio) {
-  const std::optional<LookState::Blend>& blend = studio.looks.blend;
-  return blend && blend->shown == studio.document().rig ? &*blend : nullptr;
+const LookState::Blend* activeBlend(const LightsContext& lights) {
+  const std::optional<LookState::Blend>& blend = lights.looks.blend;
+  return blend && blend->shown == lights.document().rig ? &*blend : nullptr;
 }
 
-void previewBlend(StudioContext& studio, float amount) {
-  LookState::Blend& blend = *studio.looks.blend;
+void previewBlend(const LightsContext& lights, float amount) {
+  LookState::Blend& blend = *lights.looks.blend;
   blend.amount = amount;
   blend.shown = blendRigs(blend.before, blend.whole, amount);
-  Document next = studio.document();
+  Document next = lights.document();
   next.rig = blend.shown;
-  studio.editor.preview(blend.name + ": amount", std::move(next));
+  lights.editor.preview(blend.name + ": amount", std::move(next));
 }
 
-void keepLook(StudioContext& studio) {
-  std::vector<SavedLook> looks = studio.document().looks;
+void keepLook(const LightsContext& lights) {
+  std::vector<SavedLook> looks = lights.document().looks;
   const std::string name = freeLookName(looks);
-  looks.push_back({name, "", studio.document().rig});
-  editLooks(studio, "Keep " + name, std::move(looks));
+  looks.push_back({name, "", lights.document().rig});
+  editLooks(lights, "Keep " + name, std::move(looks));
 }
 
-void recallLook(StudioContext& studio, const SavedLook& look) {
-  editRig(studio, look.name, blendRigs(studio.document().rig, look.rig, 1));
+void recallLook(const LightsContext& lights, const SavedLook& look) {
+  editRig(lights, look.name, blendRigs(lights.document().rig, look.rig, 1));
 }
 
-void editLooks(StudioContext& studio, const std::string& step, std::vector<SavedLook> looks) {
-  Document next = studio.document();
+void editLooks(const LightsContext& lights, const std::string& step, std::vector<SavedLook> looks) {
+  Document next = lights.document();
   next.looks = std::move(looks);
-  studio.editor.edit(step, std::move(next));
+  lights.editor.edit(step, std::move(next));
 }
 
-void wipeAgainstLook(StudioContext& studio, const SavedLook& look) {
-  CompareState& compare = studio.view.compare;
+void wipeAgainstLook(const LightsContext& lights, const SavedLook& look) {
+  CompareState& compare = lights.view.compare;
   compare.subject = {};
   compare.rig = look.rig;
   compare.mode = CompareState::Mode::Wipe;
 }
 
-void previewCrossfade(StudioContext& studio, const SavedLook& a, const SavedLook& b, float amount) {
-  Document next = studio.document();
+void previewCrossfade(const LightsContext& lights, const SavedLook& a, const SavedLook& b, float amount) {
+  Document next = lights.document();
   next.rig = blendRigs(blendRigs(next.rig, a.rig, 1), b.rig, amount);
-  studio.editor.preview("Crossfade " + a.name + " – " + b.name, std::move(next));
+  lights.editor.preview("Crossfade " + a.name + " – " + b.name, std::move(next));
 }
 
 }  // namespace swaplight

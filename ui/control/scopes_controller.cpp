@@ -1,8 +1,7 @@
 #include "ui/control/scopes_controller.h"
 
-#include <shared_mutex>
-
-#include "core/base/error.h"
+#include "core/relight/rig.h"
+#include "ui/jobs/take_or_report.h"
 
 namespace swaplight {
 namespace {
@@ -12,49 +11,45 @@ constexpr int kPixelsInGesture = 60000;
 
 }  // namespace
 
-ScopesController::Request ScopesController::requestOf(const StudioContext& studio) {
-  const OpenSet& set = *studio.set();
-  const Rig& rig = studio.document().rig;
+ScopesController::Request ScopesController::wanted(const OpenSet& set) const {
+  const Document& document = m_parts.lights.document();
   Request request;
-  request.config = studio.colors.config();
-  request.factors = rigFactors(*request.config, rig, set.solved->colorSpace());
-  request.ambient = rig.ambient;
-  const ScopeOptions& options = studio.layout.scopeOptions;
+  request.config = m_parts.colors.config();
+  request.factors = rigFactors(*request.config, document.rig, set.solved().colorSpace());
+  request.ambient = document.rig.ambient;
+  const ScopeOptions& options = m_parts.options;
   if (options.of == ScopeOptions::Of::Light) {
-    const auto chosen = static_cast<size_t>(studio.view.selectedLight);
+    const auto chosen = static_cast<size_t>(m_parts.lights.view.selectedLight);
     for (size_t i = 0; i < request.factors.size(); ++i)
       if (i != chosen) request.factors[i] = Rgb(0);
     request.ambient = 0;
   }
-  request.region = {0, 0, set.pictures->width(), set.pictures->height()};
-  if (options.of == ScopeOptions::Of::Region && studio.viewer.region) request.region = *studio.viewer.region;
-  request.display = studio.document().display;
-  request.pixels = studio.editor.inGesture() ? kPixelsInGesture : kPixels;
-  request.set = studio.session.setRevision();
-  request.edits = studio.edits.revision();
+  request.region = {0, 0, set.pictures().width(), set.pictures().height()};
+  if (options.of == ScopeOptions::Of::Region && m_parts.viewer.region)
+    request.region = *m_parts.viewer.region;
+  request.display = document.display;
+  request.pixels = m_parts.lights.editor.inGesture() ? kPixelsInGesture : kPixels;
+  request.set = m_parts.session.setRevision();
+  request.edits = m_parts.edits.revision();
   return request;
 }
 
-void ScopesController::update(StudioContext& studio) {
-  try {
-    if (auto pictures = m_job.take()) {
-      m_pictures = std::move(*pictures);
-      ++m_revision;
-    }
-  } catch (const std::exception& error) {
-    studio.messages.error(error.what());
-  }
-  if (m_job.running() || !studio.set()) return;
-  Request request = requestOf(studio);
+void ScopesController::update() {
+  takeOrReport(m_job, m_parts.messages, "the scopes", [this](ScopePictures pictures) {
+    m_pictures = std::move(pictures);
+    ++m_revision;
+  });
+  const OpenSet* set = m_parts.session.set();
+  if (m_job.running() || !set) return;
+  Request request = wanted(*set);
   if (m_counted == request) return;
   m_counted = request;
-  const std::string& colorSpace = studio.set()->solved->colorSpace();
-  const auto table = studio.table.table(request.config, colorSpace, request.display);
+  const auto table = m_parts.table.table(request.config, set->solved().colorSpace(), request.display);
   m_job.start(
-      [pictures = studio.set()->pictures, request = std::move(request), table,
-       toXyz = studio.table.xyzFromRgb(), weights = studio.table.luminanceWeights()](const Progress&) {
-        const std::shared_lock lock(pictures->pixels());
-        const ScopeSample sample = scopeSample(pictures->layers({}, request.factors, request.ambient),
+      [live = set->live, request = std::move(request), table, toXyz = m_parts.table.xyzFromRgb(),
+       weights = m_parts.table.luminanceWeights()](const Progress&) {
+        const LiveSet::Reading seen = live->read();
+        const ScopeSample sample = scopeSample(seen.pictures().layers({}, request.factors, request.ambient),
                                                request.region, *table, request.pixels);
         return scopePictures(sample, toXyz, weights);
       },

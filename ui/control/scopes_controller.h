@@ -5,18 +5,37 @@
 #include <optional>
 
 #include "core/view/scopes/scope_pictures.h"
-#include "ui/control/studio_context.h"
+#include "ui/control/color_choice.h"
+#include "ui/control/edit_controller.h"
+#include "ui/control/light_edit.h"
+#include "ui/control/session_controller.h"
 #include "ui/jobs/job.h"
+#include "ui/jobs/messages.h"
+#include "ui/pictures/view_table.h"
+#include "ui/state/panel_layout.h"
+#include "ui/state/viewer_state.h"
 
 namespace swaplight {
 
 /// Counts the scopes of what is lit now, in a thread; while a gesture goes on, of fewer pixels.
 class ScopesController {
  public:
-  explicit ScopesController(std::function<void()> wake) : m_wake(std::move(wake)) {}
+  /// What it follows, and what it tells. All outlive it.
+  struct Parts {
+    ChosenLights lights;
+    const SessionController& session;
+    const EditController& edits;
+    const ScopeOptions& options;
+    const ViewerState& viewer;
+    const ColorChoice& colors;
+    ViewTable& table;
+    Messages& messages;
+  };
+  ScopesController(const Parts& parts, std::function<void()> wake)
+      : m_parts(parts), m_wake(std::move(wake)) {}
 
   /// To be called in every frame that shows scopes.
-  void update(StudioContext& studio);
+  void update();
   /// What was counted last; nullptr before.
   [[nodiscard]] const ScopePictures* pictures() const { return m_pictures ? &*m_pictures : nullptr; }
   /// Counts up with every result.
@@ -35,8 +54,9 @@ class ScopesController {
     uint64_t edits = 0;
     bool operator==(const Request&) const = default;
   };
-  [[nodiscard]] static Request requestOf(const StudioContext& studio);
+  [[nodiscard]] Request wanted(const OpenSet& set) const;
 
+  Parts m_parts;
   std::function<void()> m_wake;
   std::optional<Request> m_counted;
   std::optional<ScopePictures> m_pictures;

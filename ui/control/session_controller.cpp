@@ -107,25 +107,17 @@ void SessionController::begin(Pending pending) {
 }
 
 void SessionController::takeSet() {
-  try {
-    std::optional<OpenSet> set = m_sets.take();
-    if (!set) return;
+  const Taken taken = m_sets.take(m_messages, [this](OpenSet set) {
     if (m_pending) {
       adopt(*std::exchange(m_pending, std::nullopt), std::move(set));
     } else {
       m_set = std::move(set);
       ++m_setRevision;
     }
-  } catch (const Stopped&) {
-    m_messages.info("Cancelled.");
-    notTaken();
-  } catch (const std::bad_alloc&) {
-    m_messages.error("There is not enough memory for these pictures.");
-    notTaken();
-  } catch (const std::exception& error) {
-    m_messages.error(error.what());
-    notTaken();
-  }
+  });
+  if (taken == Taken::Nothing) return;
+  if (taken == Taken::Stopped) m_messages.info("Cancelled.");
+  if (taken != Taken::Value) notTaken();
   if (m_slot) m_slot->opened();
 }
 
@@ -148,9 +140,9 @@ void SessionController::followWorkingSpace() {
 void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   Document& document = pending.session.document;
   if (set) {
-    document.edits = fitEdits(document.edits, set->solved->width(), set->solved->height());
-    document.rig = fitRig(document.rig, withNewLights(set->solved->capture, document.edits));
-    for (const std::string& warning : set->solved->capture.warnings) m_messages.warn(warning);
+    document.edits = fitEdits(document.edits, set->original->width(), set->original->height());
+    document.rig = fitRig(document.rig, withNewLights(set->original->capture, document.edits));
+    for (const std::string& warning : set->original->capture.warnings) m_messages.warn(warning);
   }
   for (const std::string& warning : pending.session.warnings) m_messages.warn(warning);
   m_colors.follow(document.colorConfig, m_messages);
@@ -180,12 +172,6 @@ void SessionController::checkDisplay(Document& document) {
     m_messages.error(error.what());
     document.display = {};
   }
-}
-
-void SessionController::showEdited(std::shared_ptr<const SolvedSet> solved,
-                                   std::shared_ptr<const ViewPictures> pictures) {
-  m_set->solved = std::move(solved);
-  m_set->pictures = std::move(pictures);
 }
 
 void SessionController::close() {
@@ -237,8 +223,7 @@ void SessionController::beginSaving(Saving saving) {
 
 void SessionController::takeSaved() {
   std::function<void()> then;
-  try {
-    if (!m_saving.take()) return;
+  const Taken taken = takeOrReport(m_saving, m_messages, "saving", [&](bool) {
     if (m_beingSaved.opened == m_opened) {
       m_file = m_beingSaved.file;
       m_editor.markSaved(m_beingSaved.step);
@@ -247,9 +232,8 @@ void SessionController::takeSaved() {
     m_recent.add(m_beingSaved.file);
     m_messages.info("Saved " + m_beingSaved.file.filename().string());
     then = std::move(m_beingSaved.then);
-  } catch (const std::exception& error) {
-    m_messages.error(error.what());
-  }
+  });
+  if (taken == Taken::Nothing) return;
   m_beingSaved = {};
   if (!m_toBeSaved.empty()) {
     Saving next = std::move(m_toBeSaved.front());

@@ -52,7 +52,7 @@ class SessionController {
   void update();
 
   /// Shows the open set with edits from now on.
-  void showEdited(std::shared_ptr<const SolvedSet> solved, std::shared_ptr<const ViewPictures> pictures);
+  void showEdited(std::shared_ptr<LiveSet> edited) { m_set->live = std::move(edited); }
   /// The edits have added or removed lights: to everybody it is another set.
   void lightsChanged() { ++m_setRevision; }
 

@@ -14,9 +14,8 @@ OpenSet prepared(const ColorConfig& config, OpenSet open, const std::string& wor
   open.original =
       own ? open.found
           : std::make_shared<SolvedSet>(copyInColorSpace(config, *open.found, workingSpace, progress));
-  open.solved = open.original;
   progress.update(1, "preparing the view");
-  open.pictures = std::make_shared<ViewPictures>(open.solved);
+  open.live = std::make_shared<LiveSet>(open.original);
   return open;
 }
 

@@ -3,24 +3,26 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "core/ocio/color_config.h"
 #include "core/set/solved_set.h"
 #include "core/solve/model/solve_options.h"
-#include "ui/jobs/job.h"
-#include "ui/pictures/view_pictures.h"
+#include "ui/jobs/take_or_report.h"
+#include "ui/pictures/live_set.h"
 
 namespace swaplight {
 
 /// A set that is open, and what the viewer needs to show it quickly.
 struct OpenSet {
   std::filesystem::path source;
-  std::shared_ptr<const SolvedSet> solved;       ///< with the document's edits, where there are any
-  std::shared_ptr<const ViewPictures> pictures;  ///< of `solved`
-  std::shared_ptr<const SolvedSet> original;     ///< without edits
-  std::shared_ptr<const SolvedSet> found;        ///< without edits, in the source's own primaries
+  std::shared_ptr<LiveSet> live;              ///< with the document's edits, where there are any
+  std::shared_ptr<const SolvedSet> original;  ///< without edits; never changes
+  std::shared_ptr<const SolvedSet> found;     ///< without edits, in the source's own primaries; never changes
+
+  /// As it is shown. For the interface's thread only; other threads ask `live`.
+  [[nodiscard]] const SolvedSet& solved() const { return live->set(); }
+  [[nodiscard]] const ViewPictures& pictures() const { return live->pictures(); }
 };
 
 /// Reads or solves the set that the person has chosen, in a thread. The set that was open stays until the new
@@ -43,9 +45,11 @@ class SetController {
   [[nodiscard]] float fraction() const { return m_job.fraction(); }
   [[nodiscard]] std::string what() const { return m_job.what(); }
 
-  /// The result of load() or convert(), once, when it is there. Throws what went wrong, Stopped where it was
-  /// cancelled.
-  std::optional<OpenSet> take() { return m_job.take(); }
+  /// Hands the result of load() or convert() on, once, when it is there.
+  template <typename OnSet>
+  Taken take(Messages& messages, const OnSet& onSet) {
+    return takeOrReport(m_job, messages, "these pictures", onSet);
+  }
 
  private:
   std::function<void()> m_wake;

@@ -10,29 +10,43 @@
 #include "core/shadow/detect/shadow_preview.h"
 #include "core/shadow/result/connected_shadow.h"
 #include "core/view/window_pixels.h"
+#include "render/picture_screen.h"
+#include "ui/control/edit_controller.h"
+#include "ui/control/light_edit.h"
+#include "ui/control/session_controller.h"
 #include "ui/jobs/job.h"
+#include "ui/jobs/messages.h"
+#include "ui/state/shadow_state.h"
 
 namespace swaplight {
-
-struct StudioContext;
 
 /// What the page of the shadows shows, made in threads: a preview that follows the hand on the threshold,
 /// then what was found exactly (by EditController); the outlines of either; the shadow that was clicked.
 class ShadowController {
  public:
-  explicit ShadowController(std::function<void()> wake) : m_wake(std::move(wake)) {}
+  /// What it follows, and what it tells. All outlive it.
+  struct Parts {
+    ChosenLights lights;
+    const SessionController& session;
+    EditController& edits;
+    PictureScreen& renderer;
+    ShadowState& state;
+    Messages& messages;
+  };
+  ShadowController(const Parts& parts, std::function<void()> wake)
+      : m_parts(parts), m_wake(std::move(wake)) {}
 
   /// To be called in each frame in which the page is open.
-  void show(StudioContext& studio);
+  void show();
   /// nullptr while it is being made.
   [[nodiscard]] const ShadowPreview* preview() const { return m_preview.get(); }
   /// Of the light that is shown; nullptr while there are none to show.
-  [[nodiscard]] const ShadowOutlines* outlines(const StudioContext& studio) const;
+  [[nodiscard]] const ShadowOutlines* outlines() const;
   /// Chooses the shadow that holds a pixel of the picture, as soon as the shadows are found.
-  void choose(StudioContext& studio, int x, int y);
-  void chooseAll(StudioContext& studio);
+  void choose(int x, int y);
+  void chooseAll();
   /// A light's visibility for the viewer; nullptr until it has been found.
-  [[nodiscard]] const Pyramid* visibility(StudioContext& studio, int light);
+  [[nodiscard]] const Pyramid* visibility(int light);
   [[nodiscard]] bool busy() const {
     return m_previewing.running() || m_drawing.running() || m_choosing.running();
   }
@@ -59,11 +73,17 @@ class ShadowController {
     std::optional<ConnectedShadow> shadow;
   };
 
-  void follow(StudioContext& studio);
-  void makePreview(StudioContext& studio);
-  void drawOutlines(StudioContext& studio);
-  void resolveClick(StudioContext& studio);
+  /// The light that is shown, by its place in the set as solved; -1: it has no shadows.
+  [[nodiscard]] int light() const;
+  [[nodiscard]] const std::string& nameOf(int light) const {
+    return m_set->capture.lights[static_cast<size_t>(light)].name;
+  }
+  void follow();
+  void makePreview();
+  void drawOutlines();
+  void resolveClick();
 
+  Parts m_parts;
   std::function<void()> m_wake;
   std::shared_ptr<const SolvedSet> m_set;
   std::shared_ptr<const ShadowPreview> m_preview;

@@ -9,7 +9,7 @@ namespace swaplight {
 namespace {
 
 /// Where the page's edits of a light act: on the chosen shadow, or everywhere.
-Mask chosenMask(const StudioContext& studio, const std::string& light) {
+Mask chosenMask(const EditingContext& studio, const std::string& light) {
   const ShadowState& state = studio.editing.shadow;
   Mask mask;
   if (state.chosen && state.light == light)
@@ -19,16 +19,16 @@ Mask chosenMask(const StudioContext& studio, const std::string& light) {
 
 }  // namespace
 
-bool shadowsShown(const StudioContext& studio) {
+bool shadowsShown(const EditingContext& studio) {
   const bool ownPanel =
       studio.tool == Tool::Brush || studio.tool == Tool::Stencil || studio.tool == Tool::Select;
   return studio.layout.shadows && studio.layout.edits && !studio.layout.hidden && !ownPanel && studio.set() &&
          !studio.document().rig.lights.empty();
 }
 
-int shadowLight(const StudioContext& studio) {
-  const std::string& name = studio.document().rig.lights[shownLight(studio)].light;
-  return studio.set()->original->capture.lightIndex(name);
+int shadowLight(const ChosenLights& lights, const OpenSet& set) {
+  const std::string& name = lights.document().rig.lights[shownLight(lights)].light;
+  return set.original->capture.lightIndex(name);
 }
 
 std::optional<float> shadowThresholdOf(const Document& document, const std::string& light) {
@@ -36,19 +36,19 @@ std::optional<float> shadowThresholdOf(const Document& document, const std::stri
   return given == document.edits.shadowThresholds.end() ? std::nullopt : std::optional(given->second);
 }
 
-void previewShadowThreshold(StudioContext& studio, const std::string& light, float threshold) {
+void previewShadowThreshold(const EditingContext& studio, const std::string& light, float threshold) {
   Document next = studio.document();
   next.edits.shadowThresholds[light] = threshold;
   studio.editor.preview("Where shadows of " + light + " begin", std::move(next));
 }
 
-void resetShadowThreshold(StudioContext& studio, const std::string& light) {
+void resetShadowThreshold(const EditingContext& studio, const std::string& light) {
   Document next = studio.document();
   next.edits.shadowThresholds.erase(light);
   studio.editor.edit("Shadows of " + light + " found by themselves", std::move(next));
 }
 
-int shadowEdit(const StudioContext& studio, const std::string& light, const ShadowKinds& kinds) {
+int shadowEdit(const EditingContext& studio, const std::string& light, const ShadowKinds& kinds) {
   const Mask mask = chosenMask(studio, light);
   const auto& edits = studio.document().edits.edits;
   const auto isIt = [&](const std::shared_ptr<const Edit>& edit) {
@@ -60,7 +60,7 @@ int shadowEdit(const StudioContext& studio, const std::string& light, const Shad
   return found == edits.end() ? -1 : static_cast<int>(found - edits.begin());
 }
 
-ShadowOperation shadowOperation(const StudioContext& studio, const std::string& light,
+ShadowOperation shadowOperation(const EditingContext& studio, const std::string& light,
                                 const ShadowKinds& kinds) {
   const int place = shadowEdit(studio, light, kinds);
   if (place >= 0)
@@ -71,7 +71,7 @@ ShadowOperation shadowOperation(const StudioContext& studio, const std::string& 
   return none;
 }
 
-Document withShadowOperation(const StudioContext& studio, const std::string& light, const ShadowKinds& kinds,
+Document withShadowOperation(const EditingContext& studio, const std::string& light, const ShadowKinds& kinds,
                              const ShadowOperation& operation) {
   Document next = studio.document();
   const int place = shadowEdit(studio, light, kinds);

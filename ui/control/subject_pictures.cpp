@@ -37,7 +37,7 @@ const SubjectPictures::Shown* SubjectPictures::picture(const std::shared_ptr<con
   const bool edited =
       subject.kind == ViewSubject::Kind::Beta || subject.kind == ViewSubject::Kind::Reflectance;
   if (subject.kind != ViewSubject::Kind::Photograph)
-    return &keep(subject, subjectImage(edited ? *set.solved : *set.original, subject));
+    return &keep(subject, subjectImage(edited ? set.solved() : *set.original, subject));
   const bool failed = std::find(m_failed.begin(), m_failed.end(), subject) != m_failed.end();
   if (failed || m_job.running()) return nullptr;
   m_reading = subject;
@@ -51,15 +51,10 @@ const SubjectPictures::Shown* SubjectPictures::picture(const std::shared_ptr<con
 }
 
 void SubjectPictures::update(Messages& messages) {
-  try {
-    auto image = m_job.take();
-    if (image && !m_stale) keep(m_reading, std::move(*image));
-  } catch (const Stopped&) {
-    return;
-  } catch (const std::exception& error) {
-    m_failed.push_back(m_reading);
-    messages.error(error.what());
-  }
+  const Taken taken = takeOrReport(m_job, messages, "this photograph", [this](Image image) {
+    if (!m_stale) keep(m_reading, std::move(image));
+  });
+  if (taken == Taken::Failed) m_failed.push_back(m_reading);
 }
 
 bool SubjectPictures::editsChanged() {

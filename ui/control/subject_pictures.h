@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "ui/control/set_controller.h"
-#include "ui/jobs/job.h"
-#include "ui/jobs/messages.h"
+#include "ui/jobs/take_or_report.h"
 
 namespace swaplight {
 

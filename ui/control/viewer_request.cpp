@@ -11,16 +11,16 @@ namespace swaplight {
 namespace {
 
 /// Display codes that a map is made of are shown as they are; pictures go through the view.
-std::optional<LayeredPicture> sidePicture(StudioContext& studio, ViewSubject subject, const Rig& rig) {
+std::optional<LayeredPicture> sidePicture(const ViewerContext& studio, ViewSubject subject, const Rig& rig) {
   const OpenSet& set = *studio.set();
-  subject = subjectWithin(*set.solved, subject);
-  const std::string& colorSpace = set.solved->colorSpace();
+  subject = subjectWithin(set.solved(), subject);
+  const std::string& colorSpace = set.solved().colorSpace();
   if (subject.kind == ViewSubject::Kind::Relit || subject.kind == ViewSubject::Kind::Contribution)
     return LayeredPicture{
-        set.pictures->layers(subject, rigFactors(*studio.colors.config(), rig, colorSpace), rig.ambient),
+        set.pictures().layers(subject, rigFactors(*studio.colors.config(), rig, colorSpace), rig.ambient),
         colorSpace};
   if (subject.kind == ViewSubject::Kind::Visibility) {
-    const Pyramid* visibility = studio.shadows.visibility(studio, subject.index);
+    const Pyramid* visibility = studio.shadows.visibility(subject.index);
     return visibility ? std::optional(LayeredPicture{{{visibility, Rgb(1)}}, ""}) : std::nullopt;
   }
   const SubjectPictures::Shown* shown = studio.subjects.picture(studio.colors.config(), set, subject);
@@ -28,7 +28,7 @@ std::optional<LayeredPicture> sidePicture(StudioContext& studio, ViewSubject sub
   return LayeredPicture{{{shown->pyramid.get(), Rgb(1)}}, shown->image.spec().colorSpace};
 }
 
-std::string lightTitle(const StudioContext& studio, int index) {
+std::string lightTitle(const ViewerContext& studio, int index) {
   const std::vector<LightSetting>& lights = studio.document().rig.lights;
   return index >= 0 && static_cast<size_t>(index) < lights.size() ? lights[static_cast<size_t>(index)].title()
                                                                   : "";
@@ -36,13 +36,13 @@ std::string lightTitle(const StudioContext& studio, int index) {
 
 }  // namespace
 
-ViewerPictures viewerPictures(StudioContext& studio) {
+ViewerPictures viewerPictures(const ViewerContext& studio) {
   const CompareState& compare = studio.view.compare;
   ViewerPictures pictures;
   pictures.a = sidePicture(studio, studio.view.subject, studio.document().rig);
   if (!compare.isOn()) return pictures;
-  const Rig other = compare.rig ? fitRig(*compare.rig, studio.set()->solved->capture)
-                                : defaultRig(studio.set()->solved->capture);
+  const Rig other = compare.rig ? fitRig(*compare.rig, studio.set()->solved().capture)
+                                : defaultRig(studio.set()->solved().capture);
   pictures.b = sidePicture(studio, compare.subject, other);
   return pictures;
 }
@@ -59,13 +59,13 @@ PixelRect visiblePart(const ViewWindow& window) {
           static_cast<int>(std::ceil(window.height / window.zoom)) + 5};
 }
 
-ViewSettings viewerSettings(const StudioContext& studio) {
+ViewSettings viewerSettings(const ViewerContext& studio) {
   ViewSettings settings = studio.view.settings;
   settings.display = displayWithin(*studio.colors.config(), studio.document().display);
   return settings;
 }
 
-std::string subjectWords(const StudioContext& studio, const ViewSubject& subject) {
+std::string subjectWords(const ViewerContext& studio, const ViewSubject& subject) {
   switch (subject.kind) {
     case ViewSubject::Kind::Relit:
       return "Relit";
@@ -89,7 +89,7 @@ std::string subjectWords(const StudioContext& studio, const ViewSubject& subject
   return {};
 }
 
-std::string sideBWords(const StudioContext& studio) {
+std::string sideBWords(const ViewerContext& studio) {
   const CompareState& compare = studio.view.compare;
   if (compare.subject.kind != ViewSubject::Kind::Relit) return subjectWords(studio, compare.subject);
   if (!compare.rig) return "All white";

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/control/studio_context.h"
+#include "ui/control/viewer_context.h"
 
 namespace swaplight {
 
@@ -12,7 +12,7 @@ struct ViewerPictures {
   std::optional<LayeredPicture> a;
   std::optional<LayeredPicture> b;  ///< where there is a comparison
 };
-[[nodiscard]] ViewerPictures viewerPictures(StudioContext& studio);
+[[nodiscard]] ViewerPictures viewerPictures(const ViewerContext& studio);
 
 /// The wipe's line in the picture's pixels.
 [[nodiscard]] Comparison wipeIn(const CompareState& state, int pictureWidth, int pictureHeight);
@@ -21,11 +21,11 @@ struct ViewerPictures {
 [[nodiscard]] PixelRect visiblePart(const ViewWindow& window);
 
 /// The viewer's settings with the session's display and view.
-[[nodiscard]] ViewSettings viewerSettings(const StudioContext& studio);
+[[nodiscard]] ViewSettings viewerSettings(const ViewerContext& studio);
 
 /// A subject in words, as "beta of key".
-[[nodiscard]] std::string subjectWords(const StudioContext& studio, const ViewSubject& subject);
+[[nodiscard]] std::string subjectWords(const ViewerContext& studio, const ViewSubject& subject);
 /// What A is compared with, in words.
-[[nodiscard]] std::string sideBWords(const StudioContext& studio);
+[[nodiscard]] std::string sideBWords(const ViewerContext& studio);
 
 }  // namespace swaplight

@@ -22,7 +22,7 @@ void row(const char* name, const std::string& value) {
 
 }  // namespace
 
-void drawAboutBox(StudioContext& studio, bool* open) {
+void drawAboutBox(const std::string& engine, const ColorConfig& config, bool* open) {
   if (!*open) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
@@ -39,9 +39,9 @@ void drawAboutBox(StudioContext& studio, bool* open) {
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, px(130));
       ImGui::TableSetupColumn("value");
       row("Version", version());
-      row("Picture by", studio.pictures.words());
+      row("Picture by", engine);
       row("OpenGL", glInfo().renderer);
-      row("Colour", studio.colors.config()->name());
+      row("Colour", config.name());
       row("Keys", (configFolder() / "keys.txt").string());
       row("Recovery", (stateFolder() / "recovery").string());
       row("Made with",

@@ -81,26 +81,22 @@ void CaptureWizard::close() {
 }
 
 void CaptureWizard::update(Messages& messages) {
-  try {
-    if (auto found = m_reading.take(); found && m_folder) {
-      m_found = std::move(found);
-      m_cells.resize(m_found->folder.shots.size());
-      setLights(std::clamp<size_t>(m_found->folder.shots.size(), 2, 4));
-      for (const ShotThumbnail& thumbnail : m_found->thumbnails)
-        m_textures.emplace_back().update(thumbnail.width, thumbnail.height, thumbnail.rgba.data());
-    }
-    if (auto guessed = m_guessing.take(); guessed && m_found) {
-      const CaptureDraft placed = withRotation(draft(), ring(), guessed->steps);
-      for (size_t k = 1; k < m_cells.size(); ++k)
-        for (size_t i = 0; i < m_lights.size(); ++i) m_cells[k][i] = {placed.colors[k][i].text, true};
-      m_guess = guessed->words;
-    }
-  } catch (const Stopped&) {
-    return;
-  } catch (const std::exception& error) {
-    messages.error(error.what());
-    if (!m_found) close();
-  }
+  const Taken read = takeOrReport(m_reading, messages, "these photographs", [this](Photographs found) {
+    if (!m_folder) return;
+    m_found = std::move(found);
+    m_cells.resize(m_found->folder.shots.size());
+    setLights(std::clamp<size_t>(m_found->folder.shots.size(), 2, 4));
+    for (const ShotThumbnail& thumbnail : m_found->thumbnails)
+      m_textures.emplace_back().update(thumbnail.width, thumbnail.height, thumbnail.rgba.data());
+  });
+  const Taken guessed = takeOrReport(m_guessing, messages, "this guess", [this](const RotationGuess& guess) {
+    if (!m_found) return;
+    const CaptureDraft placed = withRotation(draft(), ring(), guess.steps);
+    for (size_t k = 1; k < m_cells.size(); ++k)
+      for (size_t i = 0; i < m_lights.size(); ++i) m_cells[k][i] = {placed.colors[k][i].text, true};
+    m_guess = guess.words;
+  });
+  if ((read == Taken::Failed || guessed == Taken::Failed) && !m_found) close();
 }
 
 void CaptureWizard::setLights(size_t count) {

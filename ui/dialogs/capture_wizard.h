@@ -15,8 +15,7 @@
 #include "core/ocio/color_config.h"
 #include "core/solve/model/solve_options.h"
 #include "render/screen.h"
-#include "ui/jobs/job.h"
-#include "ui/jobs/messages.h"
+#include "ui/jobs/take_or_report.h"
 
 namespace swaplight {
 

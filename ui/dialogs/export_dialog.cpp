@@ -61,14 +61,14 @@ void list(const char* words, const char* mark, const std::array<Choice, N>& choi
   ImGui::SetNextItemWidth(px(kField));
   const std::string id = std::string("##") + mark;
   const bool open = ImGui::BeginCombo(id.c_str(), chosen == choices.end() ? value.c_str() : chosen->words);
-  markItem(std::string("export.") + mark);
+  markItem({"export.", mark});
   if (!open) {
     tooltip(tip);
     return;
   }
   for (const Choice& choice : choices) {
     if (ImGui::Selectable(choice.words, value == choice.value)) value = choice.value;
-    markItem(fmt::format("export.{}.{}", mark, choice.value));
+    markItem({"export.", mark, ".", choice.value});
   }
   ImGui::EndCombo();
 }
@@ -77,7 +77,7 @@ void check(const char* words, const char* mark, bool* value, const char* tip) {
   ImGui::Dummy(ImVec2(0, 0));
   ImGui::SameLine(px(kLabel));
   ImGui::Checkbox(words, value);
-  markItem(std::string("export.") + mark);
+  markItem({"export.", mark});
   tooltip(tip);
 }
 
@@ -134,7 +134,7 @@ void ExportDialog::drawKinds() {
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
     const bool clicked = ImGui::Button(kKinds.at(i).name);
     if (chosen) ImGui::PopStyleColor();
-    markItem(std::string("export.kind.") + kKinds.at(i).mark);
+    markItem({"export.kind.", kKinds.at(i).mark});
     if (clicked && !chosen) {
       m_choices.kind = kind;
       suggest();
@@ -156,7 +156,7 @@ void ExportDialog::drawFormats() {
       m_choices.format() = format;
       m_file = fs::path(m_file).replace_extension(format).string();
     }
-    markItem("export.format" + format);
+    markItem({"export.format", format});
   }
 }
 

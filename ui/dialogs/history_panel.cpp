@@ -7,12 +7,12 @@
 
 namespace swaplight {
 
-void drawHistoryPanel(StudioContext& studio, bool* open) {
+void drawHistoryPanel(DocumentEditor& editor, bool* open) {
   if (!*open) return;
   ImGui::SetNextWindowPos(ImVec2(px(64), px(80)), ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize(ImVec2(px(300), px(360)), ImGuiCond_FirstUseEver);
   if (ImGui::Begin("History", open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-    const History& history = studio.editor.history();
+    const History& history = editor.history();
     size_t chosen = history.position();
     for (size_t i = 0; i < history.steps().size(); ++i) {
       const bool undone = i > history.position();
@@ -21,11 +21,11 @@ void drawHistoryPanel(StudioContext& studio, bool* open) {
       if (ImGui::Selectable(history.steps()[i].name.c_str(), i == history.position())) chosen = i;
       if (undone) ImGui::PopStyleColor();
       ImGui::PopID();
-      markItem("history." + std::to_string(i));
+      markItem({"history.", i});
     }
     if (chosen != history.position()) {
-      studio.editor.commit();
-      studio.editor.goTo(chosen);
+      editor.commit();
+      editor.goTo(chosen);
     }
   }
   ImGui::End();

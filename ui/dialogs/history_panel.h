@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "core/session/document_editor.h"
 
 namespace swaplight {
 
 /// Every step that was taken; a click goes there.
-void drawHistoryPanel(StudioContext& studio, bool* open);
+void drawHistoryPanel(DocumentEditor& editor, bool* open);
 
 }  // namespace swaplight

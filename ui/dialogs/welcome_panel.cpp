@@ -31,8 +31,8 @@ bool wideButton(const char* icon, const std::string& text, float width) {
   return clicked;
 }
 
-void recentList(StudioContext& studio, float width) {
-  const std::vector<fs::path>& files = studio.session.recent().files();
+void recentList(SessionController& session, float width) {
+  const std::vector<fs::path>& files = session.recent().files();
   if (files.empty()) return;
   ImGui::Dummy(ImVec2(0, px(10)));
   hint("Recent");
@@ -42,17 +42,18 @@ void recentList(StudioContext& studio, float width) {
     if (ImGui::Selectable(homely(files[i]).c_str(), false, 0, ImVec2(width, 0))) chosen = files[i];
     ImGui::PopID();
   }
-  if (!chosen.empty()) studio.session.open(chosen);
+  if (!chosen.empty()) session.open(chosen);
 }
 
 }  // namespace
 
-void drawWelcomePanel(StudioContext& studio, const std::vector<fs::path>& samples) {
+void drawWelcomePanel(SessionController& session, const ActionTable& actions,
+                      const std::vector<fs::path>& samples) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + room.x, at.y + room.y), kViewerGround);
   const float width = std::min(px(440), room.x - px(40));
-  const float lines = static_cast<float>(std::min(studio.session.recent().files().size(), kRecentShown));
+  const float lines = static_cast<float>(std::min(session.recent().files().size(), kRecentShown));
   const float height = px(260) + 3 * px(46) + lines * px(26);
   ImGui::SetCursorPos(ImVec2((room.x - width) / 2, std::max(px(20), (room.y - height) / 2)));
   ImGui::BeginGroup();
@@ -66,21 +67,20 @@ void drawWelcomePanel(StudioContext& studio, const std::vector<fs::path>& sample
       "again.");
   ImGui::PopTextWrapPos();
   ImGui::Dummy(ImVec2(0, px(12)));
-  if (wideButton(kIconOpen, "Open a capture, a solved set or a session …", width))
-    studio.actions.run("file.open");
+  if (wideButton(kIconOpen, "Open a capture, a solved set or a session …", width)) actions.run("file.open");
   markItem("welcome.open");
-  if (wideButton(kIconPhoto, "Bring in photographs of your own …", width)) studio.actions.run("file.new");
+  if (wideButton(kIconPhoto, "Bring in photographs of your own …", width)) actions.run("file.new");
   markItem("welcome.new");
   for (const fs::path& sample : samples) {
     const std::string name = sample.parent_path().filename().string();
     ImGui::PushID(name.c_str());
-    if (wideButton(kIconImage, "Try the sample: " + name, width)) studio.session.open(sample);
+    if (wideButton(kIconImage, "Try the sample: " + name, width)) session.open(sample);
     ImGui::PopID();
-    markItem("welcome.sample." + name);
+    markItem({"welcome.sample.", name});
   }
   ImGui::Dummy(ImVec2(0, px(2)));
   hint("Or drop a file or a folder onto this window.");
-  recentList(studio, width);
+  recentList(session, width);
   ImGui::EndGroup();
 }
 

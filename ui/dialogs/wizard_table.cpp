@@ -122,7 +122,7 @@ void CaptureWizard::drawThumbnail(size_t shot) {
                     std::floor(scale * static_cast<float>(picture.height)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool clicked = ImGui::InvisibleButton("##picture", size);
-  markItem(fmt::format("wizard.picture.{}", shot));
+  markItem({"wizard.picture.", shot});
   const bool picking = m_picking && m_picking->first == shot;
   if (!picking) cropOnThumbnail(at, size);
   drawTexture(m_textures[shot].id(), at, ImVec2(at.x + size.x, at.y + size.y));
@@ -173,14 +173,14 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
   if (toggleButton(kIconPicker, picking, kAccent, side,
                    "Then click on a white card in this shot that only this light shines on"))
     m_picking = picking ? std::nullopt : std::optional(std::pair(shot, light));
-  markItem(mark + ".pick");
+  markItem({mark, ".pick"});
   ImGui::SameLine(0, px(4));
   if (toggleButton(kIconDown, false, kAccent, side, "Gels, white, off, unknown")) ImGui::OpenPopup("##gels");
-  markItem(mark + ".list");
+  markItem({mark, ".list"});
   if (ImGui::BeginPopup("##gels")) {
     for (const char* word : {"white", "off", "unknown"}) {
       if (ImGui::Selectable(fmt::format("      {}", word).c_str(), cell.text == word)) cell = {word, false};
-      markItem(std::string("wizard.choose.") + word);
+      markItem({"wizard.choose.", word});
     }
     ImGui::Separator();
     ImGui::BeginChild("##list", ImVec2(px(346), px(260)));
@@ -226,7 +226,7 @@ void CaptureWizard::drawTable(float height) {
     ImGui::SetNextItemWidth(px(216));
     ImGui::InputText("##name", &m_lights[i]);
     ImGui::PopID();
-    markItem(fmt::format("wizard.light.{}", i));
+    markItem({"wizard.light.", i});
   }
   for (size_t k = 0; k < m_cells.size(); ++k) drawShot(k);
   ImGui::EndTable();

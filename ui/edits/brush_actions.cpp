@@ -15,7 +15,7 @@ constexpr float kHardnessStep = 0.1F;
 
 }  // namespace
 
-void addBrushActions(ActionTable& actions, StudioContext& studio) {
+void addBrushActions(ActionTable& actions, EditingContext& studio) {
   const auto hasLights = [&studio] { return studio.set() && !studio.document().rig.lights.empty(); };
   const auto painting = [&studio, hasLights] { return studio.tool == Tool::Brush && hasLights(); };
   BrushState& brush = studio.editing.brush;

@@ -10,7 +10,7 @@
 
 namespace swaplight {
 
-void drawBrushPanel(StudioContext& studio) {
+void drawBrushPanel(EditingContext& studio) {
   BrushState& brush = studio.editing.brush;
   drawPaintModes(studio);
   float size = 2 * brushRadius(studio);

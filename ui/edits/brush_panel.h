@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/editing_context.h"
 
 namespace swaplight {
 
 /// How the brush paints.
-void drawBrushPanel(StudioContext& studio);
+void drawBrushPanel(EditingContext& studio);
 
 }  // namespace swaplight

@@ -111,7 +111,7 @@ void drawCurve(const CurvePoints& points, const Field& field, int lit) {
     const bool big = static_cast<int>(i) == lit;
     draw->AddCircleFilled(at, px(big ? 5.5F : 4.F), big ? kAccent : kText);
     draw->AddCircle(at, px(big ? 5.5F : 4.F), IM_COL32(0, 0, 0, 200), 0, px(1));
-    markRect(fmt::format("curve.point.{}", i), at.x - px(4), at.y - px(4), at.x + px(4), at.y + px(4));
+    markRect({"curve.point.", i}, at.x - px(4), at.y - px(4), at.x + px(4), at.y + px(4));
   }
 }
 

@@ -6,7 +6,7 @@
 namespace swaplight {
 namespace {
 
-void askForBetaMap(const StudioContext& studio, FileChooser& chooser,
+void askForBetaMap(const EditingContext& studio, FileChooser& chooser,
                    const std::function<void(const std::string&)>& answer) {
   FileChooser::Question question;
   question.title = "A beta map of the picture's size: EXR or PNG";
@@ -19,7 +19,7 @@ void askForBetaMap(const StudioContext& studio, FileChooser& chooser,
 
 }  // namespace
 
-void addEditActions(ActionTable& actions, StudioContext& studio, FileChooser& chooser) {
+void addEditActions(ActionTable& actions, EditingContext& studio, FileChooser& chooser) {
   const auto chosen = [&studio] {
     return studio.set() && studio.editing.chosen >= 0 &&
            studio.editing.chosen < static_cast<int>(studio.document().edits.edits.size());

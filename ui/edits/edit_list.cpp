@@ -51,7 +51,7 @@ std::string nameOf(const Edit& edit) {
   return edit.name.empty() ? operationName(edit.operation) : edit.name;
 }
 
-void nameField(StudioContext& studio, size_t index) {
+void nameField(EditingContext& studio, size_t index) {
   EditsState& state = studio.editing;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - px(6));
   if (!state.nameFocused) ImGui::SetKeyboardFocusHere();
@@ -76,7 +76,7 @@ void beginRename(EditsState& state, size_t index, const Edit& edit) {
   state.nameFocused = false;
 }
 
-void remove(StudioContext& studio, size_t index) {
+void remove(EditingContext& studio, size_t index) {
   EditStack edits = studio.document().edits;
   const std::string name = nameOf(*edits.edits[index]);
   edits.edits.erase(edits.edits.begin() + static_cast<ptrdiff_t>(index));
@@ -84,7 +84,7 @@ void remove(StudioContext& studio, size_t index) {
   editEdits(studio, "Delete: " + name, std::move(edits));
 }
 
-void duplicate(StudioContext& studio, size_t index) {
+void duplicate(EditingContext& studio, size_t index) {
   EditStack edits = studio.document().edits;
   Edit copy = *edits.edits[index];
   copy.name = nameOf(copy) + " copy";
@@ -96,7 +96,7 @@ void duplicate(StudioContext& studio, size_t index) {
   editEdits(studio, "Duplicate: " + name, std::move(edits));
 }
 
-void move(StudioContext& studio, size_t from, size_t to) {
+void move(EditingContext& studio, size_t from, size_t to) {
   if (from == to) return;
   EditStack edits = studio.document().edits;
   const auto edit = edits.edits[from];
@@ -106,7 +106,7 @@ void move(StudioContext& studio, size_t from, size_t to) {
   editEdits(studio, "Move: " + nameOf(*edit), std::move(edits));
 }
 
-void menu(StudioContext& studio, size_t index) {
+void menu(EditingContext& studio, size_t index) {
   const Edit& edit = *studio.document().edits.edits[index];
   const size_t last = studio.document().edits.edits.size() - 1;
   const auto line = [&](const char* words, const char* mark, bool enabled = true) {
@@ -123,7 +123,7 @@ void menu(StudioContext& studio, size_t index) {
 }
 
 /// A row can be dragged onto another's place. True where that changed the list.
-bool dragAndDrop(StudioContext& studio, size_t index) {
+bool dragAndDrop(EditingContext& studio, size_t index) {
   const Edit& edit = *studio.document().edits.edits[index];
   if (ImGui::BeginDragDropSource()) {
     ImGui::SetDragDropPayload(kDragged, &index, sizeof(index));
@@ -161,7 +161,7 @@ void reveal(float top, float bottom) {
 }
 
 /// False where the list has changed, and the rows after it are not those that they were.
-bool drawRow(StudioContext& studio, size_t index) {
+bool drawRow(EditingContext& studio, size_t index) {
   const std::shared_ptr<const Edit> edit = studio.document().edits.edits[index];
   EditsState& state = studio.editing;
   const std::string mark = fmt::format("edits.{}", index);
@@ -200,7 +200,7 @@ bool drawRow(StudioContext& studio, size_t index) {
     changed.on = !edit->on;
     editEdit(studio, index, nameOf(*edit) + (edit->on ? ": off" : ": on"), std::move(changed));
   }
-  markItem(mark + ".on");
+  markItem({mark, ".on"});
   ImGui::SetCursorPos(ImVec2(start.x + px(40), start.y + px(4)));
   if (state.renaming == static_cast<int>(index)) {
     nameField(studio, index);
@@ -226,33 +226,33 @@ bool drawRow(StudioContext& studio, size_t index) {
 
 }  // namespace
 
-void editEdits(StudioContext& studio, const std::string& step, EditStack edits) {
+void editEdits(EditingContext& studio, const std::string& step, EditStack edits) {
   Document next = studio.document();
   next.edits = std::move(edits);
   studio.editor.edit(step, std::move(next));
 }
 
-void editEdit(StudioContext& studio, size_t index, const std::string& step, Edit edit) {
+void editEdit(EditingContext& studio, size_t index, const std::string& step, Edit edit) {
   EditStack edits = studio.document().edits;
   edits.replace(index, std::move(edit));
   editEdits(studio, step, std::move(edits));
 }
 
-void previewEdit(StudioContext& studio, size_t index, const std::string& step, Edit edit) {
+void previewEdit(EditingContext& studio, size_t index, const std::string& step, Edit edit) {
   Document next = studio.document();
   next.edits.replace(index, std::move(edit));
   studio.editor.preview(step, std::move(next));
 }
 
-void renameEdit(StudioContext& studio, size_t index) {
+void renameEdit(EditingContext& studio, size_t index) {
   beginRename(studio.editing, index, *studio.document().edits.edits[index]);
 }
 
-void deleteEdit(StudioContext& studio, size_t index) {
+void deleteEdit(EditingContext& studio, size_t index) {
   remove(studio, index);
 }
 
-void drawEditList(StudioContext& studio) {
+void drawEditList(EditingContext& studio) {
   // Clicks elsewhere take the keys away from the list.
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows))
     studio.editing.focused = false;

@@ -1,21 +1,21 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/editing_context.h"
 
 namespace swaplight {
 
 /// The edits of the document, the last on top: on or off, name, order, opacity.
-void drawEditList(StudioContext& studio);
+void drawEditList(EditingContext& studio);
 
 /// Begins to type another name for an edit of the list.
-void renameEdit(StudioContext& studio, size_t index);
-void deleteEdit(StudioContext& studio, size_t index);
+void renameEdit(EditingContext& studio, size_t index);
+void deleteEdit(EditingContext& studio, size_t index);
 
 /// Changes the list as one step.
-void editEdits(StudioContext& studio, const std::string& step, EditStack edits);
+void editEdits(EditingContext& studio, const std::string& step, EditStack edits);
 /// Changes an edit of the list as one step.
-void editEdit(StudioContext& studio, size_t index, const std::string& step, Edit edit);
+void editEdit(EditingContext& studio, size_t index, const std::string& step, Edit edit);
 /// Shows an edit changed while a gesture goes on.
-void previewEdit(StudioContext& studio, size_t index, const std::string& step, Edit edit);
+void previewEdit(EditingContext& studio, size_t index, const std::string& step, Edit edit);
 
 }  // namespace swaplight

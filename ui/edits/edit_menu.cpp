@@ -42,7 +42,7 @@ const std::array<Choice, 6>& choices() {
 }
 
 /// An edit of the chosen light, within the selection.
-Edit newEdit(const StudioContext& studio, const std::string& what, const Operation& operation,
+Edit newEdit(const EditingContext& studio, const std::string& what, const Operation& operation,
              Meaning meaning) {
   const LightSetting& light = studio.document().rig.lights[shownLight(studio)];
   Edit edit;
@@ -57,7 +57,7 @@ Edit newEdit(const StudioContext& studio, const std::string& what, const Operati
   return edit;
 }
 
-void append(StudioContext& studio, const std::string& what, Edit edit) {
+void append(EditingContext& studio, const std::string& what, Edit edit) {
   EditStack edits = studio.document().edits;
   edits.append(std::move(edit));
   studio.editing.chosen = static_cast<int>(edits.edits.size()) - 1;
@@ -67,12 +67,12 @@ void append(StudioContext& studio, const std::string& what, Edit edit) {
   editEdits(studio, "Add: " + what, std::move(edits));
 }
 
-EditedLights lightsOf(const StudioContext& studio) {
+EditedLights lightsOf(const EditingContext& studio) {
   return editedLights(*studio.set()->original, studio.document().edits);
 }
 
 /// A file is being read: a way to stop it.
-void reading(StudioContext& studio, float width) {
+void reading(EditingContext& studio, float width) {
   if (ImGui::Button("Stop", ImVec2(width, 0))) studio.edits.files().stop();
   markItem("edits.stop");
   tooltip("A beta map is being read from a file.");
@@ -80,7 +80,7 @@ void reading(StudioContext& studio, float width) {
 
 }  // namespace
 
-void drawAddEdit(StudioContext& studio, float width) {
+void drawAddEdit(EditingContext& studio, float width) {
   if (studio.edits.files().choosing()) return reading(studio, width);
   if (ImGui::Button("Add \u2026", ImVec2(width, 0))) ImGui::OpenPopup("##add edit");
   markItem("edits.add");
@@ -105,13 +105,13 @@ void drawAddEdit(StudioContext& studio, float width) {
   ImGui::EndPopup();
 }
 
-void addPictureEdit(StudioContext& studio, const std::string& file) {
+void addPictureEdit(EditingContext& studio, const std::string& file) {
   const Edit edit = newEdit(studio, "From a file", PictureOperation{file, ""}, Meaning::Share);
   studio.edits.files().choose(edit, lightsOf(studio),
                               [&studio, edit] { append(studio, "From a file", edit); });
 }
 
-void setPictureOfEdit(StudioContext& studio, size_t index, const std::string& file) {
+void setPictureOfEdit(EditingContext& studio, size_t index, const std::string& file) {
   if (index >= studio.document().edits.edits.size()) return;
   const std::shared_ptr<const Edit> before = studio.document().edits.edits[index];
   Edit edit = *before;

@@ -31,7 +31,7 @@ constexpr int kHistogramBins = 64;
 
 /// An edit being looked at and changed.
 struct Parameters {
-  StudioContext& studio;
+  EditingContext& studio;
   size_t index;
   const Edit& edit;
 
@@ -94,7 +94,7 @@ void lights(const Parameters& of) {
         next.lights.push_back(light.light);
       of.change("Lights of an edit", std::move(next));
     }
-    markItem("parameters.lights." + light.light);
+    markItem({"parameters.lights.", light.light});
   }
   ImGui::EndCombo();
 }
@@ -200,7 +200,7 @@ void fields(const Parameters& of, ShadowOperation shadow) {
       next.operation = shadow;
       of.change(std::string("Shadows: ") + kShadowWords.at(i), std::move(next));
     }
-    markItem(std::string("parameters.kind.") + kShadowWords.at(i));
+    markItem({"parameters.kind.", kShadowWords.at(i)});
   }
   if (open) ImGui::EndCombo();
   bool changed = percent("Amount", "parameters.amount", &shadow.amount, 0, 1, "From nothing to all of it.");
@@ -221,7 +221,7 @@ void fields(const Parameters& of, ShadowOperation shadow) {
 
 }  // namespace
 
-void drawEditParameters(StudioContext& studio, size_t index, bool all) {
+void drawEditParameters(EditingContext& studio, size_t index, bool all) {
   const std::shared_ptr<const Edit> edit = studio.document().edits.edits[index];
   const Parameters parameters{studio, index, *edit};
   ImGui::PushID("parameters");

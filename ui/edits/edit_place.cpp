@@ -31,20 +31,20 @@ std::string placeWords(const Mask& mask) {
 }
 
 /// A rectangle of half the picture's size in its middle.
-RectangleShape firstRectangle(const StudioContext& studio) {
+RectangleShape firstRectangle(const EditingContext& studio) {
   const auto width = static_cast<float>(studio.set()->original->width());
   const auto height = static_cast<float>(studio.set()->original->height());
   return {std::round(width / 4), std::round(height / 4), std::round(width / 2), std::round(height / 2), 0};
 }
 
-void setPlace(StudioContext& studio, size_t index, Mask mask) {
+void setPlace(EditingContext& studio, size_t index, Mask mask) {
   Edit next = *studio.document().edits.edits[index];
   next.mask = std::move(mask);
   const std::string step = "Where an edit acts: " + placeWords(next.mask);
   editEdit(studio, index, step, std::move(next));
 }
 
-void placeCombo(StudioContext& studio, size_t index) {
+void placeCombo(EditingContext& studio, size_t index) {
   const std::shared_ptr<const Edit> edit = studio.document().edits.edits[index];
   ImGui::AlignTextToFramePadding();
   hint("Where");
@@ -60,7 +60,7 @@ void placeCombo(StudioContext& studio, size_t index) {
   for (const Light& light : studio.set()->original->capture.lights) {
     if (ImGui::Selectable(("shadows of " + light.name).c_str()))
       setPlace(studio, index, {{ShadowShape{light.name, false, 0, 0}, false}});
-    markItem("place.shadows." + light.name);
+    markItem({"place.shadows.", light.name});
   }
   const Mask& selection = studio.document().selection;
   if (!selection.empty() && ImGui::Selectable("the selection"))
@@ -72,7 +72,7 @@ void placeCombo(StudioContext& studio, size_t index) {
 }
 
 /// The numbers of a rectangle.
-void rectangle(StudioContext& studio, size_t index) {
+void rectangle(EditingContext& studio, size_t index) {
   const std::shared_ptr<const Edit> edit = studio.document().edits.edits[index];
   const auto* shape =
       edit->mask.size() == 1 ? std::get_if<RectangleShape>(&edit->mask.front().shape) : nullptr;
@@ -110,7 +110,7 @@ void rectangle(StudioContext& studio, size_t index) {
 
 }  // namespace
 
-void drawEditPlace(StudioContext& studio, size_t index) {
+void drawEditPlace(EditingContext& studio, size_t index) {
   placeCombo(studio, index);
   rectangle(studio, index);
   if (handlesShown(studio)) hint("Drag the handles in the picture.");

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/editing_context.h"
 
 namespace swaplight {
 
 /// Where an edit of the list acts: everywhere, in a rectangle, in shadows; what was painted or drawn is
 /// named.
-void drawEditPlace(StudioContext& studio, size_t index);
+void drawEditPlace(EditingContext& studio, size_t index);
 
 }  // namespace swaplight

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/editing_context.h"
 #include "ui/kit/file_chooser.h"
 
 namespace swaplight {
@@ -8,10 +8,10 @@ namespace swaplight {
 // What can be done with edits and the tools that make them. Everything that is handed in must outlive the
 // table.
 
-void addBrushActions(ActionTable& actions, StudioContext& studio);
+void addBrushActions(ActionTable& actions, EditingContext& studio);
 /// Selections and stencils.
-void addSelectionActions(ActionTable& actions, StudioContext& studio, FileChooser& chooser);
+void addSelectionActions(ActionTable& actions, EditingContext& studio, FileChooser& chooser);
 /// The list of the edits.
-void addEditActions(ActionTable& actions, StudioContext& studio, FileChooser& chooser);
+void addEditActions(ActionTable& actions, EditingContext& studio, FileChooser& chooser);
 
 }  // namespace swaplight

@@ -22,7 +22,7 @@ namespace swaplight {
 namespace {
 
 /// A row as wide as the panel; every button as wide as its word and its part of what is left.
-void drawTools(StudioContext& studio) {
+void drawTools(EditingContext& studio) {
   constexpr std::array<std::pair<const char*, const char*>, 4> tools = {{{"brush.take", "Brush"},
                                                                          {"stencil.take", "Stencil"},
                                                                          {"select.take", "Select"},
@@ -39,7 +39,7 @@ void drawTools(StudioContext& studio) {
 
 }  // namespace
 
-void drawEditsPanel(StudioContext& studio) {
+void drawEditsPanel(EditingContext& studio) {
   drawTools(studio);
   if (studio.tool == Tool::Brush) drawBrushPanel(studio);
   if (studio.tool == Tool::Stencil) drawStencilPanel(studio);

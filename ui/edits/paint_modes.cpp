@@ -81,7 +81,7 @@ void amount(BrushState& brush) {
 
 }  // namespace
 
-void drawPaintModes(StudioContext& studio) {
+void drawPaintModes(EditingContext& studio) {
   BrushState& brush = studio.editing.brush;
   const std::string light = studio.document().rig.lights[shownLight(studio)].title();
   ImGui::PushFont(fonts().strong);

@@ -6,7 +6,7 @@
 namespace swaplight {
 namespace {
 
-void askForStencilPicture(StudioContext& studio, FileChooser& chooser) {
+void askForStencilPicture(EditingContext& studio, FileChooser& chooser) {
   chooser.ask({"A picture as a stencil",
                "Use",
                {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr"},
@@ -22,7 +22,7 @@ void askForStencilPicture(StudioContext& studio, FileChooser& chooser) {
 
 }  // namespace
 
-void addSelectionActions(ActionTable& actions, StudioContext& studio, FileChooser& chooser) {
+void addSelectionActions(ActionTable& actions, EditingContext& studio, FileChooser& chooser) {
   const auto hasLights = [&studio] { return studio.set() && !studio.document().rig.lights.empty(); };
   const auto selected = [&studio] { return studio.set() && !studio.document().selection.empty(); };
   actions.add({"select.take", "Select a part of the picture", "Shift+L",

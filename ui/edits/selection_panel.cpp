@@ -61,7 +61,7 @@ void similar(SelectionState& state) {
 
 }  // namespace
 
-void drawSelectionPanel(StudioContext& studio) {
+void drawSelectionPanel(EditingContext& studio) {
   SelectionState& state = studio.editing.selection;
   const LightSetting& light = studio.document().rig.lights[shownLight(studio)];
   ImGui::PushFont(fonts().strong);
@@ -80,7 +80,7 @@ void drawSelectionPanel(StudioContext& studio) {
   hint("Shift adds, Alt takes away");
 }
 
-void drawSelectionBar(StudioContext& studio) {
+void drawSelectionBar(EditingContext& studio) {
   const Mask& selection = studio.document().selection;
   if (selection.empty()) return;
   hint("Only inside the selection");

@@ -52,7 +52,7 @@ void kinds(StencilState& state) {
 }
 
 /// What only this kind has. True where it changed.
-bool ownValues(StudioContext& studio) {
+bool ownValues(EditingContext& studio) {
   ShapeKind& kind = studio.editing.stencil.kind;
   bool changed = false;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -78,7 +78,7 @@ bool ownValues(StudioContext& studio) {
 
 }  // namespace
 
-void drawStencilPanel(StudioContext& studio) {
+void drawStencilPanel(EditingContext& studio) {
   StencilState& state = studio.editing.stencil;
   drawPaintModes(studio);
   hint("Through");

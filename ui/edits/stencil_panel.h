@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/editing_context.h"
 
 namespace swaplight {
 
 /// Which stencil or gradient, and what it lays on.
-void drawStencilPanel(StudioContext& studio);
+void drawStencilPanel(EditingContext& studio);
 
 }  // namespace swaplight

@@ -14,7 +14,7 @@ void actionMenuItem(const ActionTable& actions, const std::string& id) {
   if (ImGui::MenuItem(action->name.c_str(), action->firstKeys().c_str(), action->isChecked(),
                       action->isEnabled()))
     action->run();
-  markItem("menu." + id);
+  markItem({"menu.", id});
   tooltip(action->tooltip.c_str());
 }
 
@@ -35,7 +35,7 @@ void actionTextButton(const ActionTable& actions, const std::string& id, const c
   ImGui::PopID();
   ImGui::PopStyleVar();
   if (lit) ImGui::PopStyleColor();
-  markItem("button." + id);
+  markItem({"button.", id});
   tooltip(actionTip(*action).c_str());
   ImGui::EndDisabled();
   if (clicked) action->run();
@@ -47,7 +47,7 @@ bool actionButton(const ActionTable& actions, const std::string& id, const char*
   ImGui::BeginDisabled(!action->isEnabled());
   ImGui::PushID(id.c_str());
   const bool clicked = toggleButton(icon, action->isChecked(), kAccent, side, actionTip(*action).c_str());
-  markItem("button." + id);
+  markItem({"button.", id});
   ImGui::PopID();
   ImGui::EndDisabled();
   if (clicked) action->run();

@@ -24,7 +24,7 @@ bool pressed(ImGuiKey key) {
 bool line(const Action& action, bool chosen) {
   if (!action.isEnabled()) ImGui::PushStyleColor(ImGuiCol_Text, kFaint);
   const bool clicked = ImGui::Selectable((action.name + "##" + action.id).c_str(), chosen);
-  markItem("palette." + action.id);
+  markItem({"palette.", action.id});
   if (!action.isEnabled()) ImGui::PopStyleColor();
   if (chosen) ImGui::SetScrollHereY();
   const float width = ImGui::CalcTextSize(action.keys.c_str()).x;

@@ -113,7 +113,7 @@ bool FileChooser::drawEntries(float height) {
         done = ImGui::IsMouseDoubleClicked(0);
       }
     }
-    markItem("chooser." + entry.name);
+    markItem({"chooser.", entry.name});
     if (!entry.folder) {
       const std::string size = sizeText(entry.bytes);
       ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(size.c_str()).x);

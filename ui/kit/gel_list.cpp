@@ -43,7 +43,7 @@ bool gelLine(const Gel& gel, bool current) {
   const float side = ImGui::GetTextLineHeight();
   ImGui::GetWindowDrawList()->AddRectFilled(
       ImVec2(at.x + px(2), at.y), ImVec2(at.x + px(2) + side, at.y + side), colorU32(gelChip(gel)), px(3));
-  markItem("gel." + gel.id);
+  markItem({"gel.", gel.id});
   return clicked;
 }
 

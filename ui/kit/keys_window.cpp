@@ -63,7 +63,7 @@ void KeysWindow::drawGroup(ActionTable& actions, const std::string& group) {
       m_waiting = waiting ? "" : action.id;
     if (changed) ImGui::PopStyleColor();
     if (waiting) ImGui::PopStyleColor();
-    markItem("keys." + action.id);
+    markItem({"keys.", action.id});
     tooltip(
         "Click, then press the new keys. Backspace takes them away, Escape leaves them, right-click brings "
         "back the first ones.");

@@ -42,20 +42,29 @@ void probeLayout(const std::filesystem::path& file) {
   probe()->file = file;
 }
 
-void markItem(const std::string& name) {
+void NamePart::appendTo(std::string& name) const {
+  if (m_number)
+    name += std::to_string(*m_number);
+  else
+    name += m_text;
+}
+
+void markItem(std::initializer_list<NamePart> name) {
   if (!probe() || !ImGui::IsItemVisible()) return;
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
   markRect(name, low.x, low.y, high.x, high.y);
 }
 
-void markRect(const std::string& name, float x0, float y0, float x1, float y1) {
+void markRect(std::initializer_list<NamePart> name, float x0, float y0, float x1, float y1) {
   if (!probe()) return;
-  probe()->items[name] = {std::round(x0), std::round(y0), std::round(x1), std::round(y1)};
+  std::string whole;
+  for (const NamePart& part : name) part.appendTo(whole);
+  probe()->items[whole] = {std::round(x0), std::round(y0), std::round(x1), std::round(y1)};
 }
 
-void markState(const std::string& name, const std::string& value) {
-  if (probe()) probe()->state[name] = value;
+void markState(std::string_view name, std::string_view value) {
+  if (probe()) probe()->state[std::string(name)] = value;
 }
 
 void endLayoutFrame() {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <concepts>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace swaplight {
 
@@ -21,12 +24,34 @@ void rememberLayout();
 /// From here on every frame's rectangles go to this file.
 void probeLayout(const std::filesystem::path& file);
 
-/// Names the widget that was submitted last, as "mixer.key.stops".
-void markItem(const std::string& name);
+/// A part of a name: text or a number. Text is only looked at during the call.
+class NamePart {
+ public:
+  NamePart(const char* text) : m_text(text) {}         // NOLINT: meant to convert
+  NamePart(std::string_view text) : m_text(text) {}    // NOLINT
+  NamePart(const std::string& text) : m_text(text) {}  // NOLINT
+  template <std::integral Number>
+  NamePart(Number number) : m_number(static_cast<long long>(number)) {}  // NOLINT
+  void appendTo(std::string& name) const;
+
+ private:
+  std::string_view m_text;
+  std::optional<long long> m_number;
+};
+
+/// Names the widget that was submitted last, as {"mixer.", light, ".stops"}: the parts are put together only
+/// where somebody asks.
+void markItem(std::initializer_list<NamePart> name);
+inline void markItem(const NamePart& name) {
+  markItem(std::initializer_list<NamePart>{name});
+}
 /// Names a rectangle in screen pixels.
-void markRect(const std::string& name, float x0, float y0, float x1, float y1);
+void markRect(std::initializer_list<NamePart> name, float x0, float y0, float x1, float y1);
+inline void markRect(const NamePart& name, float x0, float y0, float x1, float y1) {
+  markRect(std::initializer_list<NamePart>{name}, x0, y0, x1, y1);
+}
 /// A word about the state of things, as "status": "ready".
-void markState(const std::string& name, const std::string& value);
+void markState(std::string_view name, std::string_view value);
 
 /// Writes the frame's rectangles if they differ from the last frame's.
 void endLayoutFrame();

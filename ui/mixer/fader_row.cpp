@@ -18,21 +18,21 @@ constexpr float kHeight = 48;
 constexpr float kNameWidth = 94;
 constexpr float kGap = 6;
 
-void editGroup(StudioContext& studio, size_t index, const std::string& what, float stops, bool on) {
+void editGroup(LightsContext& studio, size_t index, const std::string& what, float stops, bool on) {
   Rig rig = studio.document().rig;
   rig.groups[index].stops = stops;
   rig.groups[index].on = on;
   editRig(studio, rig.groups[index].name + ": " + what, rig);
 }
 
-void groupName(StudioContext& studio, const LightGroup& group, const MixerCard& card) {
+void groupName(LightsContext& studio, const LightGroup& group, const MixerCard& card) {
   const ImVec2 clip = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(clip, ImVec2(clip.x + px(kNameWidth), clip.y + card.size().y), true);
   ImGui::PushFont(fonts().strong);
   ImGui::Text("%s  %s", kIconLayers, group.name.c_str());
   ImGui::PopFont();
   ImGui::PopClipRect();
-  markItem("mixer.group." + group.name);
+  markItem({"mixer.group.", group.name});
   tooltip("A group of lights. Right-click: dissolve it.");
   if (!ImGui::BeginPopupContextItem("##group menu")) return;
   if (ImGui::MenuItem("Dissolve the group"))
@@ -43,7 +43,7 @@ void groupName(StudioContext& studio, const LightGroup& group, const MixerCard& 
 
 }  // namespace
 
-void drawGroupRow(StudioContext& studio, size_t index) {
+void drawGroupRow(LightsContext& studio, size_t index) {
   const LightGroup group = studio.document().rig.groups[index];
   const MixerCard card(kHeight);
   const float side = px(kSwitchSide);
@@ -56,7 +56,7 @@ void drawGroupRow(StudioContext& studio, size_t index) {
   float stops = group.stops;
   const float rest = px(kNumberWidth) + side + px(kDotWidth) + 3 * gap;
   bool changed = stopsSlider("##stops", &stops, kStopsRange, card.innerWidth() - px(kNameWidth) - rest);
-  markItem(mark + ".stops");
+  markItem({mark, ".stops"});
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(px(kNumberWidth));
   changed |= ImGui::DragFloat("##number", &stops, 0.02F, -kMostStops, kMostStops, "%+.2f st");
@@ -68,16 +68,16 @@ void drawGroupRow(StudioContext& studio, size_t index) {
   ImGui::SameLine(0, gap);
   if (toggleButton(kIconPower, group.on, kLitPower, side, "The whole group on or off"))
     editGroup(studio, index, group.on ? "off" : "on", group.stops, !group.on);
-  markItem(mark + ".on");
+  markItem({mark, ".on"});
   ImGui::SameLine(0, gap);
   if (changedDot("##reset", group.stops != 0 || !group.on, "Differs from the capture. Click to reset."))
     editGroup(studio, index, "reset", 0, true);
-  markItem(mark + ".reset");
+  markItem({mark, ".reset"});
   ImGui::PopID();
   card.end();
 }
 
-void drawAmbientRow(StudioContext& studio) {
+void drawAmbientRow(LightsContext& studio) {
   const float ambient = studio.document().rig.ambient;
   const auto withAmbient = [&](float factor) {
     Document next = studio.document();

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/lights_context.h"
 
 namespace swaplight {
 
 /// The fader of a group of lights, as a row of the mixer.
-void drawGroupRow(StudioContext& studio, size_t group);
+void drawGroupRow(LightsContext& studio, size_t group);
 /// The fader of what no light explains.
-void drawAmbientRow(StudioContext& studio);
+void drawAmbientRow(LightsContext& studio);
 
 }  // namespace swaplight

@@ -22,16 +22,16 @@ constexpr float kFaderWidth = 214;
 constexpr float kGap = 6;
 constexpr float kNameHeight = 20;
 
-float aspectOf(const StudioContext& studio) {
-  const ViewPictures& pictures = *studio.set()->pictures;
+float aspectOf(const LightsContext& studio) {
+  const ViewPictures& pictures = studio.set()->pictures();
   return static_cast<float>(pictures.width()) / static_cast<float>(pictures.height());
 }
 
-float cardWidth(const StudioContext& studio, float height) {
+float cardWidth(const LightsContext& studio, float height) {
   return std::floor(std::clamp(height * aspectOf(studio), height / 2, 2.5F * height));
 }
 
-void lookMenu(StudioContext& studio, size_t index) {
+void lookMenu(LightsContext& studio, size_t index) {
   const std::vector<SavedLook>& looks = studio.document().looks;
   LookState& state = studio.looks;
   if (ImGui::IsWindowAppearing()) {
@@ -76,7 +76,7 @@ void lookMenu(StudioContext& studio, size_t index) {
   markItem("gallery.remove");
 }
 
-void sideCombo(StudioContext& studio, const char* side, size_t* chosen, float width) {
+void sideCombo(LightsContext& studio, const char* side, size_t* chosen, float width) {
   const std::vector<SavedLook>& looks = studio.document().looks;
   ImGui::SetNextItemWidth(width);
   const bool open = ImGui::BeginCombo(fmt::format("##{}", side).c_str(),
@@ -84,15 +84,15 @@ void sideCombo(StudioContext& studio, const char* side, size_t* chosen, float wi
   if (open) {
     for (size_t i = 0; i < looks.size(); ++i) {
       if (ImGui::Selectable(looks[i].name.c_str(), i == *chosen)) *chosen = i;
-      markItem(fmt::format("gallery.side.{}", i));
+      markItem({"gallery.side.", i});
     }
     ImGui::EndCombo();
   }
-  markItem(fmt::format("gallery.side_{}", side));
+  markItem({"gallery.side_", side});
 }
 
 /// The T-bar between two looks.
-void crossfade(StudioContext& studio) {
+void crossfade(LightsContext& studio) {
   const std::vector<SavedLook>& looks = studio.document().looks;
   LookState& state = studio.looks;
   if (looks.size() < 2) {
@@ -119,19 +119,19 @@ void crossfade(StudioContext& studio) {
 
 }  // namespace
 
-unsigned GalleryPanel::thumbnail(StudioContext& studio, size_t index, int width, int height) {
+unsigned GalleryPanel::thumbnail(LightsContext& studio, size_t index, int width, int height) {
   const OpenSet& set = *studio.set();
   const Document& document = studio.document();
   const SavedLook& look = document.looks[index];
   if (m_thumbnails.size() <= index) m_thumbnails.resize(index + 1);
   Thumbnail& made = m_thumbnails[index];
-  const std::string& colorSpace = set.solved->colorSpace();
+  const std::string& colorSpace = set.solved().colorSpace();
   const auto table = studio.table.table(studio.colors.config(), colorSpace, document.display);
   if (made.texture.id() != 0 && made.rig == look.rig && made.set == studio.session.setRevision() &&
       made.table == table)
     return made.texture.id();
-  const Rig rig = fitRig(look.rig, set.solved->capture);
-  const ViewPictures& pictures = *set.pictures;
+  const Rig rig = fitRig(look.rig, set.solved().capture);
+  const ViewPictures& pictures = set.pictures();
   ViewWindow window{0, 0, fitZoom(pictures.width(), pictures.height(), width, height), width, height};
   std::vector<uint8_t> pixels(4 * static_cast<size_t>(width) * static_cast<size_t>(height));
   windowPixels(
@@ -147,7 +147,7 @@ unsigned GalleryPanel::thumbnail(StudioContext& studio, size_t index, int width,
   return made.texture.id();
 }
 
-void GalleryPanel::drawLook(StudioContext& studio, size_t index, float height) {
+void GalleryPanel::drawLook(LightsContext& studio, size_t index, float height) {
   const SavedLook look = studio.document().looks[index];
   const std::string mark = fmt::format("gallery.{}", index);
   const float aspect = aspectOf(studio);
@@ -187,11 +187,11 @@ void GalleryPanel::drawLook(StudioContext& studio, size_t index, float height) {
     else
       wipeAgainstLook(studio, look);
   }
-  markItem(mark + ".wipe");
+  markItem({mark, ".wipe"});
   ImGui::SameLine(0, px(2));
   if (toggleButton(kIconMore, false, kAccent, side, "Name, note, replace, remove"))
     ImGui::OpenPopup("##menu");
-  markItem(mark + ".menu");
+  markItem({mark, ".menu"});
   if (ImGui::BeginPopup("##menu")) {
     lookMenu(studio, index);
     ImGui::EndPopup();
@@ -200,7 +200,7 @@ void GalleryPanel::drawLook(StudioContext& studio, size_t index, float height) {
   ImGui::PopID();
 }
 
-void GalleryPanel::draw(StudioContext& studio) {
+void GalleryPanel::draw(LightsContext& studio) {
   if (m_thumbnails.size() > studio.document().looks.size())
     m_thumbnails.resize(studio.document().looks.size());
   const ImVec2 room = ImGui::GetContentRegionAvail();

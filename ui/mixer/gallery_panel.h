@@ -3,14 +3,14 @@
 #include <vector>
 
 #include "render/screen.h"
-#include "ui/control/studio_context.h"
+#include "ui/control/lights_context.h"
 
 namespace swaplight {
 
 /// The looks that were kept, below the viewer: one click lights the set so; wipe, crossfade, names, notes.
 class GalleryPanel {
  public:
-  void draw(StudioContext& studio);
+  void draw(LightsContext& studio);
   /// Its height at scale 1.
   static constexpr float kHeight = 142;
 
@@ -22,8 +22,8 @@ class GalleryPanel {
     std::shared_ptr<const DisplayTable> table;
     ScreenTexture texture;
   };
-  unsigned thumbnail(StudioContext& studio, size_t index, int width, int height);
-  void drawLook(StudioContext& studio, size_t index, float height);
+  unsigned thumbnail(LightsContext& studio, size_t index, int width, int height);
+  void drawLook(LightsContext& studio, size_t index, float height);
 
   std::vector<Thumbnail> m_thumbnails;
 };

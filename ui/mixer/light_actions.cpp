@@ -11,7 +11,7 @@
 namespace swaplight {
 namespace {
 
-void askForGels(StudioContext& studio, FileChooser& chooser) {
+void askForGels(LightsContext& studio, FileChooser& chooser) {
   chooser.ask({"Import a table of gels",
                "Import",
                {".csv"},
@@ -30,7 +30,7 @@ void askForGels(StudioContext& studio, FileChooser& chooser) {
 
 }  // namespace
 
-void addLightActions(ActionTable& actions, StudioContext& studio, FileChooser& chooser) {
+void addLightActions(ActionTable& actions, LightsContext& studio, FileChooser& chooser) {
   const auto hasLights = [&studio] { return !studio.document().rig.lights.empty(); };
   const auto hasSet = [&studio] { return studio.set() != nullptr; };
   const auto light = [&studio] { return shownLight(studio); };
@@ -78,9 +78,9 @@ void addLightActions(ActionTable& actions, StudioContext& studio, FileChooser& c
   actions.add({"mixer.as_captured", "As captured", "", "Every light as in the first shot.",
                [&studio] {
                  editRig(studio, "As captured",
-                         rigOfShot(*studio.colors.config(), studio.document().rig, *studio.set()->solved, 0));
+                         rigOfShot(*studio.colors.config(), studio.document().rig, studio.set()->solved(), 0));
                },
-               [&studio] { return studio.set() && !studio.set()->solved->capture.shots.empty(); }});
+               [&studio] { return studio.set() && !studio.set()->solved().capture.shots.empty(); }});
   actions.add({"mixer.all_white", "All white", "", "Every light on, white, without stops.",
                [&studio] { editRig(studio, "All white", allWhiteRig(studio.document().rig)); }, hasLights});
   actions.add({"mixer.all_off", "All off", "", "Every light off.",

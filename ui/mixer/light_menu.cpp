@@ -31,14 +31,14 @@ Rig withoutEmptyGroups(Rig rig) {
   return rig;
 }
 
-void putIntoGroup(StudioContext& studio, size_t light, const std::string& name) {
+void putIntoGroup(LightsContext& studio, size_t light, const std::string& name) {
   Rig rig = studio.document().rig;
   if (!name.empty() && !hasGroup(rig, name)) rig.groups.push_back({name, 0, true});
   for (const size_t i : lightsFor(studio, light)) rig.lights[i].group = name;
   editRig(studio, name.empty() ? "ungroup" : "group " + name, withoutEmptyGroups(std::move(rig)));
 }
 
-void groupMenu(StudioContext& studio, size_t light) {
+void groupMenu(LightsContext& studio, size_t light) {
   const bool open = ImGui::BeginMenu("Group");
   markItem("light_menu.group");
   if (!open) return;
@@ -64,7 +64,7 @@ void groupMenu(StudioContext& studio, size_t light) {
   if (any) putIntoGroup(studio, light, chosen);
 }
 
-void roleMenu(StudioContext& studio, size_t light) {
+void roleMenu(LightsContext& studio, size_t light) {
   if (!ImGui::BeginMenu("Role")) return;
   for (const Role role : kRoles)
     if (ImGui::MenuItem(roleName(role).c_str(), nullptr, studio.document().rig.lights[light].role == role))
@@ -73,19 +73,19 @@ void roleMenu(StudioContext& studio, size_t light) {
   ImGui::EndMenu();
 }
 
-void shotMenu(StudioContext& studio) {
+void shotMenu(LightsContext& studio) {
   const OpenSet* set = studio.set();
-  if (!set || set->solved->capture.shots.empty() || !ImGui::BeginMenu("As captured")) return;
-  for (size_t shot = 0; shot < set->solved->capture.shots.size(); ++shot) {
+  if (!set || set->solved().capture.shots.empty() || !ImGui::BeginMenu("As captured")) return;
+  for (size_t shot = 0; shot < set->solved().capture.shots.size(); ++shot) {
     const std::string name = fmt::format("Shot {}", shot + 1);
     if (ImGui::MenuItem(name.c_str()))
       editRig(studio, "As captured: " + name,
-              rigOfShot(*studio.colors.config(), studio.document().rig, *set->solved, shot));
+              rigOfShot(*studio.colors.config(), studio.document().rig, set->solved(), shot));
   }
   ImGui::EndMenu();
 }
 
-void unitMenu(StudioContext& studio) {
+void unitMenu(LightsContext& studio) {
   if (!ImGui::BeginMenu("Intensity in")) return;
   using Unit = MixerState::Unit;
   for (const auto& [unit, name] :
@@ -96,7 +96,7 @@ void unitMenu(StudioContext& studio) {
 
 }  // namespace
 
-void beginRename(StudioContext& studio, size_t light) {
+void beginRename(LightsContext& studio, size_t light) {
   studio.mixer.renaming = static_cast<int>(light);
   studio.mixer.name = studio.document().rig.lights[light].title();
   studio.mixer.nameFocused = false;
@@ -115,7 +115,7 @@ Rig withoutGroup(Rig rig, const std::string& name) {
   return withoutEmptyGroups(std::move(rig));
 }
 
-void drawLightMenu(StudioContext& studio, size_t light) {
+void drawLightMenu(LightsContext& studio, size_t light) {
   actionMenuItem(studio.actions, "light.rename");
   roleMenu(studio, light);
   groupMenu(studio, light);
@@ -130,7 +130,7 @@ void drawLightMenu(StudioContext& studio, size_t light) {
   for (const char* id : {"light.neutral", "light.match"}) actionMenuItem(studio.actions, id);
 }
 
-void drawMixerMenu(StudioContext& studio) {
+void drawMixerMenu(LightsContext& studio) {
   shotMenu(studio);
   for (const char* id : {"mixer.all_white", "mixer.all_off"}) actionMenuItem(studio.actions, id);
   ImGui::Separator();

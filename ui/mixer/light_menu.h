@@ -1,16 +1,16 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/lights_context.h"
 
 namespace swaplight {
 
 /// The lines of a light's menu.
-void drawLightMenu(StudioContext& studio, size_t light);
+void drawLightMenu(LightsContext& studio, size_t light);
 /// The lines of the mixer's menu: what is done to all lights.
-void drawMixerMenu(StudioContext& studio);
+void drawMixerMenu(LightsContext& studio);
 
 /// From the next frame on the light's name is typed in its row.
-void beginRename(StudioContext& studio, size_t light);
+void beginRename(LightsContext& studio, size_t light);
 /// The rig without a group; its lights stand alone, as bright as they were.
 [[nodiscard]] Rig withoutGroup(Rig rig, const std::string& name);
 

@@ -32,7 +32,7 @@ constexpr std::array<float, 6> kWhites = {1900, 2700, 3200, 4300, 5600, 6500};
 
 /// One light's colour being looked at and changed.
 struct ColorEditor {
-  StudioContext& studio;
+  LightsContext& studio;
   size_t light;
   const LightColor& color;
 
@@ -208,7 +208,7 @@ void gel(const ColorEditor& edit) {
   markItem("light.gel");
 }
 
-void heading(StudioContext& studio, size_t light, const LightSetting& setting) {
+void heading(LightsContext& studio, size_t light, const LightSetting& setting) {
   const size_t count = lightsFor(studio, light).size();
   ImGui::PushFont(fonts().strong);
   ImGui::AlignTextToFramePadding();
@@ -232,7 +232,7 @@ float lightPanelHeight() {
          px(4);
 }
 
-void drawLightPanel(StudioContext& studio) {
+void drawLightPanel(LightsContext& studio) {
   if (studio.document().rig.lights.empty()) return;
   const size_t light = shownLight(studio);
   const LightSetting setting = studio.document().rig.lights[light];

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/lights_context.h"
 
 namespace swaplight {
 
 /// The colour of the chosen light: hue wheel, numbers, temperature. Fills the width it is given.
-void drawLightPanel(StudioContext& studio);
+void drawLightPanel(LightsContext& studio);
 /// The height that it needs.
 [[nodiscard]] float lightPanelHeight();
 

@@ -4,7 +4,7 @@
 
 namespace swaplight {
 
-void addLookActions(ActionTable& actions, StudioContext& studio) {
+void addLookActions(ActionTable& actions, LightsContext& studio) {
   actions.add({"looks.keep", "Keep the lighting as a look", "Shift+K",
                "Put the lighting of now into the gallery.",
                [&studio] {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr float kLeastRows = 94;  ///< height that the rows keep, however small the window
 
-void header(StudioContext& studio) {
+void header(LightsContext& studio) {
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Lights");
@@ -47,7 +47,7 @@ void header(StudioContext& studio) {
 
 }  // namespace
 
-void drawMixerPanel(StudioContext& studio) {
+void drawMixerPanel(LightsContext& studio) {
   if (studio.document().rig.lights.empty()) return;
   header(studio);
   const float room = ImGui::GetContentRegionAvail().y;
@@ -56,7 +56,7 @@ void drawMixerPanel(StudioContext& studio) {
   for (size_t i = 0; i < studio.document().rig.groups.size(); ++i) drawGroupRow(studio, i);
   for (size_t i = 0; i < studio.document().rig.lights.size(); ++i) drawLightRow(studio, i);
   const OpenSet* set = studio.set();
-  if (set && set->solved->ambient) drawAmbientRow(studio);
+  if (set && set->solved().ambient) drawAmbientRow(studio);
   ImGui::EndChild();
   ImGui::Separator();
   if (studio.layout.threePoint && set)

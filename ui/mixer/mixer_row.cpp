@@ -38,7 +38,7 @@ std::string underName(const LightSetting& setting) {
 }
 
 /// Which lights are chosen after a click on this one, with the modifiers held.
-void choose(StudioContext& studio, size_t light) {
+void choose(LightsContext& studio, size_t light) {
   const ImGuiIO& io = ImGui::GetIO();
   const int index = static_cast<int>(light);
   std::set<int>& chosen = studio.view.selectedLights;
@@ -60,13 +60,13 @@ void choose(StudioContext& studio, size_t light) {
   studio.view.selectedLight = index;
 }
 
-void nameField(StudioContext& studio, size_t light, float width) {
+void nameField(LightsContext& studio, size_t light, float width) {
   MixerState& mixer = studio.mixer;
   ImGui::SetNextItemWidth(width);
   if (!mixer.nameFocused) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputText(
       "##name", &mixer.name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  markItem("mixer." + studio.document().rig.lights[light].light + ".name_field");
+  markItem({"mixer.", studio.document().rig.lights[light].light, ".name_field"});
   if (!entered && !(mixer.nameFocused && !ImGui::IsItemActive())) {
     mixer.nameFocused = mixer.nameFocused || ImGui::IsItemActive();
     return;
@@ -80,7 +80,7 @@ void nameField(StudioContext& studio, size_t light, float width) {
   mixer.renaming = -1;
 }
 
-void name(StudioContext& studio, size_t light, const LightSetting& setting, ImVec2 at, float width) {
+void name(LightsContext& studio, size_t light, const LightSetting& setting, ImVec2 at, float width) {
   ImGui::SetCursorPos(ImVec2(at.x, at.y - px(2)));
   if (studio.mixer.renaming == static_cast<int>(light)) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(4), 0));
@@ -103,7 +103,7 @@ void name(StudioContext& studio, size_t light, const LightSetting& setting, ImVe
 }
 
 /// Mute, solo and on at the right end of a row.
-void switches(StudioContext& studio, size_t light, const LightSetting& setting) {
+void switches(LightsContext& studio, size_t light, const LightSetting& setting) {
   const float side = px(kSwitchSide);
   const float gap = px(4);
   const std::string mark = "mixer." + setting.light;
@@ -111,22 +111,22 @@ void switches(StudioContext& studio, size_t light, const LightSetting& setting) 
     const bool mute = !setting.mute;
     editLights(studio, light, mute ? "mute" : "unmute", [&](LightSetting& changed) { changed.mute = mute; });
   }
-  markItem(mark + ".mute");
+  markItem({mark, ".mute"});
   ImGui::SameLine(0, gap);
   if (toggleButton("S", setting.solo, kSolo, side,
                    "Solo: the others are dark  (S). With Alt: this one alone."))
     toggleSolo(studio, light, ImGui::GetIO().KeyAlt);
-  markItem(mark + ".solo");
+  markItem({mark, ".solo"});
   ImGui::SameLine(0, gap);
   if (toggleButton(kIconPower, setting.on, kLitPower, side, "On or off")) {
     const bool on = !setting.on;
     editLights(studio, light, on ? "on" : "off", [&](LightSetting& changed) { changed.on = on; });
   }
-  markItem(mark + ".on");
+  markItem({mark, ".on"});
 }
 
 /// The intensity as a number in the unit that the person likes. True while it changes.
-bool intensityNumber(StudioContext& studio, const LightSetting& setting, float* stops) {
+bool intensityNumber(LightsContext& studio, const LightSetting& setting, float* stops) {
   ImGui::SetNextItemWidth(px(kNumberWidth));
   if (studio.mixer.unit == MixerState::Unit::Stops)
     return ImGui::DragFloat("##number", stops, 0.02F, -kMostStops, kMostStops, "%+.2f st");
@@ -140,17 +140,17 @@ bool intensityNumber(StudioContext& studio, const LightSetting& setting, float* 
   return true;
 }
 
-void intensity(StudioContext& studio, size_t light, const LightSetting& setting, float width) {
+void intensity(LightsContext& studio, size_t light, const LightSetting& setting, float width) {
   const std::string mark = "mixer." + setting.light;
   const float gap = px(6);
   float stops = setting.stops;
   bool changed =
       stopsSlider("##stops", &stops, kStopsRange, width - px(kDotWidth) - px(kNumberWidth) - 2 * gap);
-  markItem(mark + ".stops");
+  markItem({mark, ".stops"});
   tooltip("Intensity in stops over the capture. Double-click resets.");
   ImGui::SameLine(0, gap);
   changed |= intensityNumber(studio, setting, &stops);
-  markItem(mark + ".number");
+  markItem({mark, ".number"});
   tooltip("Drag, or double-click and type. Stops, percent or multiplier: choose in the mixer's menu.");
   if (changed) previewStops(studio, light, stops - setting.stops);
   ImGui::SameLine(0, gap);
@@ -160,12 +160,12 @@ void intensity(StudioContext& studio, size_t light, const LightSetting& setting,
       reset.stops = 0;
       reset.multiplier = 1;
     });
-  markItem(mark + ".reset");
+  markItem({mark, ".reset"});
 }
 
 }  // namespace
 
-void drawLightRow(StudioContext& studio, size_t light) {
+void drawLightRow(LightsContext& studio, size_t light) {
   const LightSetting setting = studio.document().rig.lights[light];
   const std::string mark = "mixer." + setting.light;
   const int index = static_cast<int>(light);
@@ -199,7 +199,7 @@ void drawLightRow(StudioContext& studio, size_t light) {
   if (colorChip("##chip", chipColor(setting.color), ImVec2(px(kChipSide), px(kChipSide)),
                 "Choose this light"))
     choose(studio, light);
-  markItem(mark + ".chip");
+  markItem({mark, ".chip"});
   name(studio, light, setting, card.at(nameAt, 0), nameWidth);
   ImGui::SetCursorPos(card.at(card.innerWidth() - switchesWidth, px(3)));
   switches(studio, light, setting);

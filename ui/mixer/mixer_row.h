@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/lights_context.h"
 
 namespace swaplight {
 
 /// One light's row in the mixer.
-void drawLightRow(StudioContext& studio, size_t light);
+void drawLightRow(LightsContext& studio, size_t light);
 
 }  // namespace swaplight

@@ -26,7 +26,7 @@ constexpr float kFlattest = -1, kSteepest = 6;  ///< stops of key over fill
 constexpr float kMostBack = 4;                  ///< stops of back over key
 
 /// The light that has the role; another choice takes the role from it.
-void roleCombo(StudioContext& studio, Role role, float width) {
+void roleCombo(LightsContext& studio, Role role, float width) {
   const Rig& rig = studio.document().rig;
   const std::vector<size_t> lights = lightsOfRole(rig, role);
   std::string words = roleName(role) + ": ";
@@ -39,7 +39,7 @@ void roleCombo(StudioContext& studio, Role role, float width) {
   if (open) {
     for (size_t i = 0; i < rig.lights.size(); ++i) {
       if (!ImGui::Selectable(rig.lights[i].title().c_str(), rig.lights[i].role == role)) {
-        markItem(mark + "." + rig.lights[i].light);
+        markItem({mark, ".", rig.lights[i].light});
         continue;
       }
       Rig next = rig;
@@ -84,13 +84,13 @@ void wordsBeside(const std::string& words) {
   hint(words);
 }
 
-void previewRig(StudioContext& studio, const std::string& step, Rig rig) {
+void previewRig(LightsContext& studio, const std::string& step, Rig rig) {
   Document next = studio.document();
   next.rig = std::move(rig);
   studio.editor.preview(step, std::move(next));
 }
 
-void keyToFill(StudioContext& studio) {
+void keyToFill(LightsContext& studio) {
   const Rig& rig = studio.document().rig;
   const LightRatios& ratios = lightRatios(studio);
   const std::optional<float> measured = stopsOverRole(rig, ratios, Role::Key, Role::Fill);
@@ -113,12 +113,12 @@ void keyToFill(StudioContext& studio) {
     if (ImGui::Button(ratio.c_str(), ImVec2(width, 0)))
       editRig(studio, "Key : fill " + ratio,
               withStopsOverRole(rig, ratios, Role::Fill, Role::Key, -static_cast<float>(power)));
-    markItem("three_point.ratio." + std::to_string(1 << power));
+    markItem({"three_point.ratio.", 1 << power});
   }
   ImGui::EndDisabled();
 }
 
-void backLevel(StudioContext& studio) {
+void backLevel(LightsContext& studio) {
   const Rig& rig = studio.document().rig;
   const LightRatios& ratios = lightRatios(studio);
   const std::optional<float> measured = stopsOverRole(rig, ratios, Role::Back, Role::Key);
@@ -132,7 +132,7 @@ void backLevel(StudioContext& studio) {
   ImGui::EndDisabled();
 }
 
-void warmCool(StudioContext& studio) {
+void warmCool(LightsContext& studio) {
   const Rig& rig = studio.document().rig;
   const std::vector<size_t> keys = lightsOfRole(rig, Role::Key), fills = lightsOfRole(rig, Role::Fill);
   ImGui::BeginDisabled(keys.empty() || fills.empty());
@@ -152,7 +152,7 @@ void warmCool(StudioContext& studio) {
   ImGui::EndDisabled();
 }
 
-void presets(StudioContext& studio) {
+void presets(LightsContext& studio) {
   const LookState::Blend* blend = activeBlend(studio);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - (kColumns - 1) * px(kGap)) / kColumns);
   ImGui::PushFont(fonts().small);
@@ -189,7 +189,7 @@ void presets(StudioContext& studio) {
 
 }  // namespace
 
-void drawThreePointPanel(StudioContext& studio) {
+void drawThreePointPanel(LightsContext& studio) {
   if (!studio.set()) return;
   ImGui::PushFont(fonts().strong);
   ImGui::AlignTextToFramePadding();

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/lights_context.h"
 
 namespace swaplight {
 
 /// Key, fill and back: which lights they are, their ratios, warm against cool, and looks made of them. As
 /// high as the light panel, in whose place it is shown.
-void drawThreePointPanel(StudioContext& studio);
+void drawThreePointPanel(LightsContext& studio);
 
 }  // namespace swaplight

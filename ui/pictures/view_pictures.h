@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <shared_mutex>
 #include <span>
 #include <vector>
 
@@ -21,14 +20,11 @@ class ViewPictures {
   [[nodiscard]] int width() const { return m_set->width(); }
   [[nodiscard]] int height() const { return m_set->height(); }
 
-  /// To be called when pixels of the contributions have changed, alone with pixels().
+  /// To be called when pixels of the contributions have changed.
   void refresh(const std::vector<PixelRect>& changed);
-  /// To be called when the set has other lights, alone with pixels(): pictures that lie where they lay are
-  /// kept.
+  /// To be called when the set has other lights: pictures that lie where they lay are kept.
   void lightsChanged();
   [[nodiscard]] const std::vector<Pyramid>& contributions() const { return m_contributions; }
-  /// Shared by other threads than the interface's while they read; held alone while pixels change.
-  [[nodiscard]] std::shared_mutex& pixels() const { return m_pixels; }
 
   /// What has to be added up to show a subject; `factors` are the rig's; a light that it lacks
   /// is dark.
@@ -39,7 +35,6 @@ class ViewPictures {
   std::shared_ptr<const SolvedSet> m_set;
   std::vector<Pyramid> m_contributions;
   std::optional<Pyramid> m_ambient;
-  mutable std::shared_mutex m_pixels;
 };
 
 }  // namespace swaplight

@@ -137,7 +137,7 @@ void drawVectorscope(unsigned texture, ImVec2 low, ImVec2 high) {
   }
 }
 
-void drawChromaticity(StudioContext& studio, unsigned texture, ImVec2 low, ImVec2 high) {
+void drawChromaticity(const std::vector<LightSetting>& lights, unsigned texture, ImVec2 low, ImVec2 high) {
   const auto [from, to] = squareIn(low, high, px(26), px(20));
   const Plot plot(from, to);
   plot.image(texture);
@@ -163,7 +163,7 @@ void drawChromaticity(StudioContext& studio, unsigned texture, ImVec2 low, ImVec
   plot.draw()->AddPolyline(points.data(), static_cast<int>(points.size()), IM_COL32(240, 200, 140, 150),
                            ImDrawFlags_None, px(1));
   std::vector<ImVec2> named;
-  for (const LightSetting& light : studio.document().rig.lights) {
+  for (const LightSetting& light : lights) {
     const ImVec2 place = at(xyFromRec709(colorFactor(light.color)));
     plot.draw()->AddCircleFilled(place, px(5), colorU32(chipColor(light.color)));
     plot.draw()->AddCircle(place, px(5), IM_COL32(0, 0, 0, 255), 0, px(2));

@@ -2,9 +2,12 @@
 
 #include <imgui.h>
 
+#include <vector>
+
+#include "core/relight/rig.h"
 #include "core/view/scopes/scope_pictures.h"
 #include "render/screen.h"
-#include "ui/control/studio_context.h"
+#include "ui/state/panel_layout.h"
 
 namespace swaplight {
 
@@ -19,7 +22,7 @@ struct ScopeTextures {
 void drawWaveform(unsigned texture, int columns, ImVec2 low, ImVec2 high);
 void drawVectorscope(unsigned texture, ImVec2 low, ImVec2 high);
 /// With the lights of the rig, black bodies and the border of all colours.
-void drawChromaticity(StudioContext& studio, unsigned texture, ImVec2 low, ImVec2 high);
+void drawChromaticity(const std::vector<LightSetting>& lights, unsigned texture, ImVec2 low, ImVec2 high);
 void drawHistogram(const ScopePictures& pictures, const ScopeOptions& options, ImVec2 low, ImVec2 high);
 
 }  // namespace swaplight

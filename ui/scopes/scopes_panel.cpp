@@ -19,7 +19,7 @@ void toggle(const char* name, bool* on) {
   const bool clicked = ImGui::SmallButton(name);
   if (*on) ImGui::PopStyleColor();
   if (clicked) *on = !*on;
-  markItem(std::string("scopes.") + name);
+  markItem({"scopes.", name});
   ImGui::SameLine(0, px(4));
 }
 
@@ -34,16 +34,15 @@ void choice(const char* id, Choice* chosen, std::initializer_list<std::pair<Choi
   if (open) {
     for (const auto& [value, name] : choices) {
       if (ImGui::Selectable(name.c_str(), value == *chosen)) *chosen = value;
-      markItem("scopes." + name);
+      markItem({"scopes.", name});
     }
     ImGui::EndCombo();
   }
-  markItem(std::string("scopes.") + (id + 2));
+  markItem({"scopes.", id + 2});
   ImGui::SameLine(0, px(4));
 }
 
-void header(StudioContext& studio) {
-  ScopeOptions& options = studio.layout.scopeOptions;
+void header(const ChosenLights& chosen, ScopeOptions& options, const ActionTable& actions) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(7), px(1)));
   ImGui::PushFont(fonts().small);
   toggle("Waveform", &options.waveform);
@@ -51,15 +50,15 @@ void header(StudioContext& studio) {
   toggle("Vectorscope", &options.vectorscope);
   toggle("Histogram", &options.histogram);
   toggle("Chromaticity", &options.chromaticity);
-  const std::vector<LightSetting>& lights = studio.document().rig.lights;
-  const auto light = static_cast<size_t>(std::max(0, studio.view.selectedLight));
+  const std::vector<LightSetting>& lights = chosen.document().rig.lights;
+  const auto light = static_cast<size_t>(std::max(0, chosen.view.selectedLight));
   choice<Of>("##of", &options.of,
              {{Of::Frame, "of the frame"},
               {Of::Region, "of a region"},
               {Of::Light, "of " + (light < lights.size() ? lights[light].title() : "a light")}},
              118);
   if (options.of == Of::Region) {
-    actionTextButton(studio.actions, "scopes.region", "Draw", px(48));
+    actionTextButton(actions, "scopes.region", "Draw", px(48));
     ImGui::SameLine(0, px(4));
   }
   if (options.histogram) {
@@ -90,12 +89,11 @@ void ScopesPanel::upload() {
   update(m_textures.chromaticity, pictures.chromaticity);
 }
 
-void ScopesPanel::draw(StudioContext& studio) {
-  m_controller.update(studio);
-  header(studio);
+void ScopesPanel::draw(const ChosenLights& lights, ScopeOptions& options, const ActionTable& actions) {
+  m_controller.update();
+  header(lights, options, actions);
   if (!m_controller.pictures()) return;
   upload();
-  const ScopeOptions& options = studio.layout.scopeOptions;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = px(10);
@@ -115,7 +113,7 @@ void ScopesPanel::draw(StudioContext& studio) {
   const auto place = [&](float width, const char* mark, const auto& draw) {
     const ImVec2 low(std::floor(x), at.y), high(std::floor(x + width), at.y + room.y);
     draw(low, high);
-    markRect(std::string("scope.") + mark, low.x, low.y, high.x, high.y);
+    markRect({"scope.", mark}, low.x, low.y, high.x, high.y);
     x += width + gap;
   };
   if (options.waveform)
@@ -132,7 +130,7 @@ void ScopesPanel::draw(StudioContext& studio) {
           [&](ImVec2 low, ImVec2 high) { drawHistogram(*m_controller.pictures(), options, low, high); });
   if (options.chromaticity)
     place(square, "chromaticity", [&](ImVec2 low, ImVec2 high) {
-      drawChromaticity(studio, m_textures.chromaticity.id(), low, high);
+      drawChromaticity(lights.document().rig.lights, m_textures.chromaticity.id(), low, high);
     });
 }
 

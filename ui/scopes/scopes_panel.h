@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/actions/action_table.h"
 #include "ui/control/scopes_controller.h"
 #include "ui/scopes/scope_plots.h"
 
@@ -8,8 +9,9 @@ namespace swaplight {
 /// The scopes below the viewer.
 class ScopesPanel {
  public:
-  explicit ScopesPanel(std::function<void()> wake) : m_controller(std::move(wake)) {}
-  void draw(StudioContext& studio);
+  ScopesPanel(const ScopesController::Parts& parts, std::function<void()> wake)
+      : m_controller(parts, std::move(wake)) {}
+  void draw(const ChosenLights& lights, ScopeOptions& options, const ActionTable& actions);
 
  private:
   void upload();

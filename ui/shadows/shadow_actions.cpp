@@ -4,7 +4,7 @@
 
 namespace swaplight {
 
-void addShadowActions(ActionTable& actions, StudioContext& studio) {
+void addShadowActions(ActionTable& actions, EditingContext& studio) {
   actions.add({"view.shadows", "Shadows and \u03b2", "F3",
                "Each light's shadows: where they begin, their outlines, and what to do about them.",
                [&studio] {
@@ -22,7 +22,7 @@ void addShadowActions(ActionTable& actions, StudioContext& studio) {
                [&studio] { return studio.editing.shadow.outlines; }});
   actions.add({"shadows.choose_all", "All shadows of the light", "Escape",
                "What is done to shadows is done to all of the light's, not to the one that was clicked.",
-               [&studio] { studio.shadows.chooseAll(studio); },
+               [&studio] { studio.shadows.chooseAll(); },
                [&studio] {
                  return shadowsShown(studio) && studio.editing.shadow.chosen && studio.tool == Tool::Look;
                }});

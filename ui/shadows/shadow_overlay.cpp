@@ -96,10 +96,10 @@ void drawLegend(bool chosen, ImVec2 origin, ImVec2 size) {
 
 }  // namespace
 
-void drawShadowOverlay(StudioContext& studio, const ViewWindow& window, ImVec2 origin, ImVec2 size) {
+void drawShadowOverlay(EditingContext& studio, const ViewWindow& window, ImVec2 origin, ImVec2 size) {
   if (!shadowsShown(studio)) return;
   const ShadowState& state = studio.editing.shadow;
-  const ShadowOutlines* outlines = studio.shadows.outlines(studio);
+  const ShadowOutlines* outlines = studio.shadows.outlines();
   const bool chosen = state.chosen.has_value();
   if (!chosen && !(state.outlines && outlines)) return;
   ImGui::GetWindowDrawList()->PushClipRect(

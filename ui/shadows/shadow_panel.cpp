@@ -24,7 +24,7 @@ using Kind = ViewSubject::Kind;
 constexpr float kGap = 4;
 constexpr float kHistogramHeight = 92;
 
-void lightCombo(StudioContext& studio) {
+void lightCombo(EditingContext& studio) {
   const std::vector<LightSetting>& lights = studio.document().rig.lights;
   const size_t shown = shownLight(studio);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -41,14 +41,14 @@ void lightCombo(StudioContext& studio) {
           subject.kind == Kind::Visibility)
         subject.index = static_cast<int>(i);
     }
-    markItem("shadows.light." + lights[i].light);
+    markItem({"shadows.light.", lights[i].light});
     ImGui::PopID();
   }
   ImGui::EndCombo();
 }
 
 /// What the viewer shows of the light.
-void views(StudioContext& studio) {
+void views(EditingContext& studio) {
   struct View {
     Kind kind;
     const char* words;
@@ -68,7 +68,7 @@ void views(StudioContext& studio) {
     const View& view = kViews.at(i);
     if (i > 0) ImGui::SameLine(0, px(kGap));
     const ViewSubject subject{view.kind, view.kind == Kind::Relit ? 0 : light};
-    ImGui::BeginDisabled(view.kind == Kind::Visibility && shadowLight(studio) < 0);
+    ImGui::BeginDisabled(view.kind == Kind::Visibility && shadowLight(studio, *studio.set()) < 0);
     if (choiceButton(view.words, studio.view.subject == subject, width, view.mark, view.tip))
       studio.view.subject = subject;
     ImGui::EndDisabled();
@@ -76,7 +76,7 @@ void views(StudioContext& studio) {
 }
 
 /// Where the search stands, in one line.
-void searchLine(StudioContext& studio) {
+void searchLine(EditingContext& studio) {
   EditController& edits = studio.edits;
   const float button = px(64);
   const float room = ImGui::GetContentRegionAvail().x;
@@ -89,7 +89,7 @@ void searchLine(StudioContext& studio) {
     markItem("shadows.stop");
     return;
   }
-  if (edits.stoppedFindingShadows() && !edits.shadowsCurrent(studio)) {
+  if (edits.stoppedFindingShadows() && !edits.shadowsCurrent()) {
     ImGui::AlignTextToFramePadding();
     hint("a quick look only");
     tooltip("The search was stopped: the outlines are those of a small picture, and edits of shadows wait.");
@@ -101,7 +101,7 @@ void searchLine(StudioContext& studio) {
   actionTextButton(studio.actions, "shadows.outlines", "Outlines", room);
 }
 
-void threshold(StudioContext& studio, const std::string& light, int index) {
+void threshold(EditingContext& studio, const std::string& light, int index) {
   const ShadowPreview& preview = *studio.shadows.preview();
   const std::optional<float> given = shadowThresholdOf(studio.document(), light);
   const float now = given.value_or(preview.ownThreshold(static_cast<size_t>(index)));
@@ -123,11 +123,11 @@ void threshold(StudioContext& studio, const std::string& light, int index) {
 
 }  // namespace
 
-void drawShadowPanel(StudioContext& studio) {
-  studio.shadows.show(studio);
+void drawShadowPanel(EditingContext& studio) {
+  studio.shadows.show();
   lightCombo(studio);
   views(studio);
-  const int index = shadowLight(studio);
+  const int index = shadowLight(studio, *studio.set());
   if (index < 0) {
     hint("Light that edits have added has no\nshadows of its own.");
     return;

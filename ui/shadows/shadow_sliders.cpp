@@ -22,7 +22,7 @@ const Rgb kFirstColor{0.2F, 0.35F, 1};
 
 /// The light whose shadows are changed.
 struct ShadowSliders {
-  StudioContext& studio;
+  EditingContext& studio;
   const std::string& light;
 
   void preview(const char* what, const ShadowKinds& kinds, const ShadowOperation& operation) const {
@@ -132,7 +132,7 @@ void removeButton(const ShadowSliders& sliders) {
 
 }  // namespace
 
-void drawShadowSliders(StudioContext& studio, const std::string& light) {
+void drawShadowSliders(EditingContext& studio, const std::string& light) {
   const ShadowSliders sliders{studio, light};
   target(sliders);
   lightInIt(sliders);

@@ -71,8 +71,8 @@ const std::vector<Menu>& menus() {
        {"compare.off", "compare.wipe", "compare.split", "compare.difference", "compare.toggle", "-",
         "compare.keep", "side_b", "compare.center_line"}},
       {"Window",
-       {"view.mixer", "view.three_point", "view.scopes", "view.gallery", "view.edits", "view.shadows",
-        "view.tools", "scopes.region", "-", "view.hide_panels", "view.full_screen", "window.reset"}},
+       {"panels", "view.shadows", "scopes.region", "-", "view.hide_panels", "view.full_screen",
+        "window.reset"}},
       {"Help", {"help.palette", "help.keys", "help.about"}},
   };
   return all;
@@ -85,35 +85,37 @@ void submenu(const char* name, bool enabled, const Lines& lines) {
   ImGui::EndMenu();
 }
 
-void recentMenu(StudioContext& studio) {
-  const std::vector<std::filesystem::path>& files = studio.session.recent().files();
+void recentMenu(SessionController& session) {
+  const std::vector<std::filesystem::path>& files = session.recent().files();
   if (!ImGui::BeginMenu("Open recent", !files.empty())) return;
   std::filesystem::path chosen;
   for (const std::filesystem::path& file : files)
     if (ImGui::MenuItem(file.c_str())) chosen = file;
-  if (!chosen.empty()) studio.session.open(chosen);
+  if (!chosen.empty()) session.open(chosen);
   ImGui::EndMenu();
 }
 
 }  // namespace
 
-void drawMenuBar(StudioContext& studio) {
+void drawMenuBar(ViewerContext& studio, const std::vector<PanelInfo>& panels) {
   if (!ImGui::BeginMenuBar()) return;
   for (const Menu& menu : menus()) {
     const bool open = ImGui::BeginMenu(menu.name);
-    markItem(std::string("menu.") + menu.name);
+    markItem({"menu.", menu.name});
     if (!open) continue;
     for (const std::string item : menu.items) {
       if (item == "-")
         ImGui::Separator();
       else if (item == "recent")
-        recentMenu(studio);
+        recentMenu(studio.session);
       else if (item == "subject")
         submenu("Show", studio.set(), [&] { drawSubjectMenu(studio, false); });
       else if (item == "side_b")
         submenu("B", studio.set(), [&] { drawSubjectMenu(studio, true); });
       else if (item == "display")
         submenu("Display and view", studio.set(), [&] { drawDisplayMenu(studio); });
+      else if (item == "panels")
+        for (const PanelInfo& panel : panels) actionMenuItem(studio.actions, panel.id);
       else
         actionMenuItem(studio.actions, item);
     }

@@ -1,10 +1,13 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include <vector>
+
+#include "ui/control/viewer_context.h"
+#include "ui/shell/panel_info.h"
 
 namespace swaplight {
 
 /// The menus: which actions, in which order.
-void drawMenuBar(StudioContext& studio);
+void drawMenuBar(ViewerContext& studio, const std::vector<PanelInfo>& panels);
 
 }  // namespace swaplight

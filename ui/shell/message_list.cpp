@@ -48,7 +48,7 @@ void drawMessages(Messages& messages, float left, float bottom, float maxWidth) 
       if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) dismissed = i;
       const ImVec2 at = ImGui::GetWindowPos();
       const ImVec2 size = ImGui::GetWindowSize();
-      markRect("message." + std::to_string(i), at.x, at.y, at.x + size.x, at.y + size.y);
+      markRect({"message.", i}, at.x, at.y, at.x + size.x, at.y + size.y);
       bottom = at.y - px(6);
     }
     ImGui::End();

@@ -19,7 +19,7 @@ namespace {
 constexpr int kDragSteps = 8;
 constexpr int kSettleFrames = 3;  // Dear ImGui's windows take their size in the second frame
 
-size_t lightIndex(const StudioContext& studio, const std::string& name) {
+size_t lightIndex(const ViewerContext& studio, const std::string& name) {
   const std::vector<LightSetting>& lights = studio.document().rig.lights;
   for (size_t i = 0; i < lights.size(); ++i)
     if (lights[i].light == name) return i;
@@ -101,7 +101,7 @@ bool Script::run(StudioWindow& studio, const Line& line) {
   std::string argument;
   words >> command;
   std::getline(words >> std::ws, argument);
-  StudioContext& context = studio.context();
+  ViewerContext& context = studio.context();
   if (command == "open") {
     studio.open(argument);
   } else if (command == "bring_in") {

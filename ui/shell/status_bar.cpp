@@ -11,19 +11,19 @@
 namespace swaplight {
 namespace {
 
-std::string setText(const StudioContext& studio) {
-  const OpenSet* set = studio.set();
-  if (!set) return studio.session.hasDocument() ? "The pictures are not loaded." : "";
-  return fmt::format("{}   {} × {}   {} lights", set->solved->capture.name, set->pictures->width(),
-                     set->pictures->height(), set->solved->lightCount());
+std::string setText(const SessionController& session) {
+  const OpenSet* set = session.set();
+  if (!set) return session.hasDocument() ? "The pictures are not loaded." : "";
+  return fmt::format("{}   {} × {}   {} lights", set->solved().capture.name, set->pictures().width(),
+                     set->pictures().height(), set->solved().lightCount());
 }
 
 /// The colour configuration's name, ending at `right`; in a colour of its own where another one was asked
 /// for.
-void drawColors(StudioContext& studio, float right) {
-  const std::string& trouble = studio.colors.trouble();
+void drawColors(const ColorChoice& colors, float right) {
+  const std::string& trouble = colors.trouble();
   const std::string words =
-      "Colours: " + studio.colors.config()->title() + (trouble.empty() ? "" : ", not those asked for");
+      "Colours: " + colors.config()->title() + (trouble.empty() ? "" : ", not those asked for");
   ImGui::SameLine(right - ImGui::CalcTextSize(words.c_str()).x);
   if (!trouble.empty()) ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
   ImGui::TextUnformatted(words.c_str());
@@ -35,14 +35,13 @@ void drawColors(StudioContext& studio, float right) {
 
 }  // namespace
 
-void drawStatusBar(StudioContext& studio) {
+void drawStatusBar(const SessionController& session, const ShownPicture& shown, const ColorChoice& colors) {
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, kFaint);
-  ImGui::TextUnformatted(setText(studio).c_str());
-  const ShownPicture& shown = studio.shown;
+  ImGui::TextUnformatted(setText(session).c_str());
   const std::string zoom = shown.valid ? fmt::format("{:.0f} %", 100 * shown.window.zoom) : "";
   const float zoomAt = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(zoom.c_str()).x - px(4);
-  drawColors(studio, zoomAt - px(24));
+  drawColors(colors, zoomAt - px(24));
   if (shown.valid) {
     ImGui::SameLine(zoomAt);
     ImGui::TextUnformatted(zoom.c_str());

@@ -14,10 +14,10 @@ void StudioWindow::addActions() {
   addShadowActions(m_actions, m_context);
   addEditActions(m_actions, m_context,
                  m_chooser);  // before the lights': F2 is for the list that was clicked last
-  addLightActions(m_actions, m_context, m_chooser);
+  addLightActions(m_actions, m_lights, m_chooser);
   addViewActions(m_actions, m_context, m_chooser);
   addCompareActions(m_actions, m_context);
-  addLookActions(m_actions, m_context);
+  addLookActions(m_actions, m_lights);
   addWindowActions();
 }
 

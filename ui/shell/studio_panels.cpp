@@ -22,18 +22,62 @@ namespace {
 constexpr float kToolbarWidth = 46;
 constexpr float kEditsWidth = 248;
 constexpr float kSplitter = 4;
+constexpr float kMostMixer = 0.6F;   ///< of the window's width
 constexpr float kLeastViewer = 160;  ///< height that the viewer keeps, however small the window
 
 /// A panel of the window: Dear ImGui's child with a padding, in which items have their usual distance though
 /// the panels have none.
 template <typename Draw>
-void panel(const char* id, ImVec2 size, ImVec2 padding, ImGuiWindowFlags flags, const Draw& draw) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+void child(const char* id, ImVec2 size, ImVec2 padding, ImGuiWindowFlags flags, const Draw& draw) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(padding.x), px(padding.y)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::BeginChild(id, size, false, flags | ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar(2);
   draw();
   ImGui::EndChild();
+}
+
+/// What is left of the window for the viewer while panels take their parts.
+struct Room {
+  float left, top, right, bottom;  ///< in pixels of the screen
+  [[nodiscard]] float width() const { return right - left; }
+  [[nodiscard]] float height() const { return bottom - top; }
+};
+
+/// A rectangle of the room for a panel, whose length is across the side at which it stands.
+Room takeRoom(Room& room, Dock dock, float length) {
+  Room taken = room;
+  if (dock == Dock::Left) taken.right = room.left += length;
+  if (dock == Dock::Right) taken.left = room.right -= length;
+  if (dock == Dock::Bottom) taken.top = room.bottom -= length;
+  return taken;
+}
+
+float lengthOf(const PanelInfo& panel, const PanelLayout& layout, const Room& room) {
+  if (!panel.ownSize.length) return px(panel.size);
+  const float wanted = px(layout.*panel.ownSize.length);
+  if (panel.dock != Dock::Bottom) return std::min(wanted, ImGui::GetIO().DisplaySize.x * kMostMixer);
+  const float least = px(panel.ownSize.least);
+  return std::clamp(wanted, least, std::max(least, room.height() - px(kLeastViewer)));
+}
+
+/// The bar between the panel and what is left of the room, which it makes smaller.
+void drawSplitter(const PanelInfo& panel, PanelLayout& layout, Room& room) {
+  const bool upright = panel.dock != Dock::Bottom;
+  const Room bar = takeRoom(room, panel.dock, px(kSplitter));
+  ImGui::SetCursorScreenPos(ImVec2(bar.left, bar.top));
+  splitter(("##size of " + panel.shortName()).c_str(), upright, px(kSplitter),
+           upright ? bar.height() : bar.width(), &(layout.*panel.ownSize.length), panel.ownSize.least,
+           panel.ownSize.most, panel.dock == Dock::Left ? 1.F : -1.F);
+  markItem({"splitter.", panel.shortName()});
+}
+
+void drawPanel(const PanelInfo& panel, PanelLayout& layout, Room& room) {
+  const Room place = takeRoom(room, panel.dock, lengthOf(panel, layout, room));
+  if (panel.ownSize.length) drawSplitter(panel, layout, room);
+  ImGui::SetCursorScreenPos(ImVec2(place.left, place.top));
+  child(("##" + panel.shortName()).c_str(), ImVec2(place.width(), place.height()), panel.padding, panel.flags,
+        panel.draw);
 }
 
 }  // namespace
@@ -65,73 +109,121 @@ void StudioWindow::drawToolbar() {
   ImGui::PopStyleVar();
 }
 
-void StudioWindow::drawPanels() {
-  const ImVec2 room = ImGui::GetContentRegionAvail();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool panels = !m_layout.hidden;
-  const bool hasLights = !m_editor.document().rig.lights.empty();
-  const bool mixer = panels && m_layout.mixer && hasLights;
-  const bool scopes = panels && m_layout.scopes && m_session.set();
-  const bool gallery = panels && m_layout.gallery && m_session.set();
-  const float splitterWidth = px(kSplitter);
-  const float status = panels ? ImGui::GetFrameHeight() + px(2) : 0;
-  const float height = room.y - status;
-  const float buttons = panels && m_layout.tools ? px(kToolbarWidth) : 0;
-  const float edits = panels && m_layout.edits && m_session.set() && hasLights ? px(kEditsWidth) : 0;
-  const float tools = buttons + edits;  // at the left of the viewer
-  const float mixerWidth = mixer ? std::min(px(m_layout.mixerWidth), room.x * 0.6F) : 0;
-  const float viewerWidth = room.x - tools - mixerWidth - (mixer ? splitterWidth : 0);
-  const float galleryHeight = gallery ? px(GalleryPanel::kHeight) : 0;
-  const float scopesHeight = scopes ? std::clamp(px(m_layout.scopesHeight), px(120),
-                                                 std::max(px(120), height - galleryHeight - px(kLeastViewer)))
-                                    : 0;
-  const float viewerHeight = height - galleryHeight - scopesHeight - (scopes ? splitterWidth : 0);
+std::vector<PanelInfo> StudioWindow::allPanels() {
+  constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoScrollbar;
+  const auto hasSet = [this] { return m_session.set() != nullptr; };
+  const auto hasLights = [this] { return !m_editor.document().rig.lights.empty(); };
+  const auto canEdit = [hasSet, hasLights] { return hasSet() && hasLights(); };
+  using Layout = PanelLayout;
+  // At a side the first stands outermost.
+  return {
+      {"view.mixer",
+       "Mixer",
+       "F5",
+       "Show or hide the lights.",
+       &Layout::mixer,
+       Dock::Right,
+       0,
+       {&Layout::mixerWidth, 320, 900},
+       {10, 10},
+       0,
+       hasLights,
+       [this] { drawMixerPanel(m_lights); }},
+      {"view.three_point", "Three-point lighting", "F9",
+       "Key, fill and back, their ratios, and looks made of them, in the place of the light's colour; again: "
+       "the colour.",
+       &Layout::threePoint},
+      {"view.gallery",
+       "Gallery",
+       "F8",
+       "Show or hide the looks that you kept.",
+       &Layout::gallery,
+       Dock::Bottom,
+       GalleryPanel::kHeight,
+       {},
+       {8, 8},
+       fixed,
+       hasSet,
+       [this] { m_gallery.draw(m_lights); }},
+      {"view.scopes",
+       "Scopes",
+       "F6",
+       "Show or hide waveform, vectorscope, histogram and chromaticities.",
+       &Layout::scopes,
+       Dock::Bottom,
+       0,
+       {&Layout::scopesHeight, 120, 900},
+       {8, 6},
+       fixed,
+       hasSet,
+       [this] { m_scopes.draw(m_context, m_layout.scopeOptions, m_actions); }},
+      {"view.tools",
+       "Tools",
+       "F7",
+       "Show or hide the buttons at the left.",
+       &Layout::tools,
+       Dock::Left,
+       kToolbarWidth,
+       {},
+       {6, 8},
+       fixed,
+       {},
+       [this] { drawToolbar(); }},
+      {"view.edits",
+       "Edits",
+       "F4",
+       "Show or hide what is done to the lights before they are mixed.",
+       &Layout::edits,
+       Dock::Left,
+       kEditsWidth,
+       {},
+       {10, 10},
+       0,
+       canEdit,
+       [this] { drawEditsPanel(m_context); }},
+  };
+}
 
-  const auto place = [&](float x, float y) { ImGui::SetCursorScreenPos(ImVec2(at.x + x, at.y + y)); };
-  if (buttons > 0)
-    panel("##tools", ImVec2(buttons, height), ImVec2(px(6), px(8)), ImGuiWindowFlags_NoScrollbar,
-          [&] { drawToolbar(); });
-  // The lights come before the picture, so that it shows in the same frame what is done to them.
-  if (mixer) {
-    place(tools + viewerWidth, 0);
-    splitter("##mixer width", true, splitterWidth, height, &m_layout.mixerWidth, 320, 900, -1);
-    markItem("splitter.mixer");
-    place(tools + viewerWidth + splitterWidth, 0);
-    panel("##mixer", ImVec2(mixerWidth, height), ImVec2(px(10), px(10)), 0,
-          [&] { drawMixerPanel(m_context); });
-  }
-  if (edits > 0) {
-    place(buttons, 0);
-    panel("##edits", ImVec2(edits, height), ImVec2(px(10), px(10)), 0, [&] { drawEditsPanel(m_context); });
-  }
-  place(tools, 0);
-  panel("##viewer", ImVec2(viewerWidth, viewerHeight), ImVec2(0, 0),
-        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse, [&] {
+void StudioWindow::drawViewer(ImVec2 size) {
+  child("##viewer", size, ImVec2(0, 0), ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
+        [this] {
           if (m_session.hasDocument() || m_sets.busy())
             drawViewerPanel(m_context);
           else
-            drawWelcomePanel(m_context, m_samples);
+            drawWelcomePanel(m_session, m_actions, m_samples);
         });
-  if (scopes) {
-    place(tools, viewerHeight);
-    splitter("##scopes height", false, splitterWidth, viewerWidth, &m_layout.scopesHeight, 120, 900, -1);
-    markItem("splitter.scopes");
-    place(tools, viewerHeight + splitterWidth);
-    panel("##scopes", ImVec2(viewerWidth, scopesHeight), ImVec2(px(8), px(6)), ImGuiWindowFlags_NoScrollbar,
-          [&] { m_scopes.draw(m_context); });
+}
+
+void StudioWindow::drawPanels() {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  Room room{at.x, at.y, at.x + size.x, at.y + size.y};
+  if (!m_layout.hidden) room.bottom -= ImGui::GetFrameHeight() + px(2);
+  const float status = room.bottom;
+  const auto draw = [&](bool below) {
+    for (const PanelInfo& panel : m_panels)
+      if (panel.dock != Dock::Inside && (panel.dock == Dock::Bottom) == below && panel.isShown(m_layout))
+        drawPanel(panel, m_layout, room);
+  };
+  // The lights come before the picture, so that it shows in the same frame what is done to them; what stands
+  // below it, and tells about it, comes after. But its room is taken before.
+  draw(false);
+  Room viewer = room;
+  for (const PanelInfo& panel : m_panels)
+    if (panel.dock == Dock::Bottom && panel.isShown(m_layout)) {
+      takeRoom(viewer, panel.dock, lengthOf(panel, m_layout, viewer));
+      if (panel.ownSize.length) takeRoom(viewer, panel.dock, px(kSplitter));
+    }
+  ImGui::SetCursorScreenPos(ImVec2(viewer.left, viewer.top));
+  drawViewer(ImVec2(viewer.width(), viewer.height()));
+  draw(true);
+  if (!m_layout.hidden) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x + px(10), status));
+    drawStatusBar(m_session, m_shown, m_colors);
   }
-  if (gallery) {
-    place(tools, height - galleryHeight);
-    panel("##gallery", ImVec2(viewerWidth, galleryHeight), ImVec2(px(8), px(8)), ImGuiWindowFlags_NoScrollbar,
-          [&] { m_gallery.draw(m_context); });
-  }
-  if (panels) {
-    place(px(10), height);
-    drawStatusBar(m_context);
-  }
-  drawSetProgress(m_sets, at.x + tools + viewerWidth / 2, at.y + viewerHeight / 2);
-  drawExportProgress(m_exports, at.x + tools + viewerWidth - px(12), at.y + viewerHeight - px(12));
-  drawMessages(m_messages, at.x + tools + px(12), at.y + viewerHeight - px(12), viewerWidth - px(60));
+  drawSetProgress(m_sets, (viewer.left + viewer.right) / 2, (viewer.top + viewer.bottom) / 2);
+  drawExportProgress(m_exports, viewer.right - px(12), viewer.bottom - px(12));
+  drawMessages(m_messages, viewer.left + px(12), viewer.bottom - px(12), viewer.width() - px(60));
 }
 
 }  // namespace swaplight

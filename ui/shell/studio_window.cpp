@@ -41,16 +41,31 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_pictures(makePictureScreen(options.engine, m_colors.config())),
       m_exports([&screen] { screen.wake(); }),
       m_subjects([&screen] { screen.wake(); }),
-      m_edits([&screen] { screen.wake(); }),
-      m_shadows([&screen] { screen.wake(); }),
-      m_scopes([&screen] { screen.wake(); }),
-      m_context{m_editor,  m_view,     m_layout,
-                m_session, m_sets,     *m_pictures,
-                m_actions, m_messages, m_screen.keyboard(),
-                m_shown,   m_mixer,    m_tool,
-                m_viewer,  m_subjects, m_table,
-                m_looks,   m_edits,    m_editing,
-                m_colors,  m_shadows},
+      m_edits({m_editor, m_session, m_subjects, *m_pictures, m_messages}, [&screen] { screen.wake(); }),
+      m_shadows({{m_editor, m_view}, m_session, m_edits, *m_pictures, m_editing.shadow, m_messages},
+                [&screen] { screen.wake(); }),
+      m_scopes({{m_editor, m_view}, m_session, m_edits, m_layout.scopeOptions, m_viewer, m_colors, m_table, m_messages},
+               [&screen] { screen.wake(); }),
+      m_context{{{m_editor, m_view},
+                 m_session,
+                 m_messages,
+                 m_colors,
+                 m_layout,
+                 m_tool,
+                 m_shown,
+                 m_editing,
+                 m_edits,
+                 m_shadows,
+                 m_actions,
+                 m_screen.keyboard()},
+                m_viewer,
+                m_shown,
+                *m_pictures,
+                m_subjects,
+                m_table},
+      m_lights{{m_editor, m_view}, m_session, m_messages, m_colors, m_layout, m_tool, m_mixer, m_looks, m_table,
+               m_actions},
+      m_panels(allPanels()),
       m_export(stateFolder() / "export.json"),
       m_wizard([&screen] { screen.wake(); }),
       m_keys(configFolder() / "keys.txt") {
@@ -224,8 +239,8 @@ void StudioWindow::frame() {
   if (!m_layout.hidden) flags |= ImGuiWindowFlags_MenuBar;
   ImGui::Begin("##studio", nullptr, flags);
   ImGui::PopStyleVar(3);
-  if (!m_layout.hidden) drawMenuBar(m_context);
-  m_edits.beginFrame(m_context);
+  if (!m_layout.hidden) drawMenuBar(m_context, m_panels);
+  m_edits.beginFrame();
   drawPanels();
   ImGui::End();
 
@@ -235,8 +250,8 @@ void StudioWindow::frame() {
   m_recovery.draw(m_session);
   m_palette.draw(m_actions);
   m_keys.draw(m_actions, m_screen.keyboard(), m_messages);
-  drawAboutBox(m_context, &m_aboutOpen);
-  drawHistoryPanel(m_context, &m_historyOpen);
+  drawAboutBox(m_pictures->words(), *m_colors.config(), &m_aboutOpen);
+  drawHistoryPanel(m_editor, &m_historyOpen);
   // However it was made, a gesture ends when nothing is held any more: one gesture, one step.
   if (m_editor.inGesture() && !ImGui::IsAnyItemActive()) m_editor.commit();
   markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");

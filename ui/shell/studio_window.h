@@ -3,9 +3,11 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "ui/control/export_controller.h"
-#include "ui/control/studio_context.h"
+#include "ui/control/lights_context.h"
+#include "ui/control/viewer_context.h"
 #include "ui/dialogs/capture_wizard.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/export_dialog.h"
@@ -14,6 +16,7 @@
 #include "ui/kit/keys_window.h"
 #include "ui/mixer/gallery_panel.h"
 #include "ui/scopes/scopes_panel.h"
+#include "ui/shell/panel_info.h"
 #include "ui/shell/studio.h"
 #include "ui/window/screen.h"
 
@@ -53,14 +56,17 @@ class StudioWindow {
   void exportFrame(const std::filesystem::path& file);
   void exportAs(const ExportRequest& request);
   [[nodiscard]] Screen& screen() { return m_screen; }
-  [[nodiscard]] StudioContext& context() { return m_context; }
+  [[nodiscard]] ViewerContext& context() { return m_context; }
+  [[nodiscard]] const LightsContext& lights() const { return m_lights; }
 
  private:
   void addActions();
   void addFileActions();
   void addWindowActions();
   void drawToolbar();
+  [[nodiscard]] std::vector<PanelInfo> allPanels();
   void drawPanels();
+  void drawViewer(ImVec2 size);
   /// Does it at once, or after the person has decided about unsaved work.
   void whenSaved(const std::function<void()>& then);
   void askForFile();
@@ -99,7 +105,9 @@ class StudioWindow {
   ShadowController m_shadows;
   ScopesPanel m_scopes;
   GalleryPanel m_gallery;
-  StudioContext m_context;
+  ViewerContext m_context;
+  LightsContext m_lights;
+  std::vector<PanelInfo> m_panels;
 
   FileChooser m_chooser;
   ExportDialog m_export;

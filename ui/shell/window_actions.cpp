@@ -6,18 +6,7 @@ void StudioWindow::addWindowActions() {
   const auto panel = [&](const char* id, const char* name, const char* keys, const char* tip, bool* open) {
     m_actions.add({id, name, keys, tip, [open] { *open = !*open; }, {}, [open] { return *open; }});
   };
-  panel("view.mixer", "Mixer", "F5", "Show or hide the lights.", &m_layout.mixer);
-  panel("view.scopes", "Scopes", "F6", "Show or hide waveform, vectorscope, histogram and chromaticities.",
-        &m_layout.scopes);
-  panel("view.gallery", "Gallery", "F8", "Show or hide the looks that you kept.", &m_layout.gallery);
-  panel(
-      "view.three_point", "Three-point lighting", "F9",
-      "Key, fill and back, their ratios, and looks made of them, in the place of the light's colour; again: "
-      "the colour.",
-      &m_layout.threePoint);
-  panel("view.edits", "Edits", "F4", "Show or hide what is done to the lights before they are mixed.",
-        &m_layout.edits);
-  panel("view.tools", "Tools", "F7", "Show or hide the buttons at the left.", &m_layout.tools);
+  for (const PanelInfo& one : m_panels) panel(one.id, one.name, one.keys, one.tooltip, &(m_layout.*one.open));
   panel("view.hide_panels", "Only the picture", "Tab", "Hide everything but the viewer; again: show it.",
         &m_layout.hidden);
   panel("edit.history", "History", "Ctrl+H", "Every step; a click goes back to it.", &m_historyOpen);

@@ -44,13 +44,7 @@ PanelLayout readPanelLayout(const std::filesystem::path& file) {
   try {
     if (!std::filesystem::exists(file)) return layout;
     const Json json = readJson(file);
-    layout.mixer = json.value("mixer", layout.mixer);
-    layout.scopes = json.value("scopes", layout.scopes);
-    layout.tools = json.value("tools", layout.tools);
-    layout.edits = json.value("edits", layout.edits);
-    layout.shadows = json.value("shadows", layout.shadows);
-    layout.gallery = json.value("gallery", layout.gallery);
-    layout.threePoint = json.value("three_point", layout.threePoint);
+    for (const auto& [name, open] : kPanelNames) layout.*open = json.value(name, layout.*open);
     if (json.contains("scope_options")) layout.scopeOptions = scopeOptionsFromJson(json["scope_options"]);
     layout.mixerWidth = std::clamp(json.value("mixer_width", layout.mixerWidth), 300.0F, 900.0F);
     layout.scopesHeight = std::clamp(json.value("scopes_height", layout.scopesHeight), 120.0F, 900.0F);
@@ -63,17 +57,11 @@ PanelLayout readPanelLayout(const std::filesystem::path& file) {
 void writePanelLayout(const PanelLayout& layout, const std::filesystem::path& file) {
   try {
     std::filesystem::create_directories(file.parent_path());
-    writeJson(Json{{"mixer", layout.mixer},
-                   {"scopes", layout.scopes},
-                   {"tools", layout.tools},
-                   {"edits", layout.edits},
-                   {"shadows", layout.shadows},
-                   {"gallery", layout.gallery},
-                   {"three_point", layout.threePoint},
-                   {"scope_options", jsonFromScopeOptions(layout.scopeOptions)},
-                   {"mixer_width", layout.mixerWidth},
-                   {"scopes_height", layout.scopesHeight}},
-              file);
+    Json json{{"scope_options", jsonFromScopeOptions(layout.scopeOptions)},
+              {"mixer_width", layout.mixerWidth},
+              {"scopes_height", layout.scopesHeight}};
+    for (const auto& [name, open] : kPanelNames) json[name] = layout.*open;
+    writeJson(json, file);
   } catch (const std::exception&) {
     return;
   }

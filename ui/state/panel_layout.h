@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <utility>
 
 namespace swaplight {
 
@@ -30,6 +32,16 @@ struct PanelLayout {
   ScopeOptions scopeOptions;
   bool operator==(const PanelLayout&) const = default;
 };
+
+/// The panels, by their names in the file.
+inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 7> kPanelNames = {
+    {{"mixer", &PanelLayout::mixer},
+     {"scopes", &PanelLayout::scopes},
+     {"tools", &PanelLayout::tools},
+     {"edits", &PanelLayout::edits},
+     {"shadows", &PanelLayout::shadows},
+     {"gallery", &PanelLayout::gallery},
+     {"three_point", &PanelLayout::threePoint}}};
 
 /// Defaults where the file is not there or cannot be read.
 [[nodiscard]] PanelLayout readPanelLayout(const std::filesystem::path& file);

@@ -39,7 +39,7 @@ bool takesStroke(const Edit& edit, const Edit& wanted) {
 
 /// Where the stroke goes: an edit of the list, or behind its end where a new one is needed; -1 where there is
 /// nothing to erase.
-int placeOfStroke(const StudioContext& studio, const Edit& wanted) {
+int placeOfStroke(const EditingContext& studio, const Edit& wanted) {
   const EditsState& state = studio.editing;
   const auto& edits = studio.document().edits.edits;
   const int count = static_cast<int>(edits.size());
@@ -61,7 +61,7 @@ int placeOfStroke(const StudioContext& studio, const Edit& wanted) {
   return -1;
 }
 
-Stroke strokeOf(const StudioContext& studio) {
+Stroke strokeOf(const EditingContext& studio) {
   const BrushState& brush = studio.editing.brush;
   Stroke stroke;
   stroke.radius = brushRadius(studio);
@@ -72,7 +72,7 @@ Stroke strokeOf(const StudioContext& studio) {
   return stroke;
 }
 
-void showStroke(StudioContext& studio) {
+void showStroke(EditingContext& studio) {
   const BrushState::Going& going = *studio.editing.brush.going;
   Edit edit = going.base;
   edit.mask.front().shape = PaintShape{std::make_shared<const Painting>(going.painting)};
@@ -85,7 +85,7 @@ void showStroke(StudioContext& studio) {
                         std::move(next));
 }
 
-void beginStroke(StudioContext& studio, const StrokePoint& at) {
+void beginStroke(EditingContext& studio, const StrokePoint& at) {
   BrushState& brush = studio.editing.brush;
   Edit wanted = brushEdit(studio);
   wanted.mask = maskWithin({{PaintShape{}, false}}, studio.document().selection);
@@ -96,7 +96,7 @@ void beginStroke(StudioContext& studio, const StrokePoint& at) {
                              : "Nothing was painted inside this selection. Ctrl+D clears it.");
     return;
   }
-  const ViewPictures& pictures = *studio.set()->pictures;
+  const ViewPictures& pictures = studio.set()->pictures();
   BrushState::Going going;
   going.before = studio.document();
   going.edit = static_cast<size_t>(place);
@@ -117,7 +117,7 @@ void beginStroke(StudioContext& studio, const StrokePoint& at) {
   showStroke(studio);
 }
 
-void continueStroke(StudioContext& studio, const StrokePoint& at) {
+void continueStroke(EditingContext& studio, const StrokePoint& at) {
   BrushState::Going& going = *studio.editing.brush.going;
   const StrokePoint& from = going.painting.strokes().back()->points.back();
   if (std::hypot(at.x - from.x, at.y - from.y) < kLeastStep) return;
@@ -132,16 +132,16 @@ void endStroke(BrushState& brush) {
 
 }  // namespace
 
-float brushRadius(const StudioContext& studio) {
+float brushRadius(const EditingContext& studio) {
   const float chosen = studio.editing.brush.radius;
-  return chosen > 0 ? chosen : kFirstRadius * static_cast<float>(studio.set()->pictures->height());
+  return chosen > 0 ? chosen : kFirstRadius * static_cast<float>(studio.set()->pictures().height());
 }
 
-void setBrushRadius(StudioContext& studio, float radius) {
+void setBrushRadius(EditingContext& studio, float radius) {
   studio.editing.brush.radius = std::clamp(radius, kLeastRadius, kMostRadius);
 }
 
-void addPaintedLight(StudioContext& studio) {
+void addPaintedLight(EditingContext& studio) {
   Document next = studio.document();
   std::string name = "painted";
   const auto taken = [&] {
@@ -161,7 +161,7 @@ void addPaintedLight(StudioContext& studio) {
   studio.editor.edit("New light: " + name, std::move(next));
 }
 
-Edit brushEdit(const StudioContext& studio) {
+Edit brushEdit(const EditingContext& studio) {
   const BrushState& brush = studio.editing.brush;
   const LightSetting& light = studio.document().rig.lights[shownLight(studio)];
   Edit edit;
@@ -188,17 +188,22 @@ Edit brushEdit(const StudioContext& studio) {
   return edit;
 }
 
-void handleBrush(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+namespace {
+
+bool wantsBrush(const EditingContext& studio, const ToolInput& input) {
+  return studio.editing.brush.going || (studio.tool == Tool::Brush && !input.alt && !input.moves);
+}
+
+bool handleBrush(EditingContext& studio, const ToolInput& input) {
   const ImGuiIO& io = ImGui::GetIO();
   BrushState& brush = studio.editing.brush;
-  const bool hovered = ImGui::IsItemHovered();
-  if (hovered && io.KeyCtrl && io.MouseWheel != 0)
+  if (input.hovered && io.KeyCtrl && io.MouseWheel != 0)
     setBrushRadius(studio, brushRadius(studio) * static_cast<float>(std::pow(kWheelStep, io.MouseWheel)));
   // A gesture that was taken back in its middle has ended.
   if (brush.going && !studio.editor.inGesture()) brush.going.reset();
-  const auto [x, y] = pointAtMouse(window, origin);
+  const auto [x, y] = pointAtMouse(input.window, input.origin);
   const StrokePoint at{x, y, 1};
-  if (hovered && !brush.going && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+  if (input.hovered && !brush.going && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     beginStroke(studio, at);
   } else if (brush.going && io.MouseDown[ImGuiMouseButton_Left]) {
     continueStroke(studio, at);
@@ -206,11 +211,12 @@ void handleBrush(StudioContext& studio, const ViewWindow& window, ImVec2 origin)
     continueStroke(studio, at);
     endStroke(brush);
   }
-  if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  if (input.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  return true;
 }
 
-void drawBrushRing(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
-  if (!studio.shown.hovered) return;
+void drawBrushRing(EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
+  if (studio.tool != Tool::Brush || !studio.shown.hovered) return;
   const BrushState& brush = studio.editing.brush;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -235,5 +241,9 @@ void drawBrushRing(StudioContext& studio, const ViewWindow& window, ImVec2 origi
   draw->AddLine(from, mouse, IM_COL32(0, 0, 0, 150), px(3));
   draw->AddLine(from, mouse, kText, px(1));
 }
+
+}  // namespace
+
+const PictureTool kBrushTool = {wantsBrush, handleBrush, drawBrushRing, PictureTool::kOwnCursor, true};
 
 }  // namespace swaplight

@@ -2,11 +2,11 @@
 
 namespace swaplight {
 
-void takeEditTool(StudioContext& studio, Tool tool) {
+void takeEditTool(EditingContext& studio, Tool tool) {
   studio.tool = studio.tool == tool ? Tool::Look : tool;
   if (studio.tool != tool) return;
   studio.layout.edits = true;
-  studio.edits.prepare(studio);
+  studio.edits.prepare();
 }
 
 }  // namespace swaplight

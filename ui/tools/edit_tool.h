@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/editing_context.h"
 
 namespace swaplight {
 
 /// Takes a tool that makes edits into the hand, and shows their panel; again: puts it away.
-void takeEditTool(StudioContext& studio, Tool tool);
+void takeEditTool(EditingContext& studio, Tool tool);
 
 }  // namespace swaplight

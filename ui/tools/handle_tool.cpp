@@ -21,7 +21,7 @@ constexpr float kRadius = 5;
 constexpr float kLeastDrag = 1;
 constexpr ImU32 kDark = IM_COL32(0, 0, 0, 190);
 
-const Edit* chosenEdit(const StudioContext& studio) {
+const Edit* chosenEdit(const EditingContext& studio) {
   const auto& edits = studio.document().edits.edits;
   const int chosen = studio.editing.chosen;
   const bool there = chosen >= 0 && chosen < static_cast<int>(edits.size());
@@ -34,7 +34,7 @@ ImVec2 onScreen(const Point& at, const ViewWindow& window, ImVec2 origin) {
 }
 
 /// The handle under the mouse, or the shape itself.
-std::optional<ShapeHandle> underMouse(const StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+std::optional<ShapeHandle> underMouse(const EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
   const MaskShape& shape = chosenEdit(studio)->mask.front();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   std::optional<ShapeHandle> found;
@@ -59,7 +59,7 @@ ImGuiMouseCursor cursorOf(What what) {
   return ImGuiMouseCursor_ResizeAll;
 }
 
-void show(StudioContext& studio, const Point& mouse) {
+void show(EditingContext& studio, const Point& mouse) {
   const HandleState::Going& going = *studio.editing.handle.going;
   Edit edit = *going.before.edits.edits[going.edit];
   const Point to{mouse[0] - going.offset[0], mouse[1] - going.offset[1]};
@@ -111,35 +111,41 @@ void drawHandle(const ShapeHandle& handle, ImVec2 at, bool lit) {
     draw->AddLine(ImVec2(at.x - arm, at.y), ImVec2(at.x + arm, at.y), IM_COL32(0, 0, 0, 255), px(1.2F));
     draw->AddLine(ImVec2(at.x, at.y - arm), ImVec2(at.x, at.y + arm), IM_COL32(0, 0, 0, 255), px(1.2F));
   }
-  markRect(std::string("handle.") + handleName(handle.what), at.x - radius, at.y - radius, at.x + radius,
-           at.y + radius);
+  markRect({"handle.", handleName(handle.what)}, at.x - radius, at.y - radius, at.x + radius, at.y + radius);
 }
 
 }  // namespace
 
-bool handlesShown(const StudioContext& studio) {
+bool handlesShown(const EditingContext& studio) {
   const bool free = studio.tool == Tool::Stencil || (studio.tool == Tool::Look && studio.layout.edits);
   if (!free || studio.layout.hidden) return false;
   const Edit* edit = chosenEdit(studio);
   return edit && !edit->mask.empty() && !handlesOf(edit->mask.front()).empty();
 }
 
-bool handleShapeHandles(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+namespace {
+
+bool wantsHandles(const EditingContext& studio, const ToolInput& input) {
+  return studio.editing.handle.going || (!input.alt && !input.moves && !input.grabbed);
+}
+
+/// True where the mouse is busy with a handle, or would be at a click.
+bool dragHandles(EditingContext& studio, const ToolInput& input) {
   HandleState& state = studio.editing.handle;
   if (state.going) {
     ImGui::SetMouseCursor(cursorOf(state.going->what));
     // A click alone changes nothing.
     const float far = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left];
-    if (far > kLeastDrag * kLeastDrag) show(studio, pointAtMouse(window, origin));
+    if (far > kLeastDrag * kLeastDrag) show(studio, pointAtMouse(input.window, input.origin));
     if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) state.going.reset();
     return true;
   }
-  if (!ImGui::IsItemHovered() || studio.editing.dragging() || !handlesShown(studio)) return false;
-  const auto under = underMouse(studio, window, origin);
+  if (!input.hovered || studio.editing.dragging() || !handlesShown(studio)) return false;
+  const auto under = underMouse(studio, input.window, input.origin);
   if (!under) return false;
   ImGui::SetMouseCursor(cursorOf(under->what));
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    const Point mouse = pointAtMouse(window, origin);
+    const Point mouse = pointAtMouse(input.window, input.origin);
     state.going = {studio.document(),
                    static_cast<size_t>(studio.editing.chosen),
                    under->what,
@@ -148,7 +154,7 @@ bool handleShapeHandles(StudioContext& studio, const ViewWindow& window, ImVec2 
   return true;
 }
 
-void drawShapeHandles(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+void drawShapeHandles(EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
   if (!handlesShown(studio)) return;
   const MaskShape& shape = chosenEdit(studio)->mask.front();
   const auto& going = studio.editing.handle.going;
@@ -161,5 +167,9 @@ void drawShapeHandles(StudioContext& studio, const ViewWindow& window, ImVec2 or
   for (const ShapeHandle& handle : handlesOf(shape))
     drawHandle(handle, onScreen(handle.at, window, origin), lit == handle.what);
 }
+
+}  // namespace
+
+const PictureTool kHandleTool = {wantsHandles, dragHandles, drawShapeHandles};
 
 }  // namespace swaplight

@@ -4,14 +4,20 @@
 
 #include "core/relight/rig_edit.h"
 #include "ui/control/light_edit.h"
+#include "ui/tools/pointer.h"
 
 namespace swaplight {
+namespace {
 
-void pickPixel(StudioContext& studio, Tool tool, int x, int y) {
+Tool toolNow(const EditingContext& studio, const ToolInput& input) {
+  return input.alt ? Tool::Match : studio.tool;
+}
+
+void pickPixel(EditingContext& studio, Tool tool, int x, int y) {
   const OpenSet* set = studio.set();
   if (!set || studio.document().rig.lights.empty()) return;
-  const std::string& colorSpace = set->solved->colorSpace();
-  const PixelShares shares = pixelShares(*set->solved, x, y);
+  const std::string& colorSpace = set->solved().colorSpace();
+  const PixelShares shares = pixelShares(set->solved(), x, y);
   const size_t light = shownLight(studio);
   const Rig& rig = studio.document().rig;
   const ColorConfig& config = *studio.colors.config();
@@ -27,5 +33,21 @@ void pickPixel(StudioContext& studio, Tool tool, int x, int y) {
     editLights(studio, light, "match a pixel", [&](LightSetting& setting) { setting.color = color; });
   }
 }
+
+bool wantsPick(const EditingContext& studio, const ToolInput& input) {
+  const Tool tool = toolNow(studio, input);
+  return tool == Tool::Neutral || tool == Tool::Match;
+}
+
+bool handlePick(EditingContext& studio, const ToolInput& input) {
+  if (!input.hovered || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return true;
+  if (const auto pixel = pixelUnder(studio, input.window, input.origin))
+    pickPixel(studio, toolNow(studio, input), pixel->x, pixel->y);
+  return true;
+}
+
+}  // namespace
+
+const PictureTool kPickTool = {wantsPick, handlePick, nullptr, ImGuiMouseCursor_Hand};
 
 }  // namespace swaplight

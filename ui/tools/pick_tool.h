@@ -1,11 +1,10 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/tools/picture_tool.h"
 
 namespace swaplight {
 
-/// What a click into the picture does to the chosen lights while a picking tool is in the hand. Pixel of the
-/// picture.
-void pickPixel(StudioContext& studio, Tool tool, int x, int y);
+/// A click gives the chosen lights the colour that makes a pixel neutral, or that pixel's colour.
+extern const PictureTool kPickTool;
 
 }  // namespace swaplight

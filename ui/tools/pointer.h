@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "ui/control/studio_context.h"
+#include "ui/control/editing_context.h"
 
 namespace swaplight {
 
@@ -18,9 +18,9 @@ struct PicturePixel {
 [[nodiscard]] std::array<float, 2> pointAtMouse(const ViewWindow& window, ImVec2 origin);
 
 /// The pixel of the open set under the mouse; nothing beside the picture.
-[[nodiscard]] std::optional<PicturePixel> pixelUnder(const StudioContext& studio, const ViewWindow& window,
+[[nodiscard]] std::optional<PicturePixel> pixelUnder(const EditingContext& studio, const ViewWindow& window,
                                                      ImVec2 origin);
 /// The pixel under the mouse, where that is over the picture that was drawn last.
-[[nodiscard]] std::optional<PicturePixel> pixelAtMouse(const StudioContext& studio);
+[[nodiscard]] std::optional<PicturePixel> pixelAtMouse(const EditingContext& studio);
 
 }  // namespace swaplight

@@ -45,7 +45,7 @@ MaskShape drawnShape(Kind kind, const std::vector<Point>& points) {
 }
 
 /// The shape that a click selects.
-MaskShape clickedShape(const StudioContext& studio, const Point& at) {
+MaskShape clickedShape(const EditingContext& studio, const Point& at) {
   const SelectionState& state = studio.editing.selection;
   const auto x = static_cast<int>(std::floor(at[0])), y = static_cast<int>(std::floor(at[1]));
   if (state.kind == Kind::Similar)
@@ -53,22 +53,22 @@ MaskShape clickedShape(const StudioContext& studio, const Point& at) {
   return {ShadowShape{studio.document().rig.lights[shownLight(studio)].light, true, x, y}, false};
 }
 
-void addPart(StudioContext& studio, MaskShape part, SelectHow how) {
+void addPart(EditingContext& studio, MaskShape part, SelectHow how) {
   constexpr const char* kSteps[] = {"Select", "Add to the selection", "Take from the selection",
                                     "Select within the selection"};
   changeSelection(studio, kSteps[static_cast<size_t>(how)],
                   selectionWith(studio.document().selection, std::move(part), how));
 }
 
-void click(StudioContext& studio, const Point& at, SelectHow how) {
-  const ViewPictures& pictures = *studio.set()->pictures;
+void click(EditingContext& studio, const Point& at, SelectHow how) {
+  const ViewPictures& pictures = studio.set()->pictures();
   if (at[0] < 0 || at[1] < 0 || at[0] >= static_cast<float>(pictures.width()) ||
       at[1] >= static_cast<float>(pictures.height()))
     return;
   MaskShape part = clickedShape(studio, at);
   try {
     // A click into no shadow is told at once, and selects nothing.
-    if (studio.editing.selection.kind == Kind::Similar || studio.edits.raster(studio, part))
+    if (studio.editing.selection.kind == Kind::Similar || studio.edits.raster(part))
       addPart(studio, std::move(part), how);
     else
       studio.messages.info("The shadows are being looked for. Click again in a moment.");
@@ -78,7 +78,7 @@ void click(StudioContext& studio, const Point& at, SelectHow how) {
   }
 }
 
-void finish(StudioContext& studio, const ViewWindow& window) {
+void finish(EditingContext& studio, const ViewWindow& window) {
   SelectionState& state = studio.editing.selection;
   const SelectionState::Going going = *std::exchange(state.going, std::nullopt);
   const Point& first = going.points.front();
@@ -92,7 +92,7 @@ void finish(StudioContext& studio, const ViewWindow& window) {
 }
 
 /// Makes the outline of what is selected, where that is not the one that is there.
-void follow(StudioContext& studio) {
+void follow(EditingContext& studio) {
   SelectionState& state = studio.editing.selection;
   const Mask& selection = studio.document().selection;
   if (state.outlineKnown && state.outlined == selection) return;
@@ -102,7 +102,7 @@ void follow(StudioContext& studio) {
     state.raster.reset();
   } else {
     try {
-      const auto raster = studio.edits.raster(studio, selection.front());
+      const auto raster = studio.edits.raster(selection.front());
       if (!raster) return;  // as soon as there is room for edits, or the shadows are there
       state.raster = raster;
       state.outline = maskOutline(*raster);
@@ -172,22 +172,29 @@ std::vector<Point> goingLine(const SelectionState& state) {
 
 }  // namespace
 
-void changeSelection(StudioContext& studio, const std::string& step, Mask selection) {
+void changeSelection(EditingContext& studio, const std::string& step, Mask selection) {
   Document next = studio.document();
   next.selection = std::move(selection);
   studio.editor.edit(step, std::move(next));
 }
 
-void selectShadows(StudioContext& studio, const std::string& light) {
+void selectShadows(EditingContext& studio, const std::string& light) {
   addPart(studio, {ShadowShape{light, false, 0, 0}, false}, howFromKeys());
 }
 
-void handleSelection(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+namespace {
+
+bool wantsSelection(const EditingContext& studio, const ToolInput& input) {
+  return studio.editing.selection.going ||
+         (studio.tool == Tool::Select && !input.moves && !studio.editing.dragging());
+}
+
+bool handleSelection(EditingContext& studio, const ToolInput& input) {
+  const ViewWindow& window = input.window;
   SelectionState& state = studio.editing.selection;
-  const bool hovered = ImGui::IsItemHovered();
-  const Point at = pointAtMouse(window, origin);
+  const Point at = pointAtMouse(window, input.origin);
   const bool clicks = state.kind == Kind::Similar || state.kind == Kind::Shadow;
-  if (hovered && !state.going && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+  if (input.hovered && !state.going && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     if (clicks)
       click(studio, at, howFromKeys());
     else
@@ -198,10 +205,11 @@ void handleSelection(StudioContext& studio, const ViewWindow& window, ImVec2 ori
     if (moved >= kLeastStep) state.going->points.push_back(at);
     if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) finish(studio, window);
   }
-  if (hovered) ImGui::SetMouseCursor(clicks ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_Arrow);
+  if (input.hovered) ImGui::SetMouseCursor(clicks ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_Arrow);
+  return true;
 }
 
-void drawSelection(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+void drawSelection(EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
   follow(studio);
   SelectionState& state = studio.editing.selection;
   const Mask& selection = studio.document().selection;
@@ -213,11 +221,15 @@ void drawSelection(StudioContext& studio, const ViewWindow& window, ImVec2 origi
     drawDashes(line, true, window, origin);
   }
   if (!selection.empty() && selection.front().invert) {
-    const auto width = static_cast<float>(studio.set()->pictures->width());
-    const auto height = static_cast<float>(studio.set()->pictures->height());
+    const auto width = static_cast<float>(studio.set()->pictures().width());
+    const auto height = static_cast<float>(studio.set()->pictures().height());
     drawDashes({{0, 0}, {width, 0}, {width, height}, {0, height}}, true, window, origin);
   }
   if (state.going) drawDashes(goingLine(state), state.kind != Kind::Lasso, window, origin);
 }
+
+}  // namespace
+
+const PictureTool kSelectionTool = {wantsSelection, handleSelection, drawSelection};
 
 }  // namespace swaplight

@@ -21,7 +21,7 @@ const char* wordOf(Kind kind) {
   return kWords[static_cast<size_t>(kind)];
 }
 
-void begin(StudioContext& studio, const Point& at) {
+void begin(EditingContext& studio, const Point& at) {
   StencilState& state = studio.editing.stencil;
   if (state.kind.kind == Kind::Picture && state.kind.file.empty()) {
     studio.messages.info("Choose the picture first.");
@@ -39,7 +39,7 @@ void begin(StudioContext& studio, const Point& at) {
   state.going = std::move(going);
 }
 
-void show(StudioContext& studio, const Point& at) {
+void show(EditingContext& studio, const Point& at) {
   const StencilState& state = studio.editing.stencil;
   const StencilState::Going& going = *state.going;
   MaskShape shape = draggedShape(state.kind, going.from, at, ImGui::GetIO().KeyShift);
@@ -54,7 +54,7 @@ void show(StudioContext& studio, const Point& at) {
 
 }  // namespace
 
-const Edit* chosenStencil(const StudioContext& studio) {
+const Edit* chosenStencil(const EditingContext& studio) {
   const auto& edits = studio.document().edits.edits;
   const int chosen = studio.editing.chosen;
   if (chosen < 0 || chosen >= static_cast<int>(edits.size())) return nullptr;
@@ -63,17 +63,27 @@ const Edit* chosenStencil(const StudioContext& studio) {
                                                                                              : nullptr;
 }
 
-void handleStencil(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+namespace {
+
+bool wantsStencil(const EditingContext& studio, const ToolInput& input) {
+  return studio.editing.stencil.going || (studio.tool == Tool::Stencil && !input.alt && !input.moves);
+}
+
+bool handleStencil(EditingContext& studio, const ToolInput& input) {
   StencilState& state = studio.editing.stencil;
-  const bool hovered = ImGui::IsItemHovered();
-  const Point at = pointAtMouse(window, origin);
-  if (hovered && !state.going && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+  const Point at = pointAtMouse(input.window, input.origin);
+  if (input.hovered && !state.going && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     begin(studio, at);
   } else if (state.going) {
     const float far = std::hypot(at[0] - state.going->from[0], at[1] - state.going->from[1]);
-    if (far * static_cast<float>(window.zoom) >= kLeastDrag) show(studio, at);
+    if (far * static_cast<float>(input.window.zoom) >= kLeastDrag) show(studio, at);
     if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) state.going.reset();
   }
+  return true;
 }
+
+}  // namespace
+
+const PictureTool kStencilTool = {wantsStencil, handleStencil};
 
 }  // namespace swaplight

@@ -2,7 +2,7 @@
 
 namespace swaplight {
 
-void addCompareActions(ActionTable& actions, StudioContext& studio) {
+void addCompareActions(ActionTable& actions, ViewerContext& studio) {
   using Mode = CompareState::Mode;
   const auto hasSet = [&studio] { return studio.set() != nullptr; };
   const auto compare = [&](const char* id, const char* name, const char* keys, const char* tip, Mode mode) {
@@ -42,16 +42,16 @@ void addCompareActions(ActionTable& actions, StudioContext& studio) {
                  const bool shown = studio.view.subject.kind == Kind::Photograph;
                  studio.view.subject = shown ? ViewSubject{} : ViewSubject{Kind::Photograph, 0};
                },
-               [&studio] { return studio.set() && studio.set()->solved->capture.shotCount() > 0; },
+               [&studio] { return studio.set() && studio.set()->solved().capture.shotCount() > 0; },
                [&studio] { return studio.view.subject.kind == ViewSubject::Kind::Photograph; }});
   actions.add({"view.next_photograph", "Next photograph", "Shift+O", "Show the next photograph.",
                [&studio] {
                  const bool shown = studio.view.subject.kind == ViewSubject::Kind::Photograph;
-                 const int count = studio.set()->solved->capture.shotCount();
+                 const int count = studio.set()->solved().capture.shotCount();
                  studio.view.subject = {ViewSubject::Kind::Photograph,
                                         shown ? (studio.view.subject.index + 1) % count : 0};
                },
-               [&studio] { return studio.set() && studio.set()->solved->capture.shotCount() > 0; }});
+               [&studio] { return studio.set() && studio.set()->solved().capture.shotCount() > 0; }});
 }
 
 }  // namespace swaplight

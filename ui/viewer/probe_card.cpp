@@ -42,11 +42,11 @@ void shareBar(const std::string& name, float share, const Rgb& color) {
 
 }  // namespace
 
-void drawProbeCard(StudioContext& studio, ImVec2 origin, ImVec2 size) {
+void drawProbeCard(ViewerContext& studio, ImVec2 origin, ImVec2 size) {
   if (!studio.view.probe) return;
   const auto pixel = pixelAtMouse(studio);
   if (!pixel) return;
-  const SolvedSet& set = *studio.set()->solved;
+  const SolvedSet& set = studio.set()->solved();
   const Document& document = studio.document();
   const auto table = studio.table.table(studio.colors.config(), set.colorSpace(), document.display);
   const PixelProbe probe = probePixels(*studio.colors.config(), set, document.rig, pixel->x, pixel->y,

@@ -7,14 +7,14 @@ namespace {
 
 constexpr double kZoomStep = 1.25;
 
-void useColorConfig(StudioContext& studio, const std::filesystem::path& file) {
+void useColorConfig(ViewerContext& studio, const std::filesystem::path& file) {
   Document next = studio.document();
   next.colorConfig = file;
   next.display = {};  // another configuration has other ones
   studio.editor.edit("Colour configuration", std::move(next));
 }
 
-void askForColorConfig(StudioContext& studio, FileChooser& chooser) {
+void askForColorConfig(ViewerContext& studio, FileChooser& chooser) {
   chooser.ask({"An OpenColorIO configuration for this session",
                "Use",
                {".ocio"},
@@ -26,7 +26,7 @@ void askForColorConfig(StudioContext& studio, FileChooser& chooser) {
                }});
 }
 
-void addWorkingSpaces(ActionTable& actions, StudioContext& studio) {
+void addWorkingSpaces(ActionTable& actions, ViewerContext& studio) {
   const auto add = [&](const std::string& space, const std::string& name, const std::string& tip) {
     actions.add({"working_space." + (space.empty() ? "own" : space), "Work in " + name, "",
                  tip + " White stays white; only coloured light looks different. Exported EXR are in it, "
@@ -49,7 +49,7 @@ void addWorkingSpaces(ActionTable& actions, StudioContext& studio) {
 
 }  // namespace
 
-void addViewActions(ActionTable& actions, StudioContext& studio, FileChooser& chooser) {
+void addViewActions(ActionTable& actions, ViewerContext& studio, FileChooser& chooser) {
   const auto free = [&studio] { return studio.session.hasDocument() && !studio.colors.fromEnvironment(); };
   actions.add(
       {"view.color_config", "OpenColorIO configuration \u2026", "",

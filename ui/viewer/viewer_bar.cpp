@@ -30,15 +30,15 @@ void listButton(const char* id, const std::string& shown, float width, const cha
     lines();
     ImGui::EndCombo();
   }
-  markItem(std::string("bar.") + (id + 2));
+  markItem({"bar.", id + 2});
   if (!open) tooltip(tip);
   ImGui::SameLine(0, px(kGap));
 }
 
-bool subjectLine(StudioContext& studio, const ViewSubject& subject, bool current) {
+bool subjectLine(ViewerContext& studio, const ViewSubject& subject, bool current) {
   const std::string words = subjectWords(studio, subject);
   const bool clicked = ImGui::MenuItem(words.c_str(), nullptr, current);
-  markItem("subject." + words);
+  markItem({"subject.", words});
   return clicked;
 }
 
@@ -47,13 +47,13 @@ std::string compareWords(CompareState::Mode mode) {
   return words[static_cast<size_t>(mode)];
 }
 
-void compareList(StudioContext& studio) {
+void compareList(ViewerContext& studio) {
   for (const char* id :
        {"compare.off", "compare.wipe", "compare.split", "compare.difference", "compare.toggle"})
     actionMenuItem(studio.actions, id);
 }
 
-void channelList(StudioContext& studio) {
+void channelList(ViewerContext& studio) {
   for (const char* id : {"channel.all", "channel.red", "channel.green", "channel.blue", "channel.luminance"})
     actionMenuItem(studio.actions, id);
 }
@@ -66,12 +66,12 @@ void number(const char* id, float* value, float width, float speed, float low, f
   ImGui::DragFloat(id, value, speed, low, high, format, ImGuiSliderFlags_AlwaysClamp);
   if (changed) ImGui::PopStyleColor();
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) *value = neutral;
-  markItem(std::string("bar.") + (id + 2));
+  markItem({"bar.", id + 2});
   tooltip(tip);
   ImGui::SameLine(0, px(kGap));
 }
 
-void zebraButton(StudioContext& studio) {
+void zebraButton(ViewerContext& studio) {
   actionTextButton(studio.actions, "view.zebra", "Zebra", px(58));
   if (ImGui::BeginPopupContextItem("##zebra levels")) {
     Zebra& zebra = studio.view.settings.zebra;
@@ -85,12 +85,12 @@ void zebraButton(StudioContext& studio) {
 }
 
 /// The display and the view that are in use, by name.
-DisplayChoice shownThrough(const StudioContext& studio) {
+DisplayChoice shownThrough(const ViewerContext& studio) {
   const ColorConfig& config = *studio.colors.config();
   return namedDisplay(config, displayWithin(config, studio.document().display));
 }
 
-void chooseView(StudioContext& studio, const DisplayChoice& choice) {
+void chooseView(ViewerContext& studio, const DisplayChoice& choice) {
   try {
     studio.colors.config()->checkView(choice);
   } catch (const std::exception& error) {
@@ -103,7 +103,7 @@ void chooseView(StudioContext& studio, const DisplayChoice& choice) {
 }
 
 /// The looks that a view is seen under: its own, none, one of the configuration's.
-void drawLooks(StudioContext& studio, const DisplayChoice& shown) {
+void drawLooks(ViewerContext& studio, const DisplayChoice& shown) {
   const ColorConfig& config = *studio.colors.config();
   std::vector<std::string> looks = config.looks();
   if (looks.empty()) return;
@@ -113,7 +113,7 @@ void drawLooks(StudioContext& studio, const DisplayChoice& shown) {
                         const std::string& tip) {
     if (ImGui::MenuItem(("   " + words + "##look").c_str(), nullptr, look == shown.look))
       chooseView(studio, {shown.display, shown.view, look});
-    markItem(std::string("look.") + id);
+    markItem({"look.", id});
     if (!tip.empty()) tooltip(tip.c_str());
   };
   ImGui::Separator();
@@ -128,7 +128,7 @@ void drawLooks(StudioContext& studio, const DisplayChoice& shown) {
 
 }  // namespace
 
-void drawSubjectMenu(StudioContext& studio, bool sideB) {
+void drawSubjectMenu(ViewerContext& studio, bool sideB) {
   CompareState& compare = studio.view.compare;
   const ViewSubject current = sideB ? compare.subject : studio.view.subject;
   const OpenSet* set = studio.set();
@@ -151,12 +151,12 @@ void drawSubjectMenu(StudioContext& studio, bool sideB) {
     tooltip("Keeps the present lighting as B, to be compared with what you change.");
   }
   ImGui::Separator();
-  for (int shot = 0; shot < set->solved->capture.shotCount(); ++shot)
+  for (int shot = 0; shot < set->solved().capture.shotCount(); ++shot)
     if (subjectLine(studio, {Kind::Photograph, shot}, current == ViewSubject{Kind::Photograph, shot}))
       choose({Kind::Photograph, shot});
   ImGui::Separator();
   for (const Kind kind : {Kind::Contribution, Kind::Beta, Kind::Visibility}) {
-    const SolvedSet& of = kind == Kind::Visibility ? *set->original : *set->solved;
+    const SolvedSet& of = kind == Kind::Visibility ? *set->original : set->solved();
     for (int light = 0; light < of.lightCount(); ++light)
       if (subjectLine(studio, {kind, light}, current == ViewSubject{kind, light})) choose({kind, light});
     ImGui::Separator();
@@ -165,7 +165,7 @@ void drawSubjectMenu(StudioContext& studio, bool sideB) {
     if (subjectLine(studio, {kind, 0}, current == ViewSubject{kind, 0})) choose({kind, 0});
 }
 
-void drawDisplayMenu(StudioContext& studio) {
+void drawDisplayMenu(ViewerContext& studio) {
   const ColorConfig& config = *studio.colors.config();
   const DisplayChoice shown = shownThrough(studio);
   ImGui::TextDisabled("Display");
@@ -175,14 +175,14 @@ void drawDisplayMenu(StudioContext& studio) {
       const bool has = std::find(views.begin(), views.end(), shown.view) != views.end();
       chooseView(studio, {display, has ? shown.view : config.defaultView(display), shown.look});
     }
-    markItem("display." + display);
+    markItem({"display.", display});
   }
   ImGui::Separator();
   ImGui::TextDisabled("View");
   for (const std::string& view : config.views(shown.display)) {
     if (ImGui::MenuItem(("   " + view + "##view").c_str(), nullptr, view == shown.view))
       chooseView(studio, {shown.display, view, shown.look});
-    markItem("view." + shown.display + "." + view);
+    markItem({"view.", shown.display, ".", view});
     const std::string description = config.viewDescription(shown.display, view);
     if (!description.empty()) tooltip(description.c_str());
   }
@@ -203,7 +203,7 @@ void drawDisplayMenu(StudioContext& studio) {
   actionMenuItem(studio.actions, "view.builtin_colors");
 }
 
-void drawViewerBar(StudioContext& studio) {
+void drawViewerBar(ViewerContext& studio) {
   const float height = ImGui::GetFrameHeight() + px(8);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ViewSettings& settings = studio.view.settings;

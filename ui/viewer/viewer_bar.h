@@ -1,15 +1,15 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/viewer_context.h"
 
 namespace swaplight {
 
 /// The controls above the picture: what is shown, compared with what, and through which view.
-void drawViewerBar(StudioContext& studio);
+void drawViewerBar(ViewerContext& studio);
 
 /// The lines of the menu of displays and views.
-void drawDisplayMenu(StudioContext& studio);
+void drawDisplayMenu(ViewerContext& studio);
 /// The lines of the menu of subjects, for A or B.
-void drawSubjectMenu(StudioContext& studio, bool sideB);
+void drawSubjectMenu(ViewerContext& studio, bool sideB);
 
 }  // namespace swaplight

@@ -7,12 +7,8 @@
 #include "ui/control/shadow_edit.h"
 #include "ui/control/viewer_request.h"
 #include "ui/kit/theme.h"
-#include "ui/tools/brush_tool.h"
-#include "ui/tools/handle_tool.h"
-#include "ui/tools/pick_tool.h"
+#include "ui/tools/picture_tool.h"
 #include "ui/tools/pointer.h"
-#include "ui/tools/selection_tool.h"
-#include "ui/tools/stencil_tool.h"
 
 namespace swaplight {
 namespace {
@@ -30,11 +26,11 @@ float distance(ImVec2 a, ImVec2 b) {
 }
 
 /// What the left button takes hold of here.
-Grab grabbed(const StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+Grab grabbed(const ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
   if (studio.keyboard.isHeld("E")) return Grab::Exposure;
   if (studio.tool == Tool::Region) return Grab::Region;
   if (studio.view.compare.mode != CompareState::Mode::Wipe) return Grab::Pan;
-  const ViewPictures& pictures = *studio.set()->pictures;
+  const ViewPictures& pictures = studio.set()->pictures();
   const WipeHandles handles =
       wipeHandles(wipeIn(studio.view.compare, pictures.width(), pictures.height()), window, origin);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -55,9 +51,9 @@ void turnWipe(CompareState& compare, const ViewPictures& pictures, const ViewWin
   compare.angleDegrees = degrees;
 }
 
-void drawRegion(StudioContext& studio, const ViewWindow& window, ImVec2 origin, bool begin) {
+void drawRegion(ViewerContext& studio, const ViewWindow& window, ImVec2 origin, bool begin) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const ViewPictures& pictures = *studio.set()->pictures;
+  const ViewPictures& pictures = studio.set()->pictures();
   const auto x = std::clamp(static_cast<int>(window.pictureX(mouse.x - origin.x)), 0, pictures.width() - 1);
   const auto y = std::clamp(static_cast<int>(window.pictureY(mouse.y - origin.y)), 0, pictures.height() - 1);
   ViewerState& viewer = studio.viewer;
@@ -69,9 +65,9 @@ void drawRegion(StudioContext& studio, const ViewWindow& window, ImVec2 origin, 
                                 std::abs(x - viewer.regionX) + 1, std::abs(y - viewer.regionY) + 1};
 }
 
-void drag(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+void drag(ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
-  const ViewPictures& pictures = *studio.set()->pictures;
+  const ViewPictures& pictures = studio.set()->pictures();
   CompareState& compare = studio.view.compare;
   switch (studio.viewer.grab) {
     case Grab::None:
@@ -94,6 +90,23 @@ void drag(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
   }
 }
 
+/// The tool whose the mouse is; nullptr: the viewer's own.
+const PictureTool* toolAtWork(ViewerContext& studio, const ToolInput& input) {
+  for (const PictureTool* tool : pictureTools())
+    if (tool->wants(studio, input) && tool->handle(studio, input)) return tool;
+  return nullptr;
+}
+
+void showCursor(const PictureTool* tool, Grab over) {
+  if (tool) {
+    if (tool->cursor != PictureTool::kOwnCursor) ImGui::SetMouseCursor(tool->cursor);
+  } else if (over == Grab::WipeMove || over == Grab::WipeTurn) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  } else if (over == Grab::Exposure) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  }
+}
+
 }  // namespace
 
 WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2 origin) {
@@ -107,50 +120,28 @@ WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2
   return handles;
 }
 
-void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+void handleViewerMouse(ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
   const bool moves = studio.keyboard.isHeld("E") || studio.keyboard.isHeld("Space");
-  const bool paints = studio.tool == Tool::Brush && !io.KeyAlt && !moves;
-  const bool selects = studio.tool == Tool::Select && !moves;
-  const bool places = studio.tool == Tool::Stencil && !io.KeyAlt && !moves;
-  if (hovered && io.MouseWheel != 0 && !(paints && io.KeyCtrl))
-    studio.view.zoomAt(window, io.MousePos.x - origin.x, io.MousePos.y - origin.y,
-                       std::pow(kWheelStep, io.MouseWheel));
-  const Tool tool = io.KeyAlt && !selects ? Tool::Match : studio.tool;
-  const bool picks = tool == Tool::Neutral || tool == Tool::Match;
   Grab& grab = studio.viewer.grab;
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) grab = Grab::Pan;
-  if (paints || studio.editing.brush.going) {
-    handleBrush(studio, window, origin);
-  } else if (selects || studio.editing.selection.going) {
-    handleSelection(studio, window, origin);
-  } else if ((studio.editing.handle.going || (!io.KeyAlt && !moves && grab == Grab::None)) &&
-             handleShapeHandles(studio, window, origin)) {
-    return;
-  } else if (places || studio.editing.stencil.going) {
-    handleStencil(studio, window, origin);
-  } else if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    if (picks) {
-      if (const auto pixel = pixelUnder(studio, window, origin)) pickPixel(studio, tool, pixel->x, pixel->y);
-    } else {
-      grab = grabbed(studio, window, origin);
-      if (grab == Grab::Region) drawRegion(studio, window, origin, true);
-    }
+  const PictureTool* tool =
+      toolAtWork(studio, {window, origin, hovered, io.KeyAlt, moves, grab != Grab::None});
+  if (hovered && io.MouseWheel != 0 && !(tool && tool->takesCtrlWheel && io.KeyCtrl))
+    studio.view.zoomAt(window, io.MousePos.x - origin.x, io.MousePos.y - origin.y,
+                       std::pow(kWheelStep, io.MouseWheel));
+  if (!tool && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    grab = grabbed(studio, window, origin);
+    if (grab == Grab::Region) drawRegion(studio, window, origin, true);
   }
   const bool clicked = hovered && grab == Grab::Pan && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < px(kClickReach) * px(kClickReach);
   if (clicked && shadowsShown(studio))
-    if (const auto pixel = pixelUnder(studio, window, origin))
-      studio.shadows.choose(studio, pixel->x, pixel->y);
+    if (const auto pixel = pixelUnder(studio, window, origin)) studio.shadows.choose(pixel->x, pixel->y);
   if (!io.MouseDown[ImGuiMouseButton_Left] && !io.MouseDown[ImGuiMouseButton_Middle]) grab = Grab::None;
   drag(studio, window, origin);
-  if (!hovered || paints || selects || places) return;
-  const Grab over = grab == Grab::None ? grabbed(studio, window, origin) : grab;
-  if (picks || over == Grab::WipeMove || over == Grab::WipeTurn)
-    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  else if (over == Grab::Exposure)
-    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (hovered) showCursor(tool, grab == Grab::None ? grabbed(studio, window, origin) : grab);
 }
 
 }  // namespace swaplight

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "ui/control/studio_context.h"
+#include "ui/control/viewer_context.h"
 
 namespace swaplight {
 
@@ -16,6 +16,6 @@ struct WipeHandles {
 
 /// What the mouse does in the viewer, whose item was submitted last. `origin` is the corner of the pane under
 /// the mouse.
-void handleViewerMouse(StudioContext& studio, const ViewWindow& window, ImVec2 origin);
+void handleViewerMouse(ViewerContext& studio, const ViewWindow& window, ImVec2 origin);
 
 }  // namespace swaplight

@@ -13,9 +13,7 @@
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 #include "ui/shadows/shadow_overlay.h"
-#include "ui/tools/brush_tool.h"
-#include "ui/tools/handle_tool.h"
-#include "ui/tools/selection_tool.h"
+#include "ui/tools/picture_tool.h"
 #include "ui/viewer/viewer_mouse.h"
 
 namespace swaplight {
@@ -48,8 +46,8 @@ std::string badgeText(const ViewSettings& settings) {
   return text;
 }
 
-void drawWipe(StudioContext& studio, const ViewWindow& window, ImVec2 origin, ImVec2 size) {
-  const ViewPictures& pictures = *studio.set()->pictures;
+void drawWipe(ViewerContext& studio, const ViewWindow& window, ImVec2 origin, ImVec2 size) {
+  const ViewPictures& pictures = studio.set()->pictures();
   const WipeHandles handles =
       wipeHandles(wipeIn(studio.view.compare, pictures.width(), pictures.height()), window, origin);
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -69,7 +67,7 @@ void drawWipe(StudioContext& studio, const ViewWindow& window, ImVec2 origin, Im
            handles.turn.y + px(6));
 }
 
-void drawSides(StudioContext& studio, ImVec2 origin, ImVec2 size) {
+void drawSides(ViewerContext& studio, ImVec2 origin, ImVec2 size) {
   using Mode = CompareState::Mode;
   const Mode mode = studio.view.compare.mode;
   const std::string a = "A  " + subjectWords(studio, studio.view.subject);
@@ -129,7 +127,7 @@ std::vector<LegendLine> mapLegend(float brightest, const char* format, float tim
   return lines;
 }
 
-void drawLegends(StudioContext& studio, ImVec2 origin, ImVec2 size) {
+void drawLegends(ViewerContext& studio, ImVec2 origin, ImVec2 size) {
   std::vector<LegendLine> lines;
   switch (studio.view.subject.kind) {
     case ViewSubject::Kind::Residual:
@@ -149,7 +147,7 @@ void drawLegends(StudioContext& studio, ImVec2 origin, ImVec2 size) {
   drawLegend("Stops from middle grey", lines, origin, size);
 }
 
-void drawRegion(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+void drawRegion(ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
   if (!studio.viewer.region) return;
   const PictureRegion& region = *studio.viewer.region;
   const auto at = [&](int x, int y) {
@@ -163,7 +161,7 @@ void drawRegion(StudioContext& studio, const ViewWindow& window, ImVec2 origin) 
 
 }  // namespace
 
-void drawViewerOverlay(StudioContext& studio, const ViewWindow& window, ImVec2 origin, ImVec2 size) {
+void drawViewerOverlay(ViewerContext& studio, const ViewWindow& window, ImVec2 origin, ImVec2 size) {
   drawShadowOverlay(studio, window, origin, size);
   drawRegion(studio, window, origin);
   if (studio.view.compare.mode == CompareState::Mode::Wipe) drawWipe(studio, window, origin, size);
@@ -176,10 +174,9 @@ void drawViewerOverlay(StudioContext& studio, const ViewWindow& window, ImVec2 o
   }
   drawLegends(studio, origin, size);
   ImGui::GetWindowDrawList()->PushClipRect(origin, ImVec2(origin.x + size.x, origin.y + size.y), true);
-  drawSelection(studio, window, origin);
-  drawShapeHandles(studio, window, origin);
+  for (const PictureTool* tool : pictureTools())
+    if (tool->overlay) tool->overlay(studio, window, origin);
   ImGui::GetWindowDrawList()->PopClipRect();
-  if (studio.tool == Tool::Brush) drawBrushRing(studio, window, origin);
 }
 
 }  // namespace swaplight

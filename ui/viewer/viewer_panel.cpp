@@ -67,9 +67,9 @@ void copyWhenDrawn(const ScreenCopy& copy, int place) {
 }
 
 /// Draws pictures into a pane whose corner is `origin`. The texture is told apart by `place`.
-void drawPane(StudioContext& studio, const LayeredPicture& a, const LayeredPicture* b,
+void drawPane(ViewerContext& studio, const LayeredPicture& a, const LayeredPicture* b,
               const ViewWindow& window, ImVec2 origin, int place) {
-  const ViewPictures& pictures = *studio.set()->pictures;
+  const ViewPictures& pictures = studio.set()->pictures();
   const Covered covered = coveredPart(window, pictures.width(), pictures.height());
   if (covered.window.width < 1 || covered.window.height < 1) return;
   ScreenRequest request;
@@ -82,7 +82,7 @@ void drawPane(StudioContext& studio, const LayeredPicture& a, const LayeredPictu
   }
   request.window = covered.window;
   request.settings = viewerSettings(studio);
-  const unsigned texture = studio.pictures.texture(request, place);
+  const unsigned texture = studio.renderer.texture(request, place);
   const ImVec2 low(origin.x + static_cast<float>(covered.x), origin.y + static_cast<float>(covered.y));
   const ImVec2 high(low.x + static_cast<float>(covered.window.width),
                     low.y + static_cast<float>(covered.window.height));
@@ -94,7 +94,7 @@ void drawPane(StudioContext& studio, const LayeredPicture& a, const LayeredPictu
   markRect(place == 0 ? "viewer.picture" : "viewer.picture_b", low.x, low.y, high.x, high.y);
 }
 
-void drawPanes(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
+void drawPanes(ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
   using Mode = CompareState::Mode;
   const ViewerPictures pictures = viewerPictures(studio);
   const Mode mode = studio.view.compare.mode;
@@ -115,9 +115,9 @@ void drawPanes(StudioContext& studio, const ViewWindow& window, ImVec2 origin) {
 
 }  // namespace
 
-void drawViewerPanel(StudioContext& studio) {
+void drawViewerPanel(ViewerContext& studio) {
   if (studio.set()) drawViewerBar(studio);
-  studio.shown = {};
+  studio.drawn = {};
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();
   if (size.x < 1 || size.y < 1) return;
@@ -129,7 +129,7 @@ void drawViewerPanel(StudioContext& studio) {
     return;
   }
 
-  const ViewPictures& pictures = *set->pictures;
+  const ViewPictures& pictures = set->pictures();
   const bool split = studio.view.compare.mode == CompareState::Mode::Split;
   const int paneWidth = static_cast<int>(size.x) / (split ? 2 : 1);
   const auto seen = [&] {
@@ -141,9 +141,9 @@ void drawViewerPanel(StudioContext& studio) {
   const ImVec2 under(origin.x + (overB ? static_cast<float>(paneWidth) : 0), origin.y);
   handleViewerMouse(studio, seen(), under);
   const ViewWindow window = seen();
-  studio.shown = {true, window, under.x, under.y, ImGui::IsItemHovered(), studio.editor.revision()};
+  studio.drawn = {true, window, under.x, under.y, ImGui::IsItemHovered(), studio.editor.revision()};
   markState("viewer.window", fmt::format("{} {} {}", window.left, window.top, window.zoom));
-  studio.edits.show(studio, visiblePart(window));
+  studio.edits.show(visiblePart(window));
   drawPanes(studio, window, origin);
   drawViewerOverlay(studio, window, origin, size);
   drawProbeCard(studio, origin, size);

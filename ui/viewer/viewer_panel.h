@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/control/studio_context.h"
+#include "ui/control/viewer_context.h"
 
 namespace swaplight {
 
 /// The picture: pan, zoom, what is shown of it. Fills the current ImGui window's content region.
-void drawViewerPanel(StudioContext& studio);
+void drawViewerPanel(ViewerContext& studio);
 
 }  // namespace swaplight

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/shadow/result/light_shadows.h"
+
+namespace swaplight {
+
+/// Each light's shadows, by its name.
+using ShadowsByLight = std::map<std::string, std::shared_ptr<const LightShadows>>;
+
+/// A light's own. Throws InputError where it has none.
+[[nodiscard]] inline const std::shared_ptr<const LightShadows>& shadowsOf(const ShadowsByLight& found,
+                                                                          const std::string& light) {
+  const auto known = found.find(light);
+  if (known == found.end()) throw InputError("\"{}\" is no light of the set: it has no shadows.", light);
+  return known->second;
+}
+
+/// What was found last, for several threads: what one of them has got never changes under it.
+class FoundShadows {
+ public:
+  using All = std::shared_ptr<const ShadowsByLight>;
+
+  [[nodiscard]] All all() const {
+    const std::lock_guard lock(m_mutex);
+    return m_all;
+  }
+  void replace(ShadowsByLight found) {
+    auto next = std::make_shared<const ShadowsByLight>(std::move(found));
+    const std::lock_guard lock(m_mutex);
+    m_all = std::move(next);
+  }
+
+ private:
+  mutable std::mutex m_mutex;
+  All m_all = std::make_shared<const ShadowsByLight>();
+};
+
+}  // namespace swaplight

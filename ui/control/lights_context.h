@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ui/actions/action_table.h"
+#include "ui/control/color_choice.h"
+#include "ui/control/light_edit.h"
+#include "ui/control/session_controller.h"
+#include "ui/jobs/messages.h"
+#include "ui/pictures/view_table.h"
+#include "ui/state/look_state.h"
+#include "ui/state/mixer_state.h"
+#include "ui/state/panel_layout.h"
+#include "ui/state/tool.h"
+
+namespace swaplight {
+
+/// What those read and change who mix the lights: mixer, light, looks, gallery.
+struct LightsContext : ChosenLights {
+  SessionController& session;
+  Messages& messages;
+  const ColorChoice& colors;
+  PanelLayout& layout;
+  Tool& tool;
+  MixerState& mixer;
+  LookState& looks;
+  ViewTable& table;
+  const ActionTable& actions;
+
+  [[nodiscard]] const OpenSet* set() const { return session.set(); }
+};
+
+}  // namespace swaplight

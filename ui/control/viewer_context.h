@@ -1,0 +1,20 @@
+#pragma once
+
+#include "render/picture_screen.h"
+#include "ui/control/editing_context.h"
+#include "ui/control/subject_pictures.h"
+#include "ui/pictures/view_table.h"
+#include "ui/state/viewer_state.h"
+
+namespace swaplight {
+
+/// What the viewer reads and changes: what is edited in it, and what it shows.
+struct ViewerContext : EditingContext {
+  ViewerState& viewer;
+  ShownPicture& drawn;  ///< the same as `shown`: the viewer says what it has drawn
+  PictureScreen& renderer;
+  SubjectPictures& subjects;
+  ViewTable& table;
+};
+
+}  // namespace swaplight
