@@ -77,8 +77,9 @@ void addLightActions(ActionTable& actions, LightsContext& studio, FileChooser& c
                [&studio] { return studio.tool == Tool::Match; }});
   actions.add({"mixer.as_captured", "As captured", "", "Every light as in the first shot.",
                [&studio] {
-                 editRig(studio, "As captured",
-                         rigOfShot(*studio.colors.config(), studio.document().rig, studio.set()->solved(), 0));
+                 editRig(
+                     studio, "As captured",
+                     rigOfShot(*studio.colors.config(), studio.document().rig, studio.set()->solved(), 0));
                },
                [&studio] { return studio.set() && !studio.set()->solved().capture.shots.empty(); }});
   actions.add({"mixer.all_white", "All white", "", "Every light on, white, without stops.",
