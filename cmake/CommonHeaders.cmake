@@ -1,10 +1,10 @@
 # Precompiled headers: what nearly every file of a room reads, compiled once. Files still name every header that they
 # use: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without (.ci/run does).
 #
-#   swaplight_headers(swaplight_core_headers HEADERS <vector> ... LINK fmt::fmt ...)
+#   swaplight_headers(swaplight_app_headers HEADERS <CLI/CLI.hpp> LINK CLI11::CLI11)
 #
 # The targets of this folder and those below reuse them (swaplight_library, and swaplight_reuse_headers for others).
-# Their compile options must be the same, and so add_compile_options stands before.
+# g++ wants them compiled with the same macros, -g and -march, and with or without optimisation as they are.
 
 set(SWAPLIGHT_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional>
   <span> <string> <utility> <vector> <fmt/format.h> <fmt/ranges.h> <glm/glm.hpp> <nlohmann/json.hpp>)
