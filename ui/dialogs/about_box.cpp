@@ -1,6 +1,7 @@
 #include "ui/dialogs/about_box.h"
 
 #include <imgui.h>
+#include <algorithm>
 
 #include "core/base/version.h"
 #include "core/file/user_folders.h"
