@@ -4,7 +4,7 @@
 #   swaplight_headers(swaplight_app_headers HEADERS <CLI/CLI.hpp> LINK CLI11::CLI11)
 #
 # The targets of this folder and those below reuse them (swaplight_library, and swaplight_reuse_headers for others).
-# g++ wants them compiled with the same macros, -g and -march, and with or without optimisation as they are.
+# Their compile options must be the same but for -O1 to -O3, and so add_compile_options stands before.
 
 set(SWAPLIGHT_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional>
   <span> <string> <utility> <vector> <fmt/format.h> <fmt/ranges.h> <glm/glm.hpp> <nlohmann/json.hpp>)
