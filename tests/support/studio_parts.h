@@ -22,9 +22,9 @@
 namespace swaplight::test {
 
 /// Draws nothing, and counts what it is told.
-class CountingRenderer : public PictureScreen {
+class CountingRenderer : public ViewportRenderer {
  public:
-  unsigned texture(const ScreenRequest& /*request*/, int /*place*/) override { return 0; }
+  unsigned texture(const ViewportRequest& /*request*/, int /*place*/) override { return 0; }
   void changed(const Pyramid& /*picture*/, const TileRect& /*where*/) override { ++changes; }
   void setConfig(const std::shared_ptr<const ColorConfig>& /*config*/) override {}
   void forget() override { ++forgotten; }

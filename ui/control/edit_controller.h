@@ -9,7 +9,7 @@
 
 #include "core/edit/apply/edited_set.h"
 #include "core/session/document_editor.h"
-#include "render/picture_screen.h"
+#include "render/viewport_renderer.h"
 #include "ui/control/beta_reader.h"
 #include "ui/control/found_shadows.h"
 #include "ui/control/session_controller.h"
@@ -31,7 +31,7 @@ class EditController {
     const DocumentEditor& editor;
     SessionController& session;
     SubjectPictures& subjects;
-    PictureScreen& renderer;
+    ViewportRenderer& renderer;
     Messages& messages;
   };
   EditController(const Parts& parts, std::function<void()> wake)

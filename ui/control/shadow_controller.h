@@ -10,7 +10,7 @@
 #include "core/shadow/detect/shadow_preview.h"
 #include "core/shadow/result/connected_shadow.h"
 #include "core/view/window_pixels.h"
-#include "render/picture_screen.h"
+#include "render/viewport_renderer.h"
 #include "ui/control/edit_controller.h"
 #include "ui/control/light_edit.h"
 #include "ui/control/session_controller.h"
@@ -29,7 +29,7 @@ class ShadowController {
     ChosenLights lights;
     const SessionController& session;
     EditController& edits;
-    PictureScreen& renderer;
+    ViewportRenderer& renderer;
     ShadowState& state;
     Messages& messages;
   };

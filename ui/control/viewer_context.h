@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/picture_screen.h"
+#include "render/viewport_renderer.h"
 #include "ui/control/editing_context.h"
 #include "ui/control/subject_pictures.h"
 #include "ui/pictures/view_table.h"
@@ -12,7 +12,7 @@ namespace swaplight {
 struct ViewerContext : EditingContext {
   ViewerState& viewer;
   ShownPicture& drawn;  ///< the same as `shown`: the viewer says what it has drawn
-  PictureScreen& renderer;
+  ViewportRenderer& renderer;
   SubjectPictures& subjects;
   ViewTable& table;
 };

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "render/picture_screen.h"
+#include "render/viewport_renderer.h"
 
 namespace swaplight {
 

@@ -38,7 +38,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
       m_layoutOnDisk(m_layout),
       m_sets([&screen] { screen.wake(); }),
       m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder(), [&screen] { screen.wake(); }),
-      m_pictures(makePictureScreen(options.engine, m_colors.config())),
+      m_pictures(makeViewportRenderer(options.engine, m_colors.config())),
       m_exports([&screen] { screen.wake(); }),
       m_subjects([&screen] { screen.wake(); }),
       m_edits({m_editor, m_session, m_subjects, *m_pictures, m_messages}, [&screen] { screen.wake(); }),

@@ -88,7 +88,7 @@ class StudioWindow {
   ColorChoice m_colors;
   SetController m_sets;
   SessionController m_session;
-  std::unique_ptr<PictureScreen> m_pictures;
+  std::unique_ptr<ViewportRenderer> m_pictures;
   uint64_t m_setShown = 0;
   ExportController m_exports;
   ActionTable m_actions;

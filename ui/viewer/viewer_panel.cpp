@@ -72,7 +72,7 @@ void drawPane(ViewerContext& studio, const LayeredPicture& a, const LayeredPictu
   const ViewPictures& pictures = studio.set()->pictures();
   const Covered covered = coveredPart(window, pictures.width(), pictures.height());
   if (covered.window.width < 1 || covered.window.height < 1) return;
-  ScreenRequest request;
+  ViewportRequest request;
   request.a = a;
   if (b) {
     request.b = *b;

@@ -1,11 +1,11 @@
-#include "render/graphics_screen.h"
+#include "render/gpu_viewport_renderer.h"
 
 #include "render/gl/gl_info.h"
 #include "render/gl/pixel_transfer.h"
 
 namespace swaplight {
 
-unsigned GraphicsScreen::texture(const ScreenRequest& request, int place) {
+unsigned GpuViewportRenderer::texture(const ViewportRequest& request, int place) {
   Place& here = m_places[place];
   if (here.shown == request) return here.target.texture();
   here.shown.reset();
@@ -14,7 +14,7 @@ unsigned GraphicsScreen::texture(const ScreenRequest& request, int place) {
   return here.target.texture();
 }
 
-void GraphicsScreen::draw(const ScreenRequest& request, Place& place) {
+void GpuViewportRenderer::draw(const ViewportRequest& request, Place& place) {
   ViewRenderer& viewerA = viewerFor(request.a.colorSpace);
   if (request.comparison.mode == Comparison::Mode::Difference) {
     TiledTexture& difference = relit(place.a, differenceLayers(request.a.layers, request.b.layers));
@@ -29,7 +29,7 @@ void GraphicsScreen::draw(const ScreenRequest& request, Place& place) {
               {.side = glm::vec3(sideOfB(request.comparison, request.window))}, place.target);
 }
 
-TiledTexture& GraphicsScreen::relit(Frame& frame, const std::vector<ViewLayer>& layers) {
+TiledTexture& GpuViewportRenderer::relit(Frame& frame, const std::vector<ViewLayer>& layers) {
   const Pyramid& first = *layers.front().picture;
   if (frame.picture.width != first.width() || frame.picture.height != first.height())
     frame.picture = TiledTexture(first.width(), first.height(), largestTextureSide());
@@ -44,7 +44,7 @@ TiledTexture& GraphicsScreen::relit(Frame& frame, const std::vector<ViewLayer>& 
   return frame.picture;
 }
 
-const TiledTexture& GraphicsScreen::uploaded(const Pyramid& picture) {
+const TiledTexture& GpuViewportRenderer::uploaded(const Pyramid& picture) {
   const auto found = m_pictures.find(&picture);
   if (found != m_pictures.end()) return found->second;
   TiledTexture texture(picture.width(), picture.height(), largestTextureSide());
@@ -52,11 +52,11 @@ const TiledTexture& GraphicsScreen::uploaded(const Pyramid& picture) {
   return m_pictures.emplace(&picture, std::move(texture)).first->second;
 }
 
-ViewRenderer& GraphicsScreen::viewerFor(const std::string& colorSpace) {
+ViewRenderer& GpuViewportRenderer::viewerFor(const std::string& colorSpace) {
   return m_viewers.try_emplace(colorSpace, *m_config, colorSpace).first->second;
 }
 
-void GraphicsScreen::changed(const Pyramid& picture, const TileRect& where) {
+void GpuViewportRenderer::changed(const Pyramid& picture, const TileRect& where) {
   const auto found = m_pictures.find(&picture);
   if (found == m_pictures.end()) return;
   updatePicture(found->second, picture.level(0).crop(where.x, where.y, where.width, where.height), where.x,
@@ -68,19 +68,19 @@ void GraphicsScreen::changed(const Pyramid& picture, const TileRect& where) {
   }
 }
 
-void GraphicsScreen::setConfig(const std::shared_ptr<const ColorConfig>& config) {
+void GpuViewportRenderer::setConfig(const std::shared_ptr<const ColorConfig>& config) {
   if (m_config == config) return;
   m_viewers.clear();
   m_config = config;
   forget();
 }
 
-void GraphicsScreen::forget() {
+void GpuViewportRenderer::forget() {
   m_pictures.clear();
   m_places.clear();
 }
 
-std::string GraphicsScreen::words() const {
+std::string GpuViewportRenderer::words() const {
   return "graphics card: " + glInfo().renderer;
 }
 

@@ -1,4 +1,4 @@
-#include "render/processor_screen.h"
+#include "render/cpu_viewport_renderer.h"
 
 #include <fmt/core.h>
 
@@ -61,7 +61,7 @@ PixelRect windowPart(const ViewWindow& window, const PixelRect& picture) {
 
 }  // namespace
 
-unsigned ProcessorScreen::texture(const ScreenRequest& request, int place) {
+unsigned CpuViewportRenderer::texture(const ViewportRequest& request, int place) {
   Place& here = m_places[place];
   if (here.shown == request) {
     if (!here.changed.empty()) drawChanged(here);
@@ -73,7 +73,7 @@ unsigned ProcessorScreen::texture(const ScreenRequest& request, int place) {
   return here.texture.id();
 }
 
-void ProcessorScreen::drawAll(const ScreenRequest& request, Place& place) {
+void CpuViewportRenderer::drawAll(const ViewportRequest& request, Place& place) {
   const ViewWindow& window = request.window;
   place.pixels.resize(static_cast<size_t>(window.width) * static_cast<size_t>(window.height) * 4);
   draw(request, window, &place, place.pixels.data());
@@ -83,7 +83,7 @@ void ProcessorScreen::drawAll(const ScreenRequest& request, Place& place) {
   place.changed = {};
 }
 
-void ProcessorScreen::drawChanged(Place& place) {
+void CpuViewportRenderer::drawChanged(Place& place) {
   const ViewWindow& window = place.shown->window;
   const PixelRect part = windowPart(window, std::exchange(place.changed, {}));
   if (part.empty()) return;
@@ -100,8 +100,8 @@ void ProcessorScreen::drawChanged(Place& place) {
   place.texture.updatePart(part.x, part.y, part.width, part.height, place.pixels.data());
 }
 
-void ProcessorScreen::draw(const ScreenRequest& request, const ViewWindow& window, Place* place,
-                           uint8_t* pixels) {
+void CpuViewportRenderer::draw(const ViewportRequest& request, const ViewWindow& window, Place* place,
+                               uint8_t* pixels) {
   const DisplayTable& table = tableFor(request.a.colorSpace, request.settings);
   LayerSum* sum = place ? &place->sumA : nullptr;
   if (request.comparison.mode == Comparison::Mode::Difference)
@@ -113,8 +113,8 @@ void ProcessorScreen::draw(const ScreenRequest& request, const ViewWindow& windo
     drawB(request, window, place ? &place->sumB : nullptr, pixels);
 }
 
-void ProcessorScreen::drawB(const ScreenRequest& request, const ViewWindow& window, LayerSum* sum,
-                            uint8_t* pixels) {
+void CpuViewportRenderer::drawB(const ViewportRequest& request, const ViewWindow& window, LayerSum* sum,
+                                uint8_t* pixels) {
   // Only the columns that B has in some row are computed.
   const glm::dvec3 side = sideOfB(request.comparison, window);
   int left = window.width, right = 0;
@@ -139,7 +139,8 @@ void ProcessorScreen::drawB(const ScreenRequest& request, const ViewWindow& wind
   }
 }
 
-const DisplayTable& ProcessorScreen::tableFor(const std::string& colorSpace, const ViewSettings& settings) {
+const DisplayTable& CpuViewportRenderer::tableFor(const std::string& colorSpace,
+                                                  const ViewSettings& settings) {
   const auto found = m_tables.find(colorSpace);
   if (found != m_tables.end()) {
     found->second.change(settings);
@@ -149,7 +150,7 @@ const DisplayTable& ProcessorScreen::tableFor(const std::string& colorSpace, con
   return m_tables.try_emplace(colorSpace, *m_config, colorSpace, settings).first->second;
 }
 
-void ProcessorScreen::changed(const Pyramid& picture, const TileRect& where) {
+void CpuViewportRenderer::changed(const Pyramid& picture, const TileRect& where) {
   for (auto& [name, place] : m_places) {
     place.sumA.forget();
     place.sumB.forget();
@@ -161,14 +162,14 @@ void ProcessorScreen::changed(const Pyramid& picture, const TileRect& where) {
   }
 }
 
-void ProcessorScreen::setConfig(const std::shared_ptr<const ColorConfig>& config) {
+void CpuViewportRenderer::setConfig(const std::shared_ptr<const ColorConfig>& config) {
   if (m_config == config) return;
   m_tables.clear();
   m_config = config;
   forget();
 }
 
-void ProcessorScreen::forget() {
+void CpuViewportRenderer::forget() {
   for (auto& [name, place] : m_places) {
     place.shown.reset();
     place.sumA.forget();
@@ -176,7 +177,7 @@ void ProcessorScreen::forget() {
   }
 }
 
-std::string ProcessorScreen::words() const {
+std::string CpuViewportRenderer::words() const {
   return fmt::format("processor, {} threads (OpenGL: {})", threadCount(), glInfo().renderer);
 }
 

@@ -1,9 +1,9 @@
-#include "render/picture_screen.h"
+#include "render/viewport_renderer.h"
 
 #include <cmath>
 
-#include "render/graphics_screen.h"
-#include "render/processor_screen.h"
+#include "render/cpu_viewport_renderer.h"
+#include "render/gpu_viewport_renderer.h"
 #include "tests/render/gl_test.h"
 
 namespace swaplight {
@@ -24,7 +24,7 @@ std::vector<uint8_t> pixelsOf(unsigned texture, const ViewWindow& window) {
   return texturePixels(texture, window.width, window.height);
 }
 
-class PictureScreenTest : public GlTest {
+class ViewportRendererTest : public GlTest {
  protected:
   void SetUp() override {
     GlTest::SetUp();
@@ -34,8 +34,8 @@ class PictureScreenTest : public GlTest {
     for (const Image& image : m_images) m_pyramids.emplace_back(image.view());
   }
 
-  [[nodiscard]] ScreenRequest request(const ViewWindow& window) const {
-    ScreenRequest request;
+  [[nodiscard]] ViewportRequest request(const ViewWindow& window) const {
+    ViewportRequest request;
     request.a = {{{&m_pyramids[0], {0.5F, 0.4F, 0.3F}}, {&m_pyramids[1], {0.2F, 0.3F, 0.6F}}}, "lin_rec709"};
     request.b = {{{&m_pyramids[2], Rgb(0.7F)}, {&m_pyramids[1], {0.1F, 0.1F, 0.1F}}}, "lin_rec709"};
     request.window = window;
@@ -43,9 +43,9 @@ class PictureScreenTest : public GlTest {
   }
 
   /// Both engines' pictures of a request, which must agree to three codes but for a share of the values.
-  void expectBothAgree(const ScreenRequest& request, const std::string& what, double share = 0.002) {
-    ProcessorScreen processor(m_config);
-    GraphicsScreen graphics(m_config);
+  void expectBothAgree(const ViewportRequest& request, const std::string& what, double share = 0.002) {
+    CpuViewportRenderer processor(m_config);
+    GpuViewportRenderer graphics(m_config);
     const std::vector<uint8_t> a = pixelsOf(processor.texture(request, 0), request.window);
     const std::vector<uint8_t> b = pixelsOf(graphics.texture(request, 0), request.window);
     size_t off = 0;
@@ -60,7 +60,7 @@ class PictureScreenTest : public GlTest {
 
 const ViewWindow kWhole{0, 0, 1, 640, 400};
 
-TEST_F(PictureScreenTest, BothEnginesShowTheSameAtEveryZoom) {
+TEST_F(ViewportRendererTest, BothEnginesShowTheSameAtEveryZoom) {
   for (const ViewWindow& window :
        {kWhole, ViewWindow{0, 0, 0.5, 320, 200}, ViewWindow{13.5, 7, 0.8, 300, 200},
         ViewWindow{100, 60, 0.3, 120, 80}, ViewWindow{40.25, 30, 2, 320, 200},
@@ -68,41 +68,41 @@ TEST_F(PictureScreenTest, BothEnginesShowTheSameAtEveryZoom) {
     expectBothAgree(request(window), "zoom " + std::to_string(window.zoom));
 }
 
-TEST_F(PictureScreenTest, BothEnginesInterpolateBetweenTheSamePixels) {
+TEST_F(ViewportRendererTest, BothEnginesInterpolateBetweenTheSamePixels) {
   const Image coarse = randomImage(80, 60, 1, 5);
   const Pyramid pyramid(coarse.view());
   for (const ViewWindow& window : {ViewWindow{3, 2, 0.8, 40, 30}, ViewWindow{0, 0, 0.5, 40, 30},
                                    ViewWindow{3.25, 2.5, 2.45, 100, 80}, ViewWindow{3.25, 2.5, 3, 100, 80}}) {
-    ScreenRequest noisy = request(window);
+    ViewportRequest noisy = request(window);
     noisy.a = {{{&pyramid, Rgb(1)}}, ""};
     expectBothAgree(noisy, "zoom " + std::to_string(window.zoom));
   }
 }
 
-TEST_F(PictureScreenTest, BothEnginesCompareAlike) {
+TEST_F(ViewportRendererTest, BothEnginesCompareAlike) {
   for (const double angle : {0.0, 30.0, 90.0, 135.0, 180.0, 270.0}) {
-    ScreenRequest wipe = request({20, 10, 0.9, 400, 300});
+    ViewportRequest wipe = request({20, 10, 0.9, 400, 300});
     wipe.comparison = {Comparison::Mode::Wipe, 200, 150, angle};
     expectBothAgree(wipe, "wipe at " + std::to_string(angle));
   }
-  ScreenRequest difference = request(kWhole);
+  ViewportRequest difference = request(kWhole);
   difference.comparison.mode = Comparison::Mode::Difference;
   difference.settings.exposureStops = 2;
   expectBothAgree(difference, "difference");
 }
 
-TEST_F(PictureScreenTest, BothEnginesDrawZebraAndFalseColourAlike) {
-  ScreenRequest zebra = request(kWhole);
+TEST_F(ViewportRendererTest, BothEnginesDrawZebraAndFalseColourAlike) {
+  ViewportRequest zebra = request(kWhole);
   zebra.settings.zebra = {true, 0.4F, 0.6F};
   expectBothAgree(zebra, "zebra", 0.01);  // a code more or less decides at the edge of the stripes
-  ScreenRequest falseColor = request(kWhole);
+  ViewportRequest falseColor = request(kWhole);
   falseColor.settings.falseColor = true;
   expectBothAgree(falseColor, "false colour");
 }
 
-TEST_F(PictureScreenTest, AWipeShowsAAndBOnTheirSides) {
-  ProcessorScreen screen(m_config);
-  ScreenRequest wipe = request(kWhole);
+TEST_F(ViewportRendererTest, AWipeShowsAAndBOnTheirSides) {
+  CpuViewportRenderer screen(m_config);
+  ViewportRequest wipe = request(kWhole);
   const std::vector<uint8_t> a = pixelsOf(screen.texture(wipe, 0), kWhole);
   std::swap(wipe.a, wipe.b);
   const std::vector<uint8_t> b = pixelsOf(screen.texture(wipe, 0), kWhole);
@@ -112,21 +112,21 @@ TEST_F(PictureScreenTest, AWipeShowsAAndBOnTheirSides) {
   for (size_t i = 0; i < both.size(); ++i) ASSERT_NEAR(both[i], i / 4 % 640 < 200 ? a[i] : b[i], 1) << i;
 }
 
-TEST_F(PictureScreenTest, APictureAgainstItselfDiffersByNothing) {
-  ScreenRequest same = request(kWhole);
+TEST_F(ViewportRendererTest, APictureAgainstItselfDiffersByNothing) {
+  ViewportRequest same = request(kWhole);
   same.b = same.a;
   same.comparison.mode = Comparison::Mode::Difference;
   for (const Engine engine : {Engine::Processor, Engine::Graphics}) {
-    const auto screen = makePictureScreen(engine, m_config);
+    const auto screen = makeViewportRenderer(engine, m_config);
     const std::vector<uint8_t> pixels = pixelsOf(screen->texture(same), kWhole);
     for (size_t i = 0; i < pixels.size(); ++i) ASSERT_EQ(pixels[i], i % 4 == 3 ? 255 : 0);
   }
 }
 
-TEST_F(PictureScreenTest, ChangedPixelsAreSeenAfterTheyWereAnnounced) {
+TEST_F(ViewportRendererTest, ChangedPixelsAreSeenAfterTheyWereAnnounced) {
   for (const Engine engine : {Engine::Processor, Engine::Graphics}) {
-    const auto screen = makePictureScreen(engine, m_config);
-    ScreenRequest half = request({0, 0, 0.5, 320, 200});
+    const auto screen = makeViewportRenderer(engine, m_config);
+    ViewportRequest half = request({0, 0, 0.5, 320, 200});
     half.a = {{{&m_pyramids[0], Rgb(1)}}, ""};
     (void)screen->texture(half);
     for (int c = 0; c < 3; ++c)
@@ -142,14 +142,14 @@ TEST_F(PictureScreenTest, ChangedPixelsAreSeenAfterTheyWereAnnounced) {
   }
 }
 
-TEST_F(PictureScreenTest, APartThatChangedIsDrawnAsItIsWithAllTheRest) {
+TEST_F(ViewportRendererTest, APartThatChangedIsDrawnAsItIsWithAllTheRest) {
   for (const ViewWindow& window :
        {kWhole, ViewWindow{0, 0, 0.37, 236, 148}, ViewWindow{13.5, 7, 0.8, 300, 200},
         ViewWindow{150.25, 80, 2.7, 320, 200}, ViewWindow{190, 90, 5, 320, 200}})
     for (const auto mode : {Comparison::Mode::Off, Comparison::Mode::Wipe, Comparison::Mode::Difference}) {
-      ScreenRequest wanted = request(window);
+      ViewportRequest wanted = request(window);
       wanted.comparison = {mode, 220, 110, 30};
-      ProcessorScreen screen(m_config);
+      CpuViewportRenderer screen(m_config);
       (void)screen.texture(wanted, 0);
       for (int c = 0; c < 3; ++c)
         for (int y = 101; y < 140; ++y)
@@ -157,7 +157,7 @@ TEST_F(PictureScreenTest, APartThatChangedIsDrawnAsItIsWithAllTheRest) {
       m_pyramids[0].refresh(201, 101, 60, 39);
       screen.changed(m_pyramids[0], {201, 101, 60, 39});
       const std::vector<uint8_t> part = pixelsOf(screen.texture(wanted, 0), window);
-      ProcessorScreen other(m_config);
+      CpuViewportRenderer other(m_config);
       const std::vector<uint8_t> whole = pixelsOf(other.texture(wanted, 0), window);
       int worst = 0;
       for (size_t i = 0; i < part.size(); ++i) worst = std::max(worst, std::abs(part[i] - whole[i]));
@@ -165,10 +165,10 @@ TEST_F(PictureScreenTest, APartThatChangedIsDrawnAsItIsWithAllTheRest) {
     }
 }
 
-TEST_F(PictureScreenTest, TheProcessorIsChosenOnASoftwareRasteriser) {
-  const auto screen = makePictureScreen(Engine::Auto, m_config);
+TEST_F(ViewportRendererTest, TheProcessorIsChosenOnASoftwareRasteriser) {
+  const auto screen = makeViewportRenderer(Engine::Auto, m_config);
   EXPECT_EQ(screen->words().starts_with("processor"), glInfo().software);
-  EXPECT_TRUE(makePictureScreen(Engine::Graphics, m_config)->words().starts_with("graphics card: "));
+  EXPECT_TRUE(makeViewportRenderer(Engine::Graphics, m_config)->words().starts_with("graphics card: "));
 }
 
 TEST(Comparison, AWipesLineStaysAtItsPointOfThePicture) {

@@ -7,17 +7,17 @@
 
 #include "core/image/pixel_rect.h"
 #include "core/view/display/display_table.h"
-#include "render/picture_screen.h"
 #include "render/screen.h"
+#include "render/viewport_renderer.h"
 
 namespace swaplight {
 
 /// Computes the window's pixels on the processor.
-class ProcessorScreen : public PictureScreen {
+class CpuViewportRenderer : public ViewportRenderer {
  public:
-  explicit ProcessorScreen(std::shared_ptr<const ColorConfig> config) : m_config(std::move(config)) {}
+  explicit CpuViewportRenderer(std::shared_ptr<const ColorConfig> config) : m_config(std::move(config)) {}
 
-  unsigned texture(const ScreenRequest& request, int place) override;
+  unsigned texture(const ViewportRequest& request, int place) override;
   void changed(const Pyramid& picture, const TileRect& where) override;
   void setConfig(const std::shared_ptr<const ColorConfig>& config) override;
   void forget() override;
@@ -25,17 +25,17 @@ class ProcessorScreen : public PictureScreen {
 
  private:
   struct Place {
-    std::optional<ScreenRequest> shown;
+    std::optional<ViewportRequest> shown;
     PixelRect changed;  ///< of the picture, since it was drawn
     LayerSum sumA, sumB;
     std::vector<uint8_t> pixels;
     ScreenTexture texture;
   };
-  void drawAll(const ScreenRequest& request, Place& place);
+  void drawAll(const ViewportRequest& request, Place& place);
   void drawChanged(Place& place);
   /// The pixels of a window, rows without gaps; `place` remembers sums where it is given.
-  void draw(const ScreenRequest& request, const ViewWindow& window, Place* place, uint8_t* pixels);
-  void drawB(const ScreenRequest& request, const ViewWindow& window, LayerSum* sum, uint8_t* pixels);
+  void draw(const ViewportRequest& request, const ViewWindow& window, Place* place, uint8_t* pixels);
+  void drawB(const ViewportRequest& request, const ViewWindow& window, LayerSum* sum, uint8_t* pixels);
   const DisplayTable& tableFor(const std::string& colorSpace, const ViewSettings& settings);
 
   std::shared_ptr<const ColorConfig> m_config;   ///< what is made of it refers to it: it stays first

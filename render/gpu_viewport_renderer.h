@@ -5,19 +5,19 @@
 #include <vector>
 
 #include "render/layer_renderer.h"
-#include "render/picture_screen.h"
 #include "render/view_renderer.h"
 #include "render/view_target.h"
+#include "render/viewport_renderer.h"
 
 namespace swaplight {
 
 /// Computes the window's pixels by shaders. Keeps every picture that was ever shown on the graphics card, as
 /// half floats, until it is told to forget.
-class GraphicsScreen : public PictureScreen {
+class GpuViewportRenderer : public ViewportRenderer {
  public:
-  explicit GraphicsScreen(std::shared_ptr<const ColorConfig> config) : m_config(std::move(config)) {}
+  explicit GpuViewportRenderer(std::shared_ptr<const ColorConfig> config) : m_config(std::move(config)) {}
 
-  unsigned texture(const ScreenRequest& request, int place) override;
+  unsigned texture(const ViewportRequest& request, int place) override;
   void changed(const Pyramid& picture, const TileRect& where) override;
   void setConfig(const std::shared_ptr<const ColorConfig>& config) override;
   void forget() override;
@@ -30,11 +30,11 @@ class GraphicsScreen : public PictureScreen {
     TiledTexture picture;
   };
   struct Place {
-    std::optional<ScreenRequest> shown;
+    std::optional<ViewportRequest> shown;
     Frame a, b;
     ViewTarget target;
   };
-  void draw(const ScreenRequest& request, Place& place);
+  void draw(const ViewportRequest& request, Place& place);
   TiledTexture& relit(Frame& frame, const std::vector<ViewLayer>& layers);
   const TiledTexture& uploaded(const Pyramid& picture);
   ViewRenderer& viewerFor(const std::string& colorSpace);

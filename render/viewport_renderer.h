@@ -22,13 +22,13 @@ struct LayeredPicture {
 };
 
 /// What is to be seen in a window.
-struct ScreenRequest {
+struct ViewportRequest {
   LayeredPicture a;
   LayeredPicture b;  ///< where the comparison is not Off; of A's size
   Comparison comparison;
   ViewWindow window;
   ViewSettings settings;
-  bool operator==(const ScreenRequest&) const = default;
+  bool operator==(const ViewportRequest&) const = default;
 };
 
 /// Who computes what the viewer shows.
@@ -40,17 +40,17 @@ enum class Engine {
 
 /// Makes textures of what is to be seen. Pictures are told apart by the address of their pyramid. Needs the
 /// OpenGL context in which it was made.
-class PictureScreen {
+class ViewportRenderer {
  public:
-  PictureScreen() = default;
-  PictureScreen(const PictureScreen&) = delete;
-  PictureScreen& operator=(const PictureScreen&) = delete;
-  virtual ~PictureScreen() = default;
+  ViewportRenderer() = default;
+  ViewportRenderer(const ViewportRenderer&) = delete;
+  ViewportRenderer& operator=(const ViewportRenderer&) = delete;
+  virtual ~ViewportRenderer() = default;
 
   /// A texture of the window's size, row 0 at the top, transparent where there is no picture; does nothing
   /// where the request is that of the last call. Several windows at a time are told apart by their place.
   /// Throws InputError (unknown view), ResourceError (no memory).
-  virtual unsigned texture(const ScreenRequest& request, int place = 0) = 0;
+  virtual unsigned texture(const ViewportRequest& request, int place = 0) = 0;
 
   /// To be called when pixels of a picture have changed, after its pyramid was refreshed.
   virtual void changed(const Pyramid& picture, const TileRect& where) = 0;
@@ -63,7 +63,7 @@ class PictureScreen {
   [[nodiscard]] virtual std::string words() const = 0;
 };
 
-[[nodiscard]] std::unique_ptr<PictureScreen> makePictureScreen(Engine engine,
-                                                               std::shared_ptr<const ColorConfig> config);
+[[nodiscard]] std::unique_ptr<ViewportRenderer> makeViewportRenderer(
+    Engine engine, std::shared_ptr<const ColorConfig> config);
 
 }  // namespace swaplight
