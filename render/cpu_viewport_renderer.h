@@ -7,7 +7,7 @@
 
 #include "core/image/pixel_rect.h"
 #include "core/view/display/display_table.h"
-#include "render/screen.h"
+#include "render/surface.h"
 #include "render/viewport_renderer.h"
 
 namespace swaplight {
@@ -29,7 +29,7 @@ class CpuViewportRenderer : public ViewportRenderer {
     PixelRect changed;  ///< of the picture, since it was drawn
     LayerSum sumA, sumB;
     std::vector<uint8_t> pixels;
-    ScreenTexture texture;
+    SurfaceTexture texture;
   };
   void drawAll(const ViewportRequest& request, Place& place);
   void drawChanged(Place& place);

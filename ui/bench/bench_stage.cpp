@@ -10,7 +10,7 @@
 #include "core/bench/tiled_set.h"
 #include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
-#include "render/screen.h"
+#include "render/surface.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 
@@ -80,7 +80,7 @@ void BenchStage::drawFrame() {
   m_studio->update();
   m_screen->requestFrames(1);
   m_studio->frame();
-  finishScreen();
+  finishDrawing();
 }
 
 Json BenchStage::circumstances() const {

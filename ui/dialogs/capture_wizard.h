@@ -14,7 +14,7 @@
 #include "core/intake/shot_thumbnail.h"
 #include "core/ocio/color_config.h"
 #include "core/solve/model/solve_options.h"
-#include "render/screen.h"
+#include "render/surface.h"
 #include "ui/jobs/take_or_report.h"
 
 namespace swaplight {
@@ -75,7 +75,7 @@ class CaptureWizard {
   Job<Photographs> m_reading;
   Job<RotationGuess> m_guessing;
   std::optional<Photographs> m_found;
-  std::vector<ScreenTexture> m_textures;
+  std::vector<SurfaceTexture> m_textures;
   std::vector<std::string> m_lights;
   std::vector<std::vector<Cell>> m_cells;              ///< [shot][light]
   std::string m_guess;                                 ///< in words

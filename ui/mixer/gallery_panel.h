@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "render/screen.h"
+#include "render/surface.h"
 #include "ui/control/lights_context.h"
 
 namespace swaplight {
@@ -20,7 +20,7 @@ class GalleryPanel {
     Rig rig;
     uint64_t set = 0;
     std::shared_ptr<const DisplayTable> table;
-    ScreenTexture texture;
+    SurfaceTexture texture;
   };
   unsigned thumbnail(LightsContext& studio, size_t index, int width, int height);
   void drawLook(LightsContext& studio, size_t index, float height);

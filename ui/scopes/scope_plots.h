@@ -6,14 +6,14 @@
 
 #include "core/relight/rig.h"
 #include "core/view/scopes/scope_pictures.h"
-#include "render/screen.h"
+#include "render/surface.h"
 #include "ui/state/panel_layout.h"
 
 namespace swaplight {
 
 /// The scopes that are pictures, on the graphics card.
 struct ScopeTextures {
-  ScreenTexture waveform, parade, vectorscope, chromaticity;
+  SurfaceTexture waveform, parade, vectorscope, chromaticity;
 };
 
 // One scope each, with its axes, filling a rectangle of the screen.

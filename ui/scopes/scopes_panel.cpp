@@ -80,7 +80,7 @@ void ScopesPanel::upload() {
   if (m_uploaded == m_controller.revision()) return;
   m_uploaded = m_controller.revision();
   const ScopePictures& pictures = *m_controller.pictures();
-  const auto update = [](ScreenTexture& texture, const ScopePicture& picture) {
+  const auto update = [](SurfaceTexture& texture, const ScopePicture& picture) {
     texture.update(picture.width, picture.height, picture.rgba.data());
   };
   update(m_textures.waveform, pictures.waveform);

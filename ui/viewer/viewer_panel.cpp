@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/screen.h"
+#include "render/surface.h"
 #include "ui/control/viewer_request.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
@@ -55,13 +55,13 @@ void drawGroundAround(ImVec2 low, ImVec2 high, ImVec2 from, ImVec2 to) {
 
 /// Copies a texture to the screen when Dear ImGui comes to this place of its list. Until then what to copy is
 /// kept here, by the texture's place.
-void copyWhenDrawn(const ScreenCopy& copy, int place) {
-  static std::array<ScreenCopy, 2> copies;
-  ScreenCopy& kept = copies.at(static_cast<size_t>(place));
+void copyWhenDrawn(const SurfaceCopy& copy, int place) {
+  static std::array<SurfaceCopy, 2> copies;
+  SurfaceCopy& kept = copies.at(static_cast<size_t>(place));
   kept = copy;
   ImGui::GetWindowDrawList()->AddCallback(
       [](const ImDrawList*, const ImDrawCmd* command) {
-        copyToScreen(*static_cast<const ScreenCopy*>(command->UserCallbackData));
+        copyToSurface(*static_cast<const SurfaceCopy*>(command->UserCallbackData));
       },
       &kept);
 }

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "render/screen.h"
+#include "render/surface.h"
 #include "ui/kit/theme.h"
 #include "ui/window/screen.h"
 
@@ -120,9 +120,9 @@ class GlfwScreen : public Screen {
 
   void endFrame() override {
     ImGui::Render();
-    clearScreen(width(), height(), backgroundCode());
+    clearSurface(width(), height(), backgroundCode());
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    if (m_keepPixels) m_pixels = readScreen(width(), height());
+    if (m_keepPixels) m_pixels = readSurface(width(), height());
     glfwSwapBuffers(m_window);
     frameDone();
   }

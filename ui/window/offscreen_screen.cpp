@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "render/gl/egl_context.h"
-#include "render/screen.h"
+#include "render/surface.h"
 #include "ui/kit/theme.h"
 #include "ui/window/screen.h"
 
@@ -46,7 +46,7 @@ class OffscreenScreen : public Screen {
   void endFrame() override {
     ImGui::Render();
     m_target.bind();
-    clearScreen(m_width, m_height, backgroundCode());
+    clearSurface(m_width, m_height, backgroundCode());
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     frameDone();
   }
@@ -55,13 +55,13 @@ class OffscreenScreen : public Screen {
   [[nodiscard]] int height() const override { return m_height; }
   [[nodiscard]] std::vector<uint8_t> pixels() override {
     m_target.bind();
-    return readScreen(m_width, m_height);
+    return readSurface(m_width, m_height);
   }
 
  private:
   int m_width, m_height;
   EglContext m_context;
-  ScreenTarget m_target;
+  SurfaceTarget m_target;
   std::mutex m_mutex;
   std::condition_variable m_wakeUp;
   bool m_woken = false;

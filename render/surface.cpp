@@ -1,4 +1,4 @@
-#include "render/screen.h"
+#include "render/surface.h"
 
 #include <epoxy/gl.h>
 
@@ -9,13 +9,13 @@
 
 namespace swaplight {
 
-void clearScreen(int width, int height, Rgb code) {
+void clearSurface(int width, int height, Rgb code) {
   glViewport(0, 0, width, height);
   glClearColor(code.r, code.g, code.b, 1);
   glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void copyToScreen(const ScreenCopy& copy) {
+void copyToSurface(const SurfaceCopy& copy) {
   const GlFramebuffer source = GlFramebuffer::make();
   const bool scissors = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
   GLint read = 0;
@@ -23,18 +23,18 @@ void copyToScreen(const ScreenCopy& copy) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, source.id());
   glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, copy.texture, 0);
   glDisable(GL_SCISSOR_TEST);
-  const int top = copy.screenHeight - copy.y;
+  const int top = copy.surfaceHeight - copy.y;
   glBlitFramebuffer(0, 0, copy.width, copy.height, copy.x, top, copy.x + copy.width, top - copy.height,
                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
   if (scissors) glEnable(GL_SCISSOR_TEST);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
 }
 
-void finishScreen() {
+void finishDrawing() {
   glFinish();
 }
 
-std::vector<uint8_t> readScreen(int width, int height) {
+std::vector<uint8_t> readSurface(int width, int height) {
   const size_t rowBytes = static_cast<size_t>(width) * 4;
   std::vector<uint8_t> upward(rowBytes * static_cast<size_t>(height));
   const TightPixels tight;
@@ -46,7 +46,7 @@ std::vector<uint8_t> readScreen(int width, int height) {
   return rows;
 }
 
-ScreenTarget::ScreenTarget(int width, int height)
+SurfaceTarget::SurfaceTarget(int width, int height)
     : m_color(GlTexture::make()), m_framebuffer(GlFramebuffer::make()) {
   const BoundTexture texture(0, GL_TEXTURE_2D, m_color.id());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -57,11 +57,11 @@ ScreenTarget::ScreenTarget(int width, int height)
     throw ResourceError("OpenGL cannot make a surface of this size to draw on. Choose a smaller size.");
 }
 
-void ScreenTarget::bind() const {
+void SurfaceTarget::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
 }
 
-void ScreenTexture::update(int width, int height, const uint8_t* rgba) {
+void SurfaceTexture::update(int width, int height, const uint8_t* rgba) {
   if (!m_texture) m_texture = GlTexture::make();
   const BoundTexture bound(0, GL_TEXTURE_2D, m_texture.id());
   const TightPixels tight;
@@ -69,7 +69,7 @@ void ScreenTexture::update(int width, int height, const uint8_t* rgba) {
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 }
 
-void ScreenTexture::updatePart(int x, int y, int width, int height, const uint8_t* rgba) {
+void SurfaceTexture::updatePart(int x, int y, int width, int height, const uint8_t* rgba) {
   const BoundTexture bound(0, GL_TEXTURE_2D, m_texture.id());
   const TightPixels tight;
   glPixelStorei(GL_UNPACK_ROW_LENGTH, m_width);
@@ -78,7 +78,7 @@ void ScreenTexture::updatePart(int x, int y, int width, int height, const uint8_
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-void ScreenTexture::allocate(int width, int height) {
+void SurfaceTexture::allocate(int width, int height) {
   // In the order in which a window keeps its bytes: software renderers copy that faster.
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
