@@ -41,7 +41,7 @@ void chooseBrush(ViewerContext& context, int turn) {
 /// A frame from the mouse's move to the picture that shows it.
 double timedFrame(BenchStage& stage, float x, float y, bool down) {
   const auto begin = BenchClock::now();
-  stage.studio().screen().pretendMouse(x, y, down);
+  stage.studio().window().pretendMouse(x, y, down);
   stage.drawFrame();
   return milliseconds(BenchClock::now() - begin);
 }

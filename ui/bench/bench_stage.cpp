@@ -18,7 +18,7 @@ namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
 
-std::unique_ptr<Screen> openScreen(const StudioOptions& options, std::string& where) {
+std::unique_ptr<Window> openSomeWindow(const StudioOptions& options, std::string& where) {
   try {
     where = "window";
     return openWindow("Swaplight", options.width, options.height);
@@ -61,10 +61,10 @@ TemporaryHome::~TemporaryHome() {
 BenchStage::BenchStage(const StudioOptions& options)
     : m_source(options.file.empty() ? options.samplesFolder / "film_set" / "capture.json" : options.file),
       m_small(openSource(*programConfig(), m_source, {})),
-      m_screen(openScreen(options, m_where)) {
-  applyTheme(options.scale > 0 ? options.scale : m_screen->contentScale());
+      m_window(openSomeWindow(options, m_where)) {
+  applyTheme(options.scale > 0 ? options.scale : m_window->contentScale());
   rememberLayout();
-  m_studio = std::make_unique<StudioWindow>(*m_screen, options);
+  m_studio = std::make_unique<StudioWindow>(*m_window, options);
 }
 
 void BenchStage::openLarge(int width, int height) {
@@ -76,15 +76,15 @@ void BenchStage::openLarge(int width, int height) {
 }
 
 void BenchStage::drawFrame() {
-  m_screen->wait(0);
+  m_window->wait(0);
   m_studio->update();
-  m_screen->requestFrames(1);
+  m_window->requestFrames(1);
   m_studio->frame();
   finishDrawing();
 }
 
 Json BenchStage::circumstances() const {
-  return Json{{"window", {m_screen->width(), m_screen->height()}},
+  return Json{{"window", {m_window->width(), m_window->height()}},
               {"in", m_where},
               {"lights", m_small.lightCount()},
               {"engine", m_studio->context().renderer.words()},

@@ -57,7 +57,7 @@ class BenchStage {
   SolvedSet m_small;
   ImGuiSession m_imgui;
   std::string m_where;
-  std::unique_ptr<Screen> m_screen;
+  std::unique_ptr<Window> m_window;
   std::unique_ptr<StudioWindow> m_studio;
 };
 

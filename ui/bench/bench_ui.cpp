@@ -56,9 +56,9 @@ Json measure(BenchStage& stage, const Case& which) {
     const double turn = 2 * std::numbers::pi * frame / 97;
     return static_cast<float>(std::round(rect->x0 + (0.5 + 0.2 * std::sin(turn)) * (rect->x1 - rect->x0)));
   };
-  studio.screen().pretendMouse(x(0), y, false);
+  studio.window().pretendMouse(x(0), y, false);
   stage.drawFrame();
-  studio.screen().pretendMouse(x(0), y, true);
+  studio.window().pretendMouse(x(0), y, true);
   for (int i = 0; i < 5; ++i) stage.drawFrame();
 
   std::vector<double> frames, latencies;
@@ -66,7 +66,7 @@ Json measure(BenchStage& stage, const Case& which) {
   for (int frame = 1; frame <= kFrames; ++frame) {
     const uint64_t before = context.editor.revision();
     const Clock::time_point moved = Clock::now();
-    studio.screen().pretendMouse(x(frame), y, true);
+    studio.window().pretendMouse(x(frame), y, true);
     for (int behind = 0; behind < kMostFramesBehind; ++behind) {
       const Clock::time_point begin = Clock::now();
       stage.drawFrame();
@@ -79,7 +79,7 @@ Json measure(BenchStage& stage, const Case& which) {
     }
   }
   const double busy = 1000 * (processorSeconds() - busyBefore) / static_cast<double>(frames.size());
-  studio.screen().pretendMouse(x(0), y, false);
+  studio.window().pretendMouse(x(0), y, false);
   stage.drawFrame();
   if (latencies.empty()) throw InputError("--bench-ui: the slider did not move");
   return Json{{"case", which.name},

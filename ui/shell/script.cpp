@@ -49,7 +49,7 @@ void Script::step(StudioWindow& studio) {
     if (!m_mouse.empty()) {
       const MouseState mouse = m_mouse.front();
       m_mouse.pop_front();
-      studio.screen().pretendMouse(mouse.x, mouse.y, mouse.left, mouse.right);
+      studio.window().pretendMouse(mouse.x, mouse.y, mouse.left, mouse.right);
       if (m_mouse.empty()) m_frames = kSettleFrames;
       return;
     }

@@ -16,9 +16,9 @@ namespace {
 
 constexpr int kScreenshotFrames = 4;  // until every window has its size
 
-void writeScreenshot(Screen& screen, const std::filesystem::path& file) {
-  const std::vector<uint8_t> rgba = screen.pixels();
-  Image image(ImageSpec::rgb(screen.width(), screen.height()));
+void writeScreenshot(Window& window, const std::filesystem::path& file) {
+  const std::vector<uint8_t> rgba = window.pixels();
+  Image image(ImageSpec::rgb(window.width(), window.height()));
   image.setColorSpace("srgb");
   for (size_t p = 0; p < image.pixelCount(); ++p)
     for (int c = 0; c < 3; ++c)
@@ -32,24 +32,24 @@ std::string firstError(const Messages& messages) {
   return {};
 }
 
-void run(Screen& screen, StudioWindow& studio, const StudioOptions& options) {
+void run(Window& window, StudioWindow& studio, const StudioOptions& options) {
   std::optional<Script> script;
   if (!options.script.empty())
-    script.emplace(options.script, [&](const std::filesystem::path& file) { writeScreenshot(screen, file); });
+    script.emplace(options.script, [&](const std::filesystem::path& file) { writeScreenshot(window, file); });
   int framesLeft = kScreenshotFrames;
   while (!studio.done()) {
-    screen.wait(studio.restSeconds());
+    window.wait(studio.restSeconds());
     studio.update();
     const bool scripted = script && !script->done();
     if (scripted) script->step(studio);
     const bool busy = studio.busy();
-    if (!busy && (scripted || !options.screenshot.empty())) screen.requestFrames(1);
-    if (screen.frameWanted()) studio.frame();
+    if (!busy && (scripted || !options.screenshot.empty())) window.requestFrames(1);
+    if (window.frameWanted()) studio.frame();
     if (options.screenshot.empty() || scripted || busy) continue;
     if (const std::string error = firstError(studio.context().messages); !error.empty())
       throw InputError(error);
     if (--framesLeft == 0) {
-      writeScreenshot(screen, options.screenshot);
+      writeScreenshot(window, options.screenshot);
       return;
     }
   }
@@ -59,15 +59,15 @@ void run(Screen& screen, StudioWindow& studio, const StudioOptions& options) {
 
 void runStudio(const StudioOptions& options) {
   const ImGuiSession imgui;
-  const std::unique_ptr<Screen> screen = options.screenshot.empty()
+  const std::unique_ptr<Window> window = options.screenshot.empty()
                                              ? openWindow("Swaplight", options.width, options.height)
                                              : openOffscreen(options.width, options.height);
-  applyTheme(options.scale > 0 ? options.scale : screen->contentScale());
+  applyTheme(options.scale > 0 ? options.scale : window->contentScale());
   if (!options.layoutProbe.empty()) probeLayout(options.layoutProbe);
   if (!options.script.empty()) rememberLayout();
-  StudioWindow studio(*screen, options);
+  StudioWindow studio(*window, options);
   if (!options.file.empty()) studio.open(options.file);
-  run(*screen, studio, options);
+  run(*window, studio, options);
 }
 
 }  // namespace swaplight

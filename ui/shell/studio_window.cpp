@@ -30,20 +30,20 @@ std::vector<fs::path> findSamples(const fs::path& folder) {
 
 }  // namespace
 
-StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
-    : m_screen(screen),
+StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
+    : m_window(window),
       m_layoutFile(stateFolder() / "panels.json"),
       m_samples(findSamples(options.samplesFolder)),
       m_layout(readPanelLayout(m_layoutFile)),
       m_layoutOnDisk(m_layout),
-      m_sets([&screen] { screen.wake(); }),
-      m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder(), [&screen] { screen.wake(); }),
+      m_sets([&window] { window.wake(); }),
+      m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder(), [&window] { window.wake(); }),
       m_pictures(makeViewportRenderer(options.engine, m_colors.config())),
-      m_exports([&screen] { screen.wake(); }),
-      m_subjects([&screen] { screen.wake(); }),
-      m_edits({m_editor, m_session, m_subjects, *m_pictures, m_messages}, [&screen] { screen.wake(); }),
+      m_exports([&window] { window.wake(); }),
+      m_subjects([&window] { window.wake(); }),
+      m_edits({m_editor, m_session, m_subjects, *m_pictures, m_messages}, [&window] { window.wake(); }),
       m_shadows({{m_editor, m_view}, m_session, m_edits, *m_pictures, m_editing.shadow, m_messages},
-                [&screen] { screen.wake(); }),
+                [&window] { window.wake(); }),
       m_scopes({{m_editor, m_view},
                 m_session,
                 m_edits,
@@ -52,7 +52,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
                 m_colors,
                 m_table,
                 m_messages},
-               [&screen] { screen.wake(); }),
+               [&window] { window.wake(); }),
       m_context{{{m_editor, m_view},
                  m_session,
                  m_messages,
@@ -64,7 +64,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
                  m_edits,
                  m_shadows,
                  m_actions,
-                 m_screen.keyboard()},
+                 m_window.keyboard()},
                 m_viewer,
                 m_shown,
                 *m_pictures,
@@ -75,7 +75,7 @@ StudioWindow::StudioWindow(Screen& screen, const StudioOptions& options)
           m_actions},
       m_panels(allPanels()),
       m_export(stateFolder() / "export.json"),
-      m_wizard([&screen] { screen.wake(); }),
+      m_wizard([&window] { window.wake(); }),
       m_keys(configFolder() / "keys.txt") {
   addActions();
   try {
@@ -108,11 +108,11 @@ void StudioWindow::whenSaved(const std::function<void()>& then) {
       m_session.save(again);
   };
   m_unsaved.ask({name, save, then});
-  m_screen.requestFrames();
+  m_window.requestFrames();
 }
 
 void StudioWindow::askToQuit() {
-  m_screen.refuseClose();
+  m_window.refuseClose();
   if (!m_unsaved.isOpen()) whenSaved([this] { m_done = true; });
 }
 
@@ -189,14 +189,14 @@ void StudioWindow::update() {
   m_exports.update(m_messages);
   m_wizard.update(m_messages);
   m_subjects.update(m_messages);
-  if (m_messages.expire()) m_screen.requestFrames();
+  if (m_messages.expire()) m_window.requestFrames();
   const bool marches = m_editing.selection.marching;
-  if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_screen.requestFrames(1);
-  if (m_editing.settling && m_layout.edits && !m_layout.hidden) m_screen.requestFrames(1);
-  for (const fs::path& dropped : m_screen.takeDropped()) whenSaved([this, dropped] { open(dropped); });
-  if (m_screen.closeAsked()) askToQuit();
+  if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_window.requestFrames(1);
+  if (m_editing.settling && m_layout.edits && !m_layout.hidden) m_window.requestFrames(1);
+  for (const fs::path& dropped : m_window.takeDropped()) whenSaved([this, dropped] { open(dropped); });
+  if (m_window.closeAsked()) askToQuit();
   const std::string title = m_session.title();
-  if (title != m_title) m_screen.setTitle(title);
+  if (title != m_title) m_window.setTitle(title);
   m_title = title;
 }
 
@@ -219,7 +219,7 @@ void StudioWindow::frame() {
   m_editing.selection.marching = false;  // whoever draws its outline says otherwise
   const bool dialog = m_chooser.isOpen() || m_export.isOpen() || m_wizard.isOpen() || m_unsaved.isOpen() ||
                       m_palette.isOpen() || m_keys.isOpen();
-  if (!ImGui::GetIO().WantTextInput && !dialog) m_actions.runKeys(m_screen.keyboard());
+  if (!ImGui::GetIO().WantTextInput && !dialog) m_actions.runKeys(m_window.keyboard());
   if (m_setShown != m_session.setRevision()) {
     m_subjects.forget();
     m_viewer = {};
@@ -234,7 +234,7 @@ void StudioWindow::frame() {
   m_subjectsShown = m_subjects.revision();
   m_colors.follow(m_editor.document().colorConfig, m_messages);
   m_pictures->setConfig(m_colors.config());
-  m_screen.beginFrame();
+  m_window.beginFrame();
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -257,7 +257,7 @@ void StudioWindow::frame() {
   m_unsaved.draw();
   m_recovery.draw(m_session);
   m_palette.draw(m_actions);
-  m_keys.draw(m_actions, m_screen.keyboard(), m_messages);
+  m_keys.draw(m_actions, m_window.keyboard(), m_messages);
   drawAboutBox(m_pictures->words(), *m_colors.config(), &m_aboutOpen);
   drawHistoryPanel(m_editor, &m_historyOpen);
   // However it was made, a gesture ends when nothing is held any more: one gesture, one step.
@@ -267,7 +267,7 @@ void StudioWindow::frame() {
   markState("colors", m_colors.config()->title());
   if (const OpenSet* set = m_session.set()) markState("working_space", set->original->colorSpace());
   endLayoutFrame();
-  m_screen.endFrame();
+  m_window.endFrame();
 }
 
 }  // namespace swaplight

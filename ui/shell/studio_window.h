@@ -18,14 +18,14 @@
 #include "ui/scopes/scopes_panel.h"
 #include "ui/shell/panel_info.h"
 #include "ui/shell/studio.h"
-#include "ui/window/screen.h"
+#include "ui/window/window.h"
 
 namespace swaplight {
 
-/// The studio on a screen: owns its parts, draws them around each other.
+/// The studio in a window: owns its parts, draws them around each other.
 class StudioWindow {
  public:
-  StudioWindow(Screen& screen, const StudioOptions& options);
+  StudioWindow(Window& window, const StudioOptions& options);
   ~StudioWindow();
   StudioWindow(const StudioWindow&) = delete;
   StudioWindow& operator=(const StudioWindow&) = delete;
@@ -55,7 +55,7 @@ class StudioWindow {
   [[nodiscard]] bool done() const { return m_done; }
   void exportFrame(const std::filesystem::path& file);
   void exportAs(const ExportRequest& request);
-  [[nodiscard]] Screen& screen() { return m_screen; }
+  [[nodiscard]] Window& window() { return m_window; }
   [[nodiscard]] ViewerContext& context() { return m_context; }
   [[nodiscard]] const LightsContext& lights() const { return m_lights; }
 
@@ -76,7 +76,7 @@ class StudioWindow {
   void askForExportName();
   void drawDialogs();
 
-  Screen& m_screen;
+  Window& m_window;
   std::filesystem::path m_layoutFile;
   std::vector<std::filesystem::path> m_samples;
 

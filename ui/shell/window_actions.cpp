@@ -12,7 +12,7 @@ void StudioWindow::addWindowActions() {
   panel("edit.history", "History", "Ctrl+H", "Every step; a click goes back to it.", &m_historyOpen);
   panel("help.about", "About Swaplight", "", "Version, and who computes the picture.", &m_aboutOpen);
   m_actions.add({"view.full_screen", "Full screen", "F11", "The whole monitor; again: a window.",
-                 [this] { m_screen.toggleFullScreen(); }});
+                 [this] { m_window.toggleFullScreen(); }});
   m_actions.add({"window.reset", "Panels as in the beginning", "", "Every panel open at its first size.",
                  [this] { m_layout = {}; }});
   m_actions.add({"view.look", "Put the tool away", "Escape", "The mouse moves the picture again.",

@@ -14,12 +14,12 @@ namespace swaplight {
 
 /// Where the studio draws and where its input comes from: a window of the desktop, or a picture in memory.
 /// Feeds Dear ImGui, whose context the caller has made; owns the OpenGL context, current on this thread.
-class Screen {
+class Window {
  public:
-  Screen() = default;
-  Screen(const Screen&) = delete;
-  Screen& operator=(const Screen&) = delete;
-  virtual ~Screen() = default;
+  Window() = default;
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+  virtual ~Window() = default;
 
   /// Sleeps until there is input, somebody calls wake(), or the seconds are over; not at all while frames are
   /// wanted.
@@ -75,8 +75,8 @@ class Screen {
 };
 
 /// A window. Throws ResourceError where there is no display or no OpenGL 4.1.
-[[nodiscard]] std::unique_ptr<Screen> openWindow(const std::string& title, int width, int height);
+[[nodiscard]] std::unique_ptr<Window> openWindow(const std::string& title, int width, int height);
 /// A picture in memory; needs no display. Throws ResourceError where there is no OpenGL 4.1.
-[[nodiscard]] std::unique_ptr<Screen> openOffscreen(int width, int height);
+[[nodiscard]] std::unique_ptr<Window> openOffscreen(int width, int height);
 
 }  // namespace swaplight

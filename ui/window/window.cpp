@@ -1,10 +1,10 @@
-#include "ui/window/screen.h"
+#include "ui/window/window.h"
 
 #include <imgui.h>
 
 namespace swaplight {
 
-void Screen::applyPretendedMouse() const {
+void Window::applyPretendedMouse() const {
   if (!m_pretended.on) return;
   ImGuiIO& io = ImGui::GetIO();
   io.MousePos = ImVec2(m_pretended.x, m_pretended.y);

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "render/surface.h"
 #include "ui/kit/theme.h"
-#include "ui/window/screen.h"
+#include "ui/window/window.h"
 
 namespace swaplight {
 namespace {
@@ -84,15 +84,15 @@ std::string keyName(int key, int scancode) {
   return name;
 }
 
-class GlfwScreen : public Screen {
+class DesktopWindow : public Window {
  public:
-  GlfwScreen(const std::string& title, int width, int height) : m_window(title, width, height) {
+  DesktopWindow(const std::string& title, int width, int height) : m_window(title, width, height) {
     glfwSetWindowUserPointer(m_window, this);
     installCallbacks();
     ImGui_ImplGlfw_InitForOpenGL(m_window, false);
     ImGui_ImplOpenGL3_Init("#version 410 core");
   }
-  ~GlfwScreen() override {
+  ~DesktopWindow() override {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
   }
@@ -157,8 +157,8 @@ class GlfwScreen : public Screen {
   }
 
  private:
-  static GlfwScreen& of(GLFWwindow* window) {
-    return *static_cast<GlfwScreen*>(glfwGetWindowUserPointer(window));
+  static DesktopWindow& of(GLFWwindow* window) {
+    return *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(window));
   }
 
   [[nodiscard]] std::pair<int, int> framebufferSize() const {
@@ -246,8 +246,8 @@ class GlfwScreen : public Screen {
 
 }  // namespace
 
-std::unique_ptr<Screen> openWindow(const std::string& title, int width, int height) {
-  return std::make_unique<GlfwScreen>(title, width, height);
+std::unique_ptr<Window> openWindow(const std::string& title, int width, int height) {
+  return std::make_unique<DesktopWindow>(title, width, height);
 }
 
 }  // namespace swaplight

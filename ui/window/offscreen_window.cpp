@@ -8,19 +8,19 @@
 #include "render/gl/egl_context.h"
 #include "render/surface.h"
 #include "ui/kit/theme.h"
-#include "ui/window/screen.h"
+#include "ui/window/window.h"
 
 namespace swaplight {
 namespace {
 
-class OffscreenScreen : public Screen {
+class OffscreenWindow : public Window {
  public:
-  OffscreenScreen(int width, int height) : m_width(width), m_height(height), m_target(width, height) {
+  OffscreenWindow(int width, int height) : m_width(width), m_height(height), m_target(width, height) {
     ImGui_ImplOpenGL3_Init("#version 410 core");
     int* keys = ImGui::GetIO().KeyMap;
     for (int key = 0; key < ImGuiKey_COUNT; ++key) keys[key] = key;
   }
-  ~OffscreenScreen() override { ImGui_ImplOpenGL3_Shutdown(); }
+  ~OffscreenWindow() override { ImGui_ImplOpenGL3_Shutdown(); }
 
   void wait(double seconds) override {
     std::unique_lock lock(m_mutex);
@@ -69,8 +69,8 @@ class OffscreenScreen : public Screen {
 
 }  // namespace
 
-std::unique_ptr<Screen> openOffscreen(int width, int height) {
-  return std::make_unique<OffscreenScreen>(width, height);
+std::unique_ptr<Window> openOffscreen(int width, int height) {
+  return std::make_unique<OffscreenWindow>(width, height);
 }
 
 }  // namespace swaplight
