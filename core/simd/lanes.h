@@ -1,21 +1,27 @@
 #pragma once
 
-#include <cstddef>
 #include <cstring>
 
-namespace swaplight {
+#include "core/simd/padding.h"
 
-/// Sixteen pixels at once: the compiler turns arithmetic on it into whatever the processor has (one AVX-512
-/// register, two of AVX2, four of SSE). Use in files that are compiled for each class (*_kernel.cpp, see
-/// core/simd/simd.h): elsewhere it is cut into pieces of SSE's width before anything else is done.
+#ifndef SWAPLIGHT_LEVEL
+#error "for kernels alone, which are compiled once for each class of processor: see core/simd/simd.h"
+#endif
+
+namespace swaplight::SWAPLIGHT_LEVEL {
+
+/// Several pixels at once, as many as a register of the processor holds: arithmetic on it is one instruction.
+/// (Of wider vectors g++ takes comparisons apart into single pixels: docs/decisions/0005-lanes.md.)
+#if defined(__AVX512F__)
 inline constexpr int kLanes = 16;
+#elif defined(__AVX__)
+inline constexpr int kLanes = 8;
+#else
+inline constexpr int kLanes = 4;
+#endif
+static_assert(kMostLanes % kLanes == 0);
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 using LaneMask = int __attribute__((vector_size(kLanes * sizeof(int))));
-
-/// Pixels that a plane needs room for, so that the last lanes may reach beyond its `count`.
-constexpr size_t roundedUpToLanes(size_t count) {
-  return (count + kLanes - 1) / kLanes * kLanes;
-}
 
 #define SWAPLIGHT_LANES [[gnu::always_inline]] inline
 
@@ -82,4 +88,4 @@ SWAPLIGHT_LANES Lanes exponential(Lanes x) {
   return select(tiny, splat(0), p * scale);
 }
 
-}  // namespace swaplight
+}  // namespace swaplight::SWAPLIGHT_LEVEL

@@ -2,9 +2,9 @@
 
 #include "core/simd/lanes.h"
 
-namespace swaplight {
+namespace swaplight::SWAPLIGHT_LEVEL {
 
-/// L D L' of sixteen small symmetric positive matrices at once (Cholesky without its square roots); lower
+/// L D L' of kLanes small symmetric positive matrices at once (Cholesky without its square roots); lower
 /// triangles, packed by rows: entry (i, j), j <= i, at i (i + 1) / 2 + j. The factor's diagonal holds 1 / D.
 /// kMax bounds n at compile time.
 template <int kMax>
@@ -34,4 +34,4 @@ SWAPLIGHT_LANES void solveCholesky(int n, const Lanes* factor, Lanes* x) {
   }
 }
 
-}  // namespace swaplight
+}  // namespace swaplight::SWAPLIGHT_LEVEL

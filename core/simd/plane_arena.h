@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/check.h"
-#include "core/simd/lanes.h"
+#include "core/simd/padding.h"
 
 namespace swaplight {
 

@@ -34,9 +34,9 @@
 #endif
 
 /// Kernels written in lanes (core/simd/lanes.h) are files named *_kernel.cpp. They are compiled whole, once
-/// for each class of processor (SWAPLIGHT_LEVEL: level1, level3, level4; see cmake/SwaplightLibrary.cmake):
-/// vectors wider than the processor that a helper is first compiled for would be taken apart before it is
-/// inlined. They include nothing that a linker could mistake for code of the rest of the program.
+/// for each class of processor (SWAPLIGHT_LEVEL: level1, level3, level4; see cmake/SwaplightLibrary.cmake),
+/// as wide as its registers. They include nothing that a linker could mistake for code of the rest of the
+/// program.
 ///
 /// SWAPLIGHT_DECLARE_KERNEL(name, parameters...) declares void name(parameters...) for every class;
 /// SWAPLIGHT_KERNEL(name) is the one for this machine.

@@ -26,7 +26,8 @@ struct PoolBand {
   const float* guide = nullptr;
 };
 
-/// Row `row` of the band: pooled shares and what is left of the variance. `width` is rounded up to kLanes.
+/// Row `row` of the band: pooled shares and what is left of the variance. `width` is rounded up to
+/// kMostLanes.
 SWAPLIGHT_DECLARE_KERNEL(poolRow, const PoolBand& band, int row, int width, float* const* pooled, float* left)
 
 }  // namespace swaplight

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/simd/lanes.h"
+#include "core/simd/padding.h"
 #include "core/simd/simd.h"
 #include "core/solve/auto/pooling_kernel.h"
 
@@ -30,7 +30,7 @@ SWAPLIGHT_SIMD(void, invert,
 class Band {
  public:
   Band(int lights, int width, const SharePooling& options)
-      : m_margin(kPoolRadius * options.step), m_width((width + kLanes - 1) / kLanes * kLanes) {
+      : m_margin(kPoolRadius * options.step), m_width(int(roundedUpToLanes(size_t(width)))) {
     m_band.lights = lights;
     m_band.stride = m_width + 2 * m_margin;
     m_band.step = options.step;

@@ -101,7 +101,7 @@ void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
     m_plan.prior.scale[j] = kRelativeScales[j] * std::max(brightness[bright], 1e-6F);
   m_plan.prior.weight.fill(1.0F / ShrinkagePrior::kScales);
   constexpr size_t kScales = ShrinkagePrior::kScales;
-  const size_t padded = (size_t(count) + kLanes - 1) / kLanes * kLanes;
+  const size_t padded = roundedUpToLanes(size_t(count));
   std::vector<float> evidence(padded * kScales);
   ShrinkageRun out;
   for (size_t j = 0; j < kScales; ++j) out.logEvidence[j] = &evidence[j * padded];
@@ -137,7 +137,7 @@ void Shrinkage::finish(const PixelRun& in, const MatteRun& matte, const Evidence
   const auto gather = [&](const float* from, float* to) {
     for (size_t j = 0; j < index.size(); ++j) to[j] = from[index[j]];
   };
-  const size_t padded = (index.size() + kLanes - 1) / kLanes * kLanes;
+  const size_t padded = roundedUpToLanes(index.size());
   std::vector<float> odds(padded, 1.0F);
   if (evidence.odds) gather(evidence.odds, odds.data());
   std::vector<float> noise(padded, 1.0F);

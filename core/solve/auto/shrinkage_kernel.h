@@ -41,8 +41,8 @@ struct ShrinkageRun {
   float* notMatte = nullptr;
 };
 
-/// All pixels of a run, whose matte fit is given; planes padded to kLanes. `odds` and `noise`, a factor of
-/// the noise model's variance, may be null.
+/// All pixels of a run, whose matte fit is given; planes padded to kMostLanes. `odds` and `noise`, a factor
+/// of the noise model's variance, may be null.
 SWAPLIGHT_DECLARE_KERNEL(shrinkRun, const ShrinkagePlan& plan, const PixelRun& in, const MatteRun& matte,
                          const float* odds, const float* noise, const ShrinkageRun& out)
 

@@ -14,7 +14,7 @@ struct GlossPlan {
   std::vector<float> color;                    ///< [k][c][i]
 };
 
-/// GlossFit for a run whose matte fit is given; planes padded to kLanes. Writes contributions, chi-square
+/// GlossFit for a run whose matte fit is given; planes padded to kMostLanes. Writes contributions, chi-square
 /// into `out.residual` and variance into `out.sigma` (neither null).
 SWAPLIGHT_DECLARE_KERNEL(fitGloss, const GlossPlan& plan, const PixelRun& in, const MatteRun& matte,
                          const SolvedRun& out)

@@ -18,8 +18,8 @@ class MatteFit {
  public:
   explicit MatteFit(const EstimatorContext& context);
 
-  /// NaN in a value: it is left out. Pixels beyond in.count up to a multiple of kLanes are read: the planes
-  /// must be padded.
+  /// NaN in a value: it is left out. Pixels beyond in.count up to a multiple of kMostLanes are read: the
+  /// planes must be padded.
   void fit(const PixelRun& in, const MatteRun& out) const;
   /// Reflectance, misfit and variance at shares that are given (they need not be those of fit()).
   void assess(const PixelRun& in, const MatteRun& inOut) const;

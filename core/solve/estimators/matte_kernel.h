@@ -8,7 +8,7 @@
 
 namespace swaplight {
 
-/// What a matte fit says of a run of pixels; planes as long as the run, rounded up to kLanes.
+/// What a matte fit says of a run of pixels; planes as long as the run, rounded up to kMostLanes.
 struct MatteRun {
   float* share[kMaxLights];  ///< beta: >= 0 (but see signedShares), sum 1
   float* reflectance[3];     ///< rho >= 0, scaled so that T = beta rho

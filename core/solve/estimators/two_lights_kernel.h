@@ -11,7 +11,7 @@ struct TwoLightColors {
   float c[3], d[3];  ///< in shot 2
 };
 
-/// beta of (5.7) and the matte contributions, in one stream over a run (planes padded to kLanes);
+/// beta of (5.7) and the matte contributions, in one stream over a run (planes padded to kMostLanes);
 /// `published`: the reflectance from shot 1 alone, as in the dissertation.
 SWAPLIGHT_DECLARE_KERNEL(closedFormRun, const PixelRun& in, const SolvedRun& out,
                          const TwoLightColors& colors, bool published)

@@ -5,7 +5,7 @@ namespace swaplight {
 inline constexpr int kMaxLights = 16;
 inline constexpr int kMaxShots = 32;
 
-/// Pixels of a run: all planes of one fit into the second-level cache. A multiple of kLanes.
+/// Pixels of a run: all planes of one fit into the second-level cache. A multiple of kMostLanes.
 inline constexpr int kRun = 2048;
 
 /// Neighbouring pixels of all shots, a pointer a plane.

@@ -1,18 +1,17 @@
-#include "core/simd/lanes_cholesky.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <random>
 #include <vector>
 
+#include "core/simd/padding.h"
 #include "tests/core/simd/kernels/lane_maths_kernel.h"
 #include "tests/support/processor_levels.h"
 
 namespace swaplight::test {
 namespace {
 
-/// kLanes symmetric positive systems of n equations whose condition is about `condition`.
+/// kMostLanes symmetric positive systems of n equations whose condition is about `condition`.
 struct Systems {
   int n;
   std::vector<Eigen::MatrixXd> matrix;
@@ -21,7 +20,7 @@ struct Systems {
   Systems(int size, double condition, unsigned seed) : n(size) {
     std::mt19937 random(seed);
     std::normal_distribution<double> gauss;
-    for (int lane = 0; lane < kLanes; ++lane) {
+    for (int lane = 0; lane < kMostLanes; ++lane) {
       const Eigen::MatrixXd noise = Eigen::MatrixXd::NullaryExpr(n, n, [&] { return gauss(random); });
       const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(noise).householderQ();
       Eigen::VectorXd spectrum(n);
@@ -36,17 +35,18 @@ struct Systems {
 
   /// The answers of solveSystems, one a lane; `factor` receives the packed factors.
   [[nodiscard]] std::vector<Eigen::VectorXd> solved(std::vector<float>* factor = nullptr) const {
-    std::vector<float> a, x(size_t(n * kLanes));
+    std::vector<float> a, x(size_t(n * kMostLanes));
     for (int i = 0; i < n; ++i)
       for (int j = 0; j <= i; ++j)
-        for (int lane = 0; lane < kLanes; ++lane) a.push_back(float(matrix[size_t(lane)](i, j)));
+        for (int lane = 0; lane < kMostLanes; ++lane) a.push_back(float(matrix[size_t(lane)](i, j)));
     for (int i = 0; i < n; ++i)
-      for (int lane = 0; lane < kLanes; ++lane) x[size_t(i * kLanes + lane)] = float(side[size_t(lane)][i]);
+      for (int lane = 0; lane < kMostLanes; ++lane)
+        x[size_t(i * kMostLanes + lane)] = float(side[size_t(lane)][i]);
     SWAPLIGHT_KERNEL(solveSystems)(n, a.data(), x.data());
     std::vector<Eigen::VectorXd> answers;
-    for (int lane = 0; lane < kLanes; ++lane)
+    for (int lane = 0; lane < kMostLanes; ++lane)
       answers.emplace_back(
-          Eigen::VectorXd::NullaryExpr(n, [&](auto i) { return x[size_t(i * kLanes + lane)]; }));
+          Eigen::VectorXd::NullaryExpr(n, [&](auto i) { return x[size_t(i * kMostLanes + lane)]; }));
     if (factor) *factor = a;
     return answers;
   }
@@ -61,7 +61,7 @@ TEST_P(LanesCholesky, SolvesAsExactlyAsFloatsCan) {
     const Systems systems(n, condition, unsigned(n));
     atEveryLevel([&] {
       const std::vector<Eigen::VectorXd> answers = systems.solved();
-      for (size_t lane = 0; lane < kLanes; ++lane) {
+      for (size_t lane = 0; lane < kMostLanes; ++lane) {
         const Eigen::VectorXd expected = systems.matrix[lane].ldlt().solve(systems.side[lane]);
         // Higham 2002, theorem 10.4: an error of at most a small multiple of n and the condition.
         EXPECT_LT((answers[lane] - expected).norm(), 4 * n * condition * 0x1p-24 * expected.norm())
@@ -77,12 +77,12 @@ TEST_P(LanesCholesky, TheFactorsDiagonalIsTheInverseOfEigens) {
   atEveryLevel([&] {
     std::vector<float> factor;
     (void)systems.solved(&factor);
-    for (size_t lane = 0; lane < kLanes; ++lane) {
+    for (size_t lane = 0; lane < kMostLanes; ++lane) {
       double expected = 0, found = 0;  // log determinants, what the evidence of a fit is made of
       const Eigen::VectorXd pivots = Eigen::LLT<Eigen::MatrixXd>(systems.matrix[lane]).matrixLLT().diagonal();
       for (int i = 0; i < n; ++i) {
         expected += 2 * std::log(pivots[i]);
-        found -= std::log(double(factor[size_t(i * (i + 1) / 2 + i) * kLanes + lane]));
+        found -= std::log(double(factor[size_t(i * (i + 1) / 2 + i) * kMostLanes + lane]));
       }
       EXPECT_NEAR(found, expected, 1e-5 * n);
     }

@@ -1,5 +1,3 @@
-#include "core/simd/lanes.h"
-
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -8,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/simd/padding.h"
 #include "tests/core/simd/kernels/lane_maths_kernel.h"
 #include "tests/support/processor_levels.h"
 
@@ -23,7 +22,7 @@ std::vector<float> positiveNumbers() {
   std::vector<float> numbers = {FLT_MIN, FLT_MAX, 1, std::nextafter(1.0F, 0.0F), std::nextafter(1.0F, 2.0F)};
   for (uint32_t bits = 0x00800000; bits < 0x7f800000; bits += 2048 + 1)
     numbers.push_back(std::bit_cast<float>(bits));
-  numbers.resize(numbers.size() / kLanes * kLanes);
+  numbers.resize(numbers.size() / kMostLanes * kMostLanes);
   return numbers;
 }
 
@@ -32,7 +31,7 @@ std::vector<float> exponents() {
   std::vector<float> numbers = {0, -0.0F, -80, 80, std::nextafter(-80.0F, 0.0F), FLT_MIN, -FLT_MIN};
   constexpr int kSteps = 1 << 20;
   for (int i = 0; i <= kSteps; ++i) numbers.push_back(-80 + 160 * float(i) / kSteps);
-  numbers.resize(numbers.size() / kLanes * kLanes);
+  numbers.resize(numbers.size() / kMostLanes * kMostLanes);
   return numbers;
 }
 
@@ -79,9 +78,9 @@ TEST(Lanes, TheExponentialEndsWhereItSays) {
                                  0,
                                  0,
                                  0};
-  std::vector<float> out(kLanes);
+  std::vector<float> out(kMostLanes);
   atEveryLevel([&] {
-    SWAPLIGHT_KERNEL(exponentials)(in.data(), out.data(), kLanes);
+    SWAPLIGHT_KERNEL(exponentials)(in.data(), out.data(), kMostLanes);
     for (size_t i = 0; i < 5; ++i) EXPECT_EQ(out[i], 0) << in[i];
     for (size_t i = 5; i < 10; ++i) EXPECT_NEAR(out[i] / std::exp(80.0), 1, kExponentialError) << in[i];
   });
@@ -98,12 +97,12 @@ TEST(Lanes, TheSquareRootIsThatOfLibm) {
 }
 
 TEST(Lanes, OneLaneIsEnoughForAny) {
-  std::vector<float> in(kLanes, -1);
+  std::vector<float> in(kMostLanes, -1);
   atEveryLevel([&] {
     bool found = true;
     SWAPLIGHT_KERNEL(anyPositive)(in.data(), &found);
     EXPECT_FALSE(found);
-    for (size_t lane = 0; lane < kLanes; ++lane) {
+    for (size_t lane = 0; lane < kMostLanes; ++lane) {
       in[lane] = 1;
       SWAPLIGHT_KERNEL(anyPositive)(in.data(), &found);
       EXPECT_TRUE(found) << lane;

@@ -26,9 +26,9 @@ TEST(PlaneArena, HasNoMoreThanItWasMadeWith) {
 
 TEST(PlaneArena, RoundsUpToWholeLanes) {
   EXPECT_EQ(roundedUpToLanes(0), 0U);
-  EXPECT_EQ(roundedUpToLanes(1), size_t{kLanes});
-  EXPECT_EQ(roundedUpToLanes(kLanes), size_t{kLanes});
-  EXPECT_EQ(roundedUpToLanes(kLanes + 1), size_t{2 * kLanes});
+  EXPECT_EQ(roundedUpToLanes(1), size_t{kMostLanes});
+  EXPECT_EQ(roundedUpToLanes(kMostLanes), size_t{kMostLanes});
+  EXPECT_EQ(roundedUpToLanes(kMostLanes + 1), size_t{2 * kMostLanes});
 }
 
 }  // namespace
