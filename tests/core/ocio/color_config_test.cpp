@@ -294,8 +294,10 @@ std::vector<float> converted(const ColorConfig& config, const std::string& to, c
   Image seen = image.clone();
   config.convert(image.span(), "acescg", to);
   config.applyView(seen.span(), "acescg", {"Projector", view});
-  std::vector<float> values(image.plane(0), image.plane(0) + 3 * image.pixelCount());
-  values.insert(values.end(), seen.plane(0), seen.plane(0) + 3 * seen.pixelCount());
+  std::vector<float> values;
+  for (const Image* made : {&image, &seen})
+    for (int c = 0; c < 3; ++c)
+      values.insert(values.end(), made->plane(c), made->plane(c) + made->pixelCount());
   return values;
 }
 
