@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/set/solved_set.h"
-#include "core/simd/lanes.h"
+#include "core/simd/padding.h"
 #include "core/simd/simd.h"
 
 namespace swaplight {

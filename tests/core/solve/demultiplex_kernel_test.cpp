@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/simd/lanes.h"
+#include "core/simd/padding.h"
 #include "core/solve/estimators/two_lights_kernel.h"
 #include "tests/support/processor_levels.h"
 
