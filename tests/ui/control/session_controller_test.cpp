@@ -19,7 +19,11 @@ using testing::HasSubstr;
 /// A solved set's file.
 fs::path solvedFile(const StudioParts& studio, const std::string& name = "set.exr", int lights = 2) {
   const fs::path file = studio.folder / name;
-  writeSolvedSet(test::smallSet(lights, 64, 48), file);
+  SolvedSet set = test::smallSet(lights, 64, 48);
+  set.capture.colorSpace = "lin_rec709";
+  for (Image& contribution : set.contributions) contribution.setColorSpace("lin_rec709");
+  set.quality = Image(ImageSpec{64, 48, {"residual", "sigma", "flags", "model"}, "data"}, 0.1F);
+  writeSolvedSet(set, file);
   return file;
 }
 
