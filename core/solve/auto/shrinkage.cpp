@@ -88,7 +88,11 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) 
 
 void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
   std::vector<size_t> index;
-  const PackedRun sample = pixelSample(signal, m_plan.shots, kSample, &index);
+  PackedRun sample = pixelSample(signal, m_plan.shots, kSample, &index);
+  // A shot that is clipped throughout leaves no whole pixel; the other shots still show the surfaces.
+  if (index.empty()) sample = pixelSample(signal, m_plan.shots, kSample, &index, SamplePixels::Partial);
+  m_plan.prior.weight.fill(1.0F / ShrinkagePrior::kScales);
+  if (index.empty()) return;  // nothing can be learnt: every scale is 0, the matte fit
   const int count = sample.run().count;
   MatteScratch matte(m_plan.lights, count);
   m_matte.fit(sample.run(), matte.run());
@@ -99,7 +103,6 @@ void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
   std::nth_element(brightness.begin(), brightness.begin() + long(bright), brightness.end());
   for (size_t j = 0; j < kRelativeScales.size(); ++j)
     m_plan.prior.scale[j] = kRelativeScales[j] * std::max(brightness[bright], 1e-6F);
-  m_plan.prior.weight.fill(1.0F / ShrinkagePrior::kScales);
   constexpr size_t kScales = ShrinkagePrior::kScales;
   const size_t padded = roundedUpToLanes(size_t(count));
   std::vector<float> evidence(padded * kScales);

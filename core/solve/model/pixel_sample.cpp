@@ -1,10 +1,24 @@
 #include "core/solve/model/pixel_sample.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace swaplight {
+namespace {
 
-PackedRun pixelSample(const ShotSignal& signal, int shots, size_t count, std::vector<size_t>* index) {
+bool everyChannelHasAValue(const PixelRun& run, int shots, int pixel) {
+  for (int c = 0; c < 3; ++c) {
+    bool any = false;
+    for (int k = 0; k < shots; ++k) any |= std::isfinite(run.signal[k][c][pixel]);
+    if (!any) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+PackedRun pixelSample(const ShotSignal& signal, int shots, size_t count, std::vector<size_t>* index,
+                      SamplePixels which) {
   const size_t pixels = signal.pixelCount();
   const size_t runs = std::max<size_t>(1, std::min(pixels, count) / kMostLanes);
   PackedRun sample(shots, runs * kMostLanes);
@@ -15,11 +29,12 @@ PackedRun pixelSample(const ShotSignal& signal, int shots, size_t count, std::ve
     const int length = int(std::min<size_t>(kMostLanes, pixels - first));
     PixelRun in;
     signal.run(first, length, true, scratch, in);
-    for (int p = 0; p < length; ++p)
-      if (!signal.flagged(first + size_t(p), 1)) {
-        sample.add(in, p);
-        if (index) index->push_back(first + size_t(p));
-      }
+    for (int p = 0; p < length; ++p) {
+      const bool whole = !signal.flagged(first + size_t(p), 1);
+      if (!whole && (which == SamplePixels::Whole || !everyChannelHasAValue(in, shots, p))) continue;
+      sample.add(in, p);
+      if (index) index->push_back(first + size_t(p));
+    }
   }
   return sample;
 }
