@@ -12,6 +12,8 @@ namespace swaplight {
 namespace {
 
 constexpr float kSpacing = .25f;  // of the radius
+constexpr float kLeastSpacing = .5f;
+constexpr double kFarthest = 1e6;  // pixels: what a stroke's coordinates can be
 
 // How much of the brush reaches a distance from its centre (1 = its rim): full within the hard core, then a
 // smooth fall.
@@ -20,6 +22,26 @@ float brushProfile(float distance, float hardness) {
   if (distance <= hardness) return 1;
   const float t = (1 - distance) / (1 - hardness);
   return t * t * (3 - 2 * t);
+}
+
+// The part of the way, in pixels along it, on which a brush can reach the picture.
+std::pair<double, double> reaching(const StrokePoint& from, const StrokePoint& to, double length,
+                                   float radius, int width, int height) {
+  double enter = 0, leave = length;
+  const auto clip = [&](double start, double end, double low, double high) {
+    const double slope = length > 0 ? (end - start) / length : 0;
+    if (slope == 0) {
+      if (start < low || start > high) leave = -1;
+      return;
+    }
+    const double a = (low - start) / slope, b = (high - start) / slope;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  };
+  const double air = double{radius} + 1;
+  clip(from.x, to.x, -air, width + air);
+  clip(from.y, to.y, -air, height + air);
+  return {std::min(enter, leave), leave};
 }
 
 }  // namespace
@@ -34,27 +56,31 @@ void Painting::begin(Stroke stroke) {
 
 PixelRect Painting::add(const StrokePoint& point) {
   // The stroke in hand may be shared with an older state: that one keeps its points.
-  auto grown = std::make_shared<Stroke>(*m_strokes.back());
-  grown->points.push_back(point);
-  m_strokes.back() = grown;
-  const auto& points = grown->points;
+  if (m_strokes.back().use_count() > 1) m_strokes.back() = std::make_shared<Stroke>(*m_strokes.back());
+  auto& points = std::const_pointer_cast<Stroke>(m_strokes.back())->points;
+  points.push_back(point);
   return points.size() == 1 ? follow(point, point) : follow(points[points.size() - 2], point);
 }
 
 PixelRect Painting::follow(const StrokePoint& from, const StrokePoint& to) {
   const Stroke& stroke = *m_strokes.back();
-  const float length = std::hypot(to.x - from.x, to.y - from.y);
-  const bool first = stroke.points.size() == 1;
+  const double length = std::hypot(double{to.x} - from.x, double{to.y} - from.y);
+  // Nothing before `enter` or behind `leave` reaches the picture: those dabs are counted, not made.
+  const auto [enter, leave] = reaching(from, to, length, stroke.radius, m_mask.width(), m_mask.height());
   PixelRect changed;
-  while (first ? m_toNextDab <= 0 : m_toNextDab <= length) {
-    const float t = length > 0 ? m_toNextDab / length : 0;
+  double next = m_toNextDab;
+  while (next <= length) {
+    const auto t = static_cast<float>(length > 0 ? next / length : 0);
     const StrokePoint at{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y),
                          from.pressure + t * (to.pressure - from.pressure)};
-    changed = enclosing(changed, dab(at));
     const float radius = stroke.radius * (stroke.pressureToRadius ? at.pressure : 1.f);
-    m_toNextDab += std::max(kSpacing * radius, .5f);
+    const double spacing = std::max(kSpacing * radius, kLeastSpacing);
+    const bool before = next < enter;
+    if (!before && next <= leave) changed = enclosing(changed, dab(at));
+    const double skipTo = before ? enter : next > leave ? length : next;
+    next += spacing * std::max(1., std::floor((skipTo - next) / spacing));
   }
-  m_toNextDab -= length;
+  m_toNextDab = static_cast<float>(next - length);
   return changed;
 }
 
@@ -90,6 +116,24 @@ PixelRect Painting::dab(const StrokePoint& at) {
   return area;
 }
 
+namespace {
+
+StrokePoint pointFromJson(const Json& json, const std::string& where) {
+  const auto number = [&](size_t index, double low, double high) {
+    const double value = json[index].is_number() ? json[index].get<double>() : std::nan("");
+    if (!(value >= low && value <= high))
+      throw InputError("{}: a point has {}, expected a number from {} to {}", where,
+                       describeJson(json[index]), low, high);
+    return static_cast<float>(value);
+  };
+  if (!json.is_array() || json.size() < 2 || json.size() > 3)
+    throw InputError("{}: a point is {}, expected [x, y, pressure]", where, describeJson(json));
+  return {number(0, -kFarthest, kFarthest), number(1, -kFarthest, kFarthest),
+          json.size() > 2 ? number(2, 0, 1) : 1.f};
+}
+
+}  // namespace
+
 Json jsonFromStroke(const Stroke& stroke) {
   Json points = Json::array();
   for (const StrokePoint& p : stroke.points)
@@ -117,12 +161,8 @@ Stroke strokeFromJson(const Json& json, const std::string& where) {
   stroke.erase = fields.boolean("erase").value_or(stroke.erase);
   stroke.pressureToRadius = fields.boolean("pressure_to_radius").value_or(stroke.pressureToRadius);
   stroke.pressureToFlow = fields.boolean("pressure_to_flow").value_or(stroke.pressureToFlow);
-  for (const Json& p : fields.list("points", "the places of the brush as [x, y, pressure]")) {
-    const bool numbers = p.is_array() && p.size() >= 2 && p.size() <= 3 &&
-                         std::all_of(p.begin(), p.end(), [](const Json& v) { return v.is_number(); });
-    if (!numbers) throw InputError("{}: a point is {}, expected [x, y, pressure]", where, describeJson(p));
-    stroke.points.push_back({p[0].get<float>(), p[1].get<float>(), p.size() > 2 ? p[2].get<float>() : 1.f});
-  }
+  for (const Json& p : fields.list("points", "the places of the brush as [x, y, pressure]"))
+    stroke.points.push_back(pointFromJson(p, where));
   return stroke;
 }
 
