@@ -1,25 +1,59 @@
 #include "app/program/interrupt.h"
 
+#include <sys/time.h>
+#include <unistd.h>
+
 #include <csignal>
+#include <string_view>
+
+#include "core/file/atomic_file.h"
 
 namespace swaplight {
 namespace {
+
+constexpr suseconds_t kPatience = 800'000;  // microseconds
 
 std::atomic<bool> g_interrupted{false};
 std::atomic<int> g_signal{SIGINT};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
+// All of these run within a signal handler: only what is allowed there (signal-safety(7)).
+
+void endNow(int) {
+  removeTemporaryFiles();
+  constexpr std::string_view kWords = "swaplight: stopped\n";
+  if (::write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) {
+    // Nobody is there to be told.
+  }
+  ::_exit(128 + g_signal);
+}
+
+void setTimer(suseconds_t microseconds) {
+  const itimerval time{{0, 0}, {0, microseconds}};
+  ::setitimer(ITIMER_REAL, &time, nullptr);
+}
+
 void onSignal(int signal) {
+  if (g_interrupted) endNow(signal);
   g_signal = signal;
   g_interrupted = true;
-  std::signal(signal, SIG_DFL);
+  setTimer(kPatience);
+}
+
+// No SA_RESTART: a read that waits for somebody else is to end.
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  sigemptyset(&action.sa_mask);
+  ::sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
 void catchInterrupts() {
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
+  handle(SIGALRM, endNow);
+  handle(SIGINT, onSignal);
+  handle(SIGTERM, onSignal);
 }
 
 const std::atomic<bool>& interrupted() {
@@ -27,6 +61,7 @@ const std::atomic<bool>& interrupted() {
 }
 
 int interruptExitCode() {
+  setTimer(0);
   return 128 + g_signal;
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/file/temporary_names.h"
+
 namespace swaplight {
 
 /// A file on its way: written under a temporary name beside its target, then renamed, so that nobody ever
@@ -15,7 +17,9 @@ namespace swaplight {
 class AtomicFile {
  public:
   /// Throws InputError where the target cannot be written: its folder is missing or not writable, it is a
-  /// folder or a device. A symbolic link is followed: the file that it names is replaced.
+  /// folder, a device or read-only. A symbolic link is followed: the file that it names is replaced, and its
+  /// owner, group and mode are the new file's, as far as this user may give them. Throws MachineError where
+  /// the machine has no room.
   explicit AtomicFile(const std::filesystem::path& target);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -24,10 +28,10 @@ class AtomicFile {
   /// Exists, empty; has the target's extension.
   [[nodiscard]] const std::filesystem::path& temporary() const { return m_temporary; }
 
-  /// Flushes to the disk and renames. Throws InputError: the disk is full, an I/O error.
+  /// Flushes to the disk and renames. Throws MachineError: the disk is full, an I/O error.
   void commit();
 
-  /// For a writer that failed: throws InputError that names the target, and the full disk if that is why;
+  /// For a writer that failed: throws MachineError that names the target, and the full disk if that is why;
   /// otherwise `detail`, the writer's own words, or the system's for an errno.
   [[noreturn]] void fail(std::string_view detail) const;
   [[noreturn]] void fail(int error) const;
@@ -36,6 +40,7 @@ class AtomicFile {
   std::filesystem::path m_target;  ///< as the person named it, for messages
   std::filesystem::path m_resolved;
   std::filesystem::path m_temporary;
+  TemporaryName m_registered;
   bool m_committed = false;
 };
 
@@ -45,7 +50,8 @@ void checkWritable(const std::filesystem::path& target);
 /// Writes the bytes, atomically. Throws InputError as AtomicFile does.
 void writeFile(const std::filesystem::path& file, std::string_view bytes);
 
-/// A whole file as bytes. Throws InputError where it is missing, a folder, unreadable or above `limit` bytes.
+/// A whole file as bytes; a pipe that somebody writes to will do (`<(program)` of a shell). Throws InputError
+/// where it is missing, a folder, a device, a pipe without a writer, unreadable or above `limit` bytes.
 [[nodiscard]] std::string readFile(const std::filesystem::path& file, size_t limit);
 
 }  // namespace swaplight

@@ -166,9 +166,9 @@ class DiskTest(cli.CliTest):
         solved = self.path('solved.exr')
         self.succeed('solve', capture.path, '-o', solved, '-q')
         full = os.path.join(self.disk, 'full')
-        self.deny('solve', capture.path, '-o', full + '.exr', '-q', naming=['full.exr', 'full'])
-        self.deny('relight', solved, '-o', full + '.exr', '--type', 'float', '-q', naming='full.exr')
-        self.deny('relight', solved, '-o', full + '.tif', '--type', 'float', '-q', naming='full.tif')
+        self.deny('solve', capture.path, '-o', full + '.exr', '-q', naming=['full.exr', 'full'], code=3)
+        self.deny('relight', solved, '-o', full + '.exr', '--type', 'float', '-q', naming='full.exr', code=3)
+        self.deny('relight', solved, '-o', full + '.tif', '--type', 'float', '-q', naming='full.tif', code=3)
         self.assertEqual(os.listdir(self.disk), [])
 
     def test_of_a_disk_that_is_read_only(self):
@@ -181,7 +181,7 @@ class DiskTest(cli.CliTest):
         old = os.path.join(self.disk, 'old.exr')
         with open(old, 'w') as file:
             file.write('old')
-        self.deny('solve', capture.path, '-o', old, '-q', naming='old.exr')
+        self.deny('solve', capture.path, '-o', old, '-q', naming='old.exr', code=3)
         with open(old) as file:
             self.assertEqual(file.read(), 'old')
 

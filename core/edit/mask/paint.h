@@ -48,11 +48,11 @@ class Painting {
 
   std::vector<std::shared_ptr<const Stroke>> m_strokes;
   MaskRaster m_mask;
-  double m_toNextDab = 0;  // along the path, from the last point
+  float m_toNextDab = 0;  // along the path, from the last point
 };
 
 [[nodiscard]] Json jsonFromStroke(const Stroke& stroke);
-/// Throws InputError: coordinates lie within +-1e6 pixels, pressure within 0..1.
+/// Throws InputError.
 [[nodiscard]] Stroke strokeFromJson(const Json& json, const std::string& where);
 
 }  // namespace swaplight
