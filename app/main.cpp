@@ -1,7 +1,10 @@
 // The program `swaplight`: one verb a job.
+#include "app/program/standard_streams.h"
 #include "app/verbs/verbs.h"
 
 int main(int argc, char** argv) {
+  swaplight::openStandardStreams();
+  swaplight::ignoreWriteSignals();
   swaplight::Program program;
   addInfoVerb(program);
   addPlanVerb(program);

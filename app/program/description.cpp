@@ -4,7 +4,9 @@
 
 namespace swaplight {
 
-std::string tableText(const std::vector<std::vector<std::string>>& rows) {
+std::string tableText(std::vector<std::vector<std::string>> rows) {
+  for (auto& row : rows)
+    for (std::string& cell : row) cell = printable(cell);
   std::vector<size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()), 0);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/program/printable.h"
 #include "core/base/json.h"
 
 namespace swaplight {
@@ -17,11 +18,11 @@ struct Description {
 
   /// A line "  label      value".
   void line(const std::string& label, const std::string& value) {
-    text += fmt::format("  {:<12} {}\n", label, value);
+    text += fmt::format("  {:<12} {}\n", printable(label), printable(value));
   }
 };
 
 /// A table with its columns aligned; the first row is the heading.
-[[nodiscard]] std::string tableText(const std::vector<std::vector<std::string>>& rows);
+[[nodiscard]] std::string tableText(std::vector<std::vector<std::string>> rows);
 
 }  // namespace swaplight

@@ -1,10 +1,15 @@
 #include "app/program/program.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "app/program/interrupt.h"
-#include "core/base/error.h"
+#include "app/program/printable.h"
+#include "app/program/standard_streams.h"
+#include "core/base/machine_error.h"
+#include "core/base/out_of_memory.h"
 #include "core/base/parallel.h"
 #include "core/base/version.h"
 
@@ -14,11 +19,17 @@ namespace {
 constexpr int kBadInput = 2;
 constexpr int kOutOfResources = 3;
 constexpr int kMostThreads = 1024;
+constexpr const char* kNoMemory = "out of memory; close other programs, or work at a smaller size";
 
 int fail(int code, std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
-  fmt::print(stderr, "swaplight: {}\n", message);
+  sayOnStandardError("swaplight: " + printable(message) + "\n");
   return code;
+}
+
+/// A signal cuts short whatever waits for another process: that it failed is no news then.
+int failUnlessStopped(int code, const std::string& message) {
+  return interrupted() ? fail(interruptExitCode(), "stopped") : fail(code, message);
 }
 
 }  // namespace
@@ -75,13 +86,21 @@ int Program::runVerb(Verb& verb) {
     return verb.run(terminal);
   } catch (const Stopped&) {
     return fail(interruptExitCode(), "stopped");
+  } catch (const MachineError& error) {
+    return failUnlessStopped(kOutOfResources, error.what());
   } catch (const InputError& error) {
-    return fail(kBadInput, error.what());
+    return failUnlessStopped(kBadInput, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(kOutOfResources, "out of memory; close other programs, or work at a smaller size");
+    return fail(kOutOfResources, kNoMemory);
   } catch (const ResourceError& error) {
     return fail(kOutOfResources, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return failUnlessStopped(kBadInput,
+                             fmt::format("{}: {}", error.path1().string(), error.code().message()));
+  } catch (const std::system_error& error) {
+    return fail(kOutOfResources, fmt::format("the system refuses (threads, memory): {}", error.what()));
   } catch (const std::exception& error) {
+    if (isOutOfMemory(error)) return fail(kOutOfResources, kNoMemory);
     return fail(kOutOfResources, fmt::format("something failed that should not: {}", error.what()));
   }
 }

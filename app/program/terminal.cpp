@@ -7,7 +7,10 @@
 #include <cstring>
 
 #include "app/program/interrupt.h"
+#include "app/program/printable.h"
+#include "app/program/standard_streams.h"
 #include "core/base/json.h"
+#include "core/base/machine_error.h"
 
 namespace swaplight {
 namespace {
@@ -15,6 +18,18 @@ namespace {
 using namespace std::chrono_literals;
 constexpr auto kTerminalInterval = 100ms;
 constexpr auto kLogInterval = 5s;
+
+std::string printableLines(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const size_t end = text.find('\n');
+    shown += printable(text.substr(0, end));
+    if (end == std::string_view::npos) break;
+    shown += '\n';
+    text.remove_prefix(end + 1);
+  }
+  return shown;
+}
 
 }  // namespace
 
@@ -31,15 +46,17 @@ void Terminal::result(const std::string& text, const Json& json) {
   clearProgress();
   // Names that are not UTF-8 (a file's, a header's) must not spoil the report.
   const std::string out =
-      m_options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : text;
-  if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size() || std::fflush(stdout) != 0)
-    throw InputError("standard output: cannot be written: {}", std::strerror(errno));
+      m_options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : printableLines(text);
+  if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size() || std::fflush(stdout) != 0) {
+    if (errno == EPIPE) return;  // the reader, `head` for instance, has seen enough
+    throw MachineError("standard output: cannot be written: {}", std::strerror(errno));
+  }
 }
 
 void Terminal::line(const std::string& text) {
   const std::lock_guard lock(m_mutex);
   clearProgress();
-  fmt::print(stderr, "{}\n", text);
+  sayOnStandardError(printable(text) + "\n");
 }
 
 Progress Terminal::progress() {
@@ -59,14 +76,13 @@ void Terminal::report(float fraction, std::string_view what) {
   m_progressShown = m_isTerminal;
   const float percent = 100 * fraction;
   if (m_isTerminal)
-    fmt::print(stderr, "\r{:3.0f} %  {}\033[K", percent, what);
+    sayOnStandardError(fmt::format("\r{:3.0f} %  {}\033[K", percent, printable(what)));
   else
-    fmt::print(stderr, "Progress: {:.0f}% {}\n", percent, what);
-  std::fflush(stderr);
+    sayOnStandardError(fmt::format("Progress: {:.0f}% {}\n", percent, printable(what)));
 }
 
 void Terminal::clearProgress() {
-  if (m_progressShown) fmt::print(stderr, "\r\033[K");
+  if (m_progressShown) sayOnStandardError("\r\033[K");
   m_progressShown = false;
 }
 

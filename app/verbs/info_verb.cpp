@@ -56,7 +56,7 @@ Description describeCapture(const fs::path& file) {
   ImageFileInfo info;
   const ImageSpec spec = readImageSpec(capture.folder / capture.shots.front().image, &info);
   Description d;
-  d.text = fmt::format("{}: capture \"{}\"\n", file.string(), capture.name);
+  d.text = fmt::format("{}: capture \"{}\"\n", file.string(), printable(capture.name));
   d.line("pictures", fmt::format("{} x {} pixels, {} {}, {}", spec.width, spec.height, info.format,
                                  info.pixelType, capture.colorSpace));
   d.line("lights", lightsText(capture));
@@ -96,7 +96,7 @@ Description describeSolvedSet(const fs::path& file) {
   const SolveReport report =
       solveReportFromJson(header("swaplight/report"), file.string() + ": swaplight/report");
   Description d;
-  d.text = fmt::format("{}: solved set \"{}\"\n", file.string(), capture.name);
+  d.text = fmt::format("{}: solved set \"{}\"\n", file.string(), printable(capture.name));
   d.line("pictures", pictureText(spec, info));
   d.line("lights", lightsText(capture));
   d.line("channels", fmt::format("{}", fmt::join(spec.channels, " ")));

@@ -68,7 +68,7 @@ class CommonTest(cli.CliTest):
         with open('/dev/full', 'w') as full:
             result = subprocess.run([cli.PROGRAM, 'evaluate', path, path], stdout=full, stderr=subprocess.PIPE,
                                     text=True)
-        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.returncode, 3)
         self.assertIn('standard output', result.stderr)
 
 
