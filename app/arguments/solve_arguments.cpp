@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "app/program/number_range.h"
 #include "core/base/error.h"
 #include "core/solve/model/estimator.h"
 
@@ -72,7 +73,7 @@ void SolveArguments::addTo(CLI::App& verb) {
                     "Estimate the light colours from the pictures, starting at the capture's"));
   add(verb.add_option("--color-uncertainty", m_solve.colorUncertainty,
                       "Relative standard error of the light colours, as .03 (default: estimated)"))
-      ->check(CLI::Range(0.0, 1.0).description(""))
+      ->check(NumberRange(0.0, 1.0))
       ->type_name("X");
   add(verb.add_option("--noise", m_noise, "The sensor's noise (default: the capture's, or estimated)"))
       ->type_name("read=X,full_well=X");

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/program/description.h"
+#include "app/program/number_range.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -217,17 +218,17 @@ void addPlanVerb(Program& program) {
       ->type_name("NAME")
       ->capture_default_str();
   verb.add_option("--full-well", a->search.noise.fullWell, "Electrons at full scale")
-      ->check(CLI::Range(1.0, 1e12).description(""))
+      ->check(NumberRange(1.0, 1e12))
       ->type_name("X")
       ->capture_default_str();
   verb.add_option("--read", a->search.noise.read, "Read noise, full scale 1")
-      ->check(CLI::Range(0.0, 1.0).description(""))
+      ->check(NumberRange(0.0, 1.0))
       ->type_name("X")
       ->capture_default_str();
   verb.add_option(
           "--exposure", a->search.exposureStops,
           "Stops over an exposure in which a white surface facing one white light is at full scale's half")
-      ->check(CLI::Range(-20.0, 20.0).description(""))
+      ->check(NumberRange(-20.0, 20.0))
       ->type_name("STOPS")
       ->capture_default_str();
 }

@@ -7,6 +7,7 @@
 #include "core/export/frame_export.h"
 #include "core/export/provenance.h"
 #include "core/file/atomic_file.h"
+#include "core/image/half.h"
 #include "core/image/io/image_io.h"
 #include "core/measure/luminance_histogram.h"
 #include "core/relight/relight.h"
@@ -47,6 +48,20 @@ Json writeHistogram(const ColorConfig& config, const SolvedSet& set, const Rig& 
           {"after", jsonFromHistogram(histograms[1].histogram)}};
 }
 
+/// Light that half float cannot hold is clipped where half was asked for; without --type the frame becomes
+/// float.
+void warnOfClipping(const Arguments& arguments, const SolvedSet& set, const Rig& rig, Terminal& terminal) {
+  if (arguments.output.write.pixelType != "half") return;
+  const Image frame = relight(set, rigFactors(rig, set.colorSpace()), rig.ambient);
+  for (int c = 0; c < frame.channelCount(); ++c)
+    if (!fitsHalf(frame.plane(c), frame.pixelCount())) {
+      terminal.say(
+          "warning: {}: light brighter than half float can hold (65504) is clipped; leave out --type",
+          arguments.frame);
+      return;
+    }
+}
+
 int run(const Arguments& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
@@ -69,6 +84,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
   const SolvedSet set = arguments.lighting.open(*config, session, progress.part(0, 0.8F));
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
+  warnOfClipping(arguments, set, rig, terminal);
   if (isSceneLinear(arguments.frame)) output.write.text = provenanceOf(set, rig, source);
   exportFrame(*config, set, rig, arguments.frame, output, progress.part(0.9F, 1));
 

@@ -1,6 +1,7 @@
 #include <map>
 #include <memory>
 
+#include "app/program/number_range.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -117,7 +118,7 @@ void addStudioVerb(Program& program) {
                   "Of the window, in pixels (default: 1600x900; 1920x1080 where something is measured)")
       ->type_name("WxH");
   verb.add_option("--scale", a->options.scale, "Of the interface (default: the desktop's)")
-      ->check(CLI::Range(0.5, 4.0).description(""))
+      ->check(NumberRange(0.5, 4.0))
       ->type_name("X");
   const std::map<std::string, Engine> engines{
       {"auto", Engine::Auto}, {"graphics", Engine::Graphics}, {"processor", Engine::Processor}};

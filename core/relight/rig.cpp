@@ -8,6 +8,7 @@
 #include "core/color/srgb.h"
 #include "core/lamp/kelvin.h"
 #include "core/lamp/lamp.h"
+#include "core/relight/brightness.h"
 
 namespace swaplight {
 namespace {
@@ -80,7 +81,7 @@ Rgb colorFactor(const LightColor& color) {
 
 Rgb lightFactor(const LightSetting& setting) {
   if (!setting.on) return Rgb(0);
-  return colorFactor(setting.color) * (std::exp2(setting.stops) * setting.multiplier);
+  return brightnessLimited(colorFactor(setting.color) * (std::exp2(setting.stops) * setting.multiplier));
 }
 
 }  // namespace swaplight

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/ocio/color_config.h"
+#include "core/relight/brightness.h"
 #include "core/relight/rig.h"
 
 namespace swaplight {
@@ -23,8 +24,9 @@ std::vector<Rgb> rigFactors(const Rig& rig) {
       std::any_of(rig.lights.begin(), rig.lights.end(), [](const LightSetting& light) { return light.solo; });
   std::vector<Rgb> factors;
   for (const LightSetting& light : rig.lights)
-    factors.push_back(light.mute || (anySolo && !light.solo) ? Rgb(0)
-                                                             : groupFactor(rig, light) * lightFactor(light));
+    factors.push_back(light.mute || (anySolo && !light.solo)
+                          ? Rgb(0)
+                          : brightnessLimited(groupFactor(rig, light) * lightFactor(light)));
   return factors;
 }
 

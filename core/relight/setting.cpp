@@ -19,6 +19,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kMostStops = 30;
+constexpr float kMostFactor = 1e9F;
 
 /// A finite number, with or without a sign; nothing else around it.
 std::optional<float> number(std::string_view text) {
@@ -96,8 +97,8 @@ void applyPart(LightSetting& setting, std::string_view part) {
     setColor(setting, Kind::Hex, hexColor(part));
   } else if (text.starts_with("rgb:")) {
     setColor(setting, Kind::LinearRgb,
-             threeNumbers(after(4), Rgb(INFINITY), part,
-                          "rgb: and three linear values of 0 or more, as rgb:0.9/0.5/0.2"));
+             threeNumbers(after(4), Rgb(kMostFactor), part,
+                          "rgb: and three linear values from 0 to 1e9, as rgb:0.9/0.5/0.2"));
   } else if (text.starts_with("hsv:")) {
     Rgb hsv = threeNumbers(after(4), {360, 1, 1}, part,
                            "hsv: and hue (0..1, or degrees up to 360), saturation and value (0..1), as "
@@ -119,7 +120,7 @@ void applyPart(LightSetting& setting, std::string_view part) {
     setting.color.kelvin = numberIn(before(1), kLowestKelvin, kHighestKelvin, part,
                                     "a temperature from 1000K to 25000K, as 3200K");
   } else if (text.starts_with('x') && number(after(1))) {
-    setting.multiplier = numberIn(after(1), 0, INFINITY, part, "a factor of 0 or more, as x1.7");
+    setting.multiplier = numberIn(after(1), 0, kMostFactor, part, "a factor from 0 to 1e9, as x1.7");
   } else {
     throw InputError("'{}' is no light setting; known are {}", part, kSettingGrammar);
   }

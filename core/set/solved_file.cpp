@@ -69,6 +69,20 @@ bool halfIsEnough(const Image& sum) {
   return enough;
 }
 
+/// Whether half float holds the lights: none is brighter than it can be (65504), and the set is not so dark
+/// that its steps (6e-8) show.
+bool fitHalf(const SolvedSet& set) {
+  constexpr double kDarkest = 1e-3;  // of the mean: a hundredth of it is still held to 0.3 %
+  double sum = 0;
+  for (const Image* layer : layersOf(set))
+    for (int c = 0; c < 3; ++c) {
+      if (!fitsHalf(layer->plane(c), layer->pixelCount())) return false;
+      for (size_t p = 0; p < layer->pixelCount(); p += 16) sum += double{std::abs(layer->plane(c)[p])};
+    }
+  const double mean = sum / (3 * double(set.beta.pixelCount()) / 16);
+  return sum == 0 || mean >= kDarkest;
+}
+
 /// Channels `names` of an image as a part.
 PartToWrite partOf(const std::string& name, const Image& image, std::span<const std::string> names,
                    PixelType type) {
@@ -232,14 +246,47 @@ void writeSolvedSet(const SolvedSet& set, const fs::path& file, const SolvedFile
   if (file.extension() != ".exr")
     throw InputError("{}: a solved set is written as OpenEXR. Name it {}.", file.string(),
                      fs::path(file).replace_extension(".exr").string());
-  const Image sum = sumAsWritten(set, !options.floatPictures);
-  std::vector<PartToWrite> parts = partsOf(set, sum, options);
+  SolvedFileOptions written = options;
+  if (!fitHalf(set)) written.floatPictures = true;
+  const Image sum = sumAsWritten(set, !written.floatPictures);
+  std::vector<PartToWrite> parts = partsOf(set, sum, written);
   if (!options.multipart) parts = {merged(parts)};
   FileToWrite contents{set.width(),      set.height(),        std::move(parts),
                        set.colorSpace(), options.compression, headerOf(set, file)};
   if (set.carried) addCarried(contents, *set.carried);
   writeChannels(contents, file, progress);
 }
+
+namespace {
+
+/// Another program's work may hold what is no number, or so much light that frames would be infinite: 0
+/// instead, and said.
+size_t mendBroken(Image& image) {
+  constexpr float kLargest = 1e25F;
+  std::atomic<size_t> broken = 0;
+  for (int c = 0; c < image.channelCount(); ++c)
+    parallelRows(image.height(), kGrain, [&](int begin, int end) {
+      size_t here = 0;
+      for (int y = begin; y < end; ++y) {
+        float* row = image.span().row(c, y);
+        for (int x = 0; x < image.width(); ++x)
+          if (!(std::abs(row[x]) <= kLargest)) row[x] = 0, ++here;
+      }
+      broken += here;
+    });
+  return broken;
+}
+
+void mendBroken(SolvedSet& set, const fs::path& file) {
+  size_t broken = mendBroken(set.beta) + mendBroken(set.quality);
+  for (Image& contribution : set.contributions) broken += mendBroken(contribution);
+  if (set.ambient) broken += mendBroken(*set.ambient);
+  if (broken > 0)
+    set.capture.warnings.push_back(
+        fmt::format("{}: {} values are not finite: taken as 0", file.string(), broken));
+}
+
+}  // namespace
 
 SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
   SolvedSet set;
@@ -264,6 +311,7 @@ SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
     return finder.planes();
   };
   readChannels(file, planes, progress);
+  mendBroken(set, file);
   return set;
 }
 

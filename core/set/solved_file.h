@@ -10,8 +10,10 @@ namespace swaplight {
 struct SolvedFileOptions {
   bool multipart = false;           ///< one part a light instead of one part with layers
   std::string compression = "zip";  ///< an OpenEXR compression
-  bool floatPictures = false;       ///< contributions as 32-bit float instead of half
-  bool halfSum = false;             ///< R G B as half instead of float, where that holds them to a thousandth
+  /// Contributions as 32-bit float instead of half; done anyway where half cannot hold them (brighter than
+  /// 65504, or darker than 1e-3 on the mean).
+  bool floatPictures = false;
+  bool halfSum = false;  ///< R G B as half instead of float, where that holds them to a thousandth
 };
 
 /// Writes a solved set as one multichannel OpenEXR (FORMATS 2), to a temporary name that is then renamed.

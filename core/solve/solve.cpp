@@ -24,6 +24,7 @@
 #include "core/solve/registration/align_shots.h"
 #include "core/solve/registration/moved_pixels.h"
 #include "core/solve/report_summary.h"
+#include "core/solve/signal_scale.h"
 
 namespace swaplight {
 namespace {
@@ -180,6 +181,23 @@ void fillDarkBeta(SolvedSet& set) {
   }
 }
 
+/// Pictures far from full scale, as radiance in physical units may be: solved around 1, and scaled back.
+SolvedSet solveScaled(const Capture& given, const CapturePixels& photographs, const SolveOptions& options,
+                      float scale, const Progress& progress) {
+  Capture capture = given;
+  SolveOptions scaled = options;
+  for (auto* noise : {&capture.noise, &scaled.noise})
+    if (*noise) *noise = scaledNoise(**noise, scale);
+  SolvedSet set = solve(capture, scaledSignal(photographs, scale), scaled, progress);
+  unscale(set, scale);
+  set.capture.noise = given.noise;
+  set.report["options"] = jsonFromSolveOptions(options);
+  Json& noise = set.report["noise"];
+  noise["read"] = noise["read"].get<double>() / double{scale};
+  noise["full_well"] = noise["full_well"].get<double>() * double{scale};
+  return set;
+}
+
 }  // namespace
 
 SolvedSet solve(const Capture& given, const CapturePixels& photographs, const SolveOptions& options,
@@ -187,6 +205,8 @@ SolvedSet solve(const Capture& given, const CapturePixels& photographs, const So
   options.check();
   const auto started = std::chrono::steady_clock::now();
   const std::string where = given.file.empty() ? given.name : given.file.filename().string();
+  if (const float scale = signalScale(photographs, where); scale != 1)
+    return solveScaled(given, photographs, options, scale, progress);
   const Capture capture = options.solveAmbient ? withAmbientLight(given, where) : given;
   progress.update(0, "Looking at the shots");
   SolveReport report;
