@@ -1,5 +1,6 @@
 #include "app/arguments/lighting_arguments.h"
 
+#include "app/program/number_range.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/file/json_file.h"
@@ -80,7 +81,7 @@ void LightingArguments::addTo(CLI::App& verb) {
   verb.add_option("--between", m_between, "From key to key: linear (default) or smooth")->type_name("HOW");
   m_edits.addTo(verb);
   verb.add_option("--ambient", m_ambient, "Factor on what no light explains (default: 1)")
-      ->check(CLI::Range(0.0, 1e9).description(""))
+      ->check(NumberRange(0.0, 1e9))
       ->type_name("X");
   m_solve.addTo(verb);
 }
@@ -132,6 +133,19 @@ void LightingArguments::check(const ColorConfig& config, const std::optional<Ses
   const bool moreLights = !m_edits.file.empty() || (session && !session->document.edits.newLights.empty());
   if (sourceKind(set) == SourceKind::Capture && !moreLights)
     static_cast<void>(rig(session, readCapture(config, sourceFile(set))));
+}
+
+std::vector<std::filesystem::path> LightingArguments::inputs(const std::optional<Session>& session) const {
+  std::vector<std::filesystem::path> files = filesOfSource(source(session));
+  for (const std::string& file : {m_source, m_session, m_rig, m_edits.file}) files.emplace_back(file);
+  if (session) {
+    files.push_back(session->document.colorConfig);
+    static_cast<void>(withFiles(session->document.edits, [&](const std::string& file) {
+      files.emplace_back(file);
+      return file;
+    }));
+  }
+  return files;
 }
 
 SolvedSet LightingArguments::open(const ColorConfig& config, const std::optional<Session>& session,

@@ -43,6 +43,8 @@ class LightingArguments {
   /// How lights change over the frames of a sequence: of the session, the rig file, and the command line's
   /// keys, one over the other. Throws InputError.
   [[nodiscard]] RigAnimation animation(const std::optional<Session>& session) const;
+  /// Every file that is read: none of them may be an output (core/file/same_file.h).
+  [[nodiscard]] std::vector<std::filesystem::path> inputs(const std::optional<Session>& session) const;
   /// The set in the working space, edited.
   [[nodiscard]] SolvedSet open(const ColorConfig& config, const std::optional<Session>& session,
                                const Progress& progress) const;

@@ -10,8 +10,9 @@
 #include "core/export/frame_sequence.h"
 #include "core/export/provenance.h"
 #include "core/export/timecode.h"
-#include "core/file/atomic_file.h"
 #include "core/file/frame_range.h"
+#include "core/file/json_file.h"
+#include "core/file/same_file.h"
 
 namespace swaplight {
 namespace {
@@ -65,7 +66,7 @@ class Inputs {
     FrameInput input = m_shared ? *m_shared : *open(frameName(m_pattern, frame), progress);
     input.rig = rigAt(input.rig, m_animation, frame);
     if (m_shared) input.carried = withTimecode(input.set->carried, frame - m_firstFrame);
-    if (m_withText) input.text["swaplight/rig"] = jsonFromRig(input.rig).dump();
+    if (m_withText) input.text["swaplight/rig"] = jsonText(jsonFromRig(input.rig));
     return input;
   }
 
@@ -118,6 +119,19 @@ void sayFrame(const FrameOutcome& outcome, Terminal& terminal) {
   if (outcome.state == State::Failed) terminal.say("Frame {} failed: {}", outcome.frame, outcome.error);
 }
 
+/// No frame may replace what any of them is made of; the first one can be written.
+void checkOutputs(const std::vector<int>& frames, const std::string& output,
+                  const LightingArguments& lighting, const std::optional<Session>& session) {
+  std::vector<std::filesystem::path> inputs = lighting.inputs(session);
+  const std::string source = lighting.source(session).string();
+  std::error_code error;
+  for (const int frame : frames)
+    if (hasFrameNumber(source)) inputs.emplace_back(frameName(source, frame));
+  for (const int frame : frames)
+    if (std::filesystem::exists(frameName(output, frame), error) || frame == frames.front())
+      checkOutput(frameName(output, frame), inputs);
+}
+
 }  // namespace
 
 void SequenceArguments::addTo(CLI::App& verb) {
@@ -160,7 +174,7 @@ int SequenceArguments::run(const ColorConfig& config, const LightingArguments& l
   SequenceOptions options{frames(), output, frame, m_workers, m_skipExisting, m_goOn};
   if (!hasFrameNumber(output))
     throw InputError("{}: has no place for the frame's number; write name.%04d.exr or name.####.exr", output);
-  if (!options.frames.empty()) checkWritable(frameName(output, options.frames.front()));
+  checkOutputs(options.frames, output, lighting, session);
 
   const Progress progress = terminal.progress();
   Progress quiet;  // a line a frame is enough

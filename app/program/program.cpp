@@ -21,9 +21,17 @@ constexpr int kOutOfResources = 3;
 constexpr int kMostThreads = 1024;
 constexpr const char* kNoMemory = "out of memory; close other programs, or work at a smaller size";
 
+/// A message may quote a number of 100,000 digits, or 2,000 names: its beginning and its end say enough.
+std::string shortened(const std::string& message) {
+  constexpr size_t kLongest = 2000, kEnd = 500;
+  if (message.size() <= kLongest) return message;
+  return fmt::format("{} ... ({} characters left out) ... {}", message.substr(0, kLongest - kEnd),
+                     message.size() - kLongest, message.substr(message.size() - kEnd));
+}
+
 int fail(int code, std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
-  sayOnStandardError("swaplight: " + printable(message) + "\n");
+  sayOnStandardError("swaplight: " + printable(shortened(message)) + "\n");
   return code;
 }
 

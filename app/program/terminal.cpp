@@ -86,4 +86,8 @@ void Terminal::clearProgress() {
   m_progressShown = false;
 }
 
+void sayWarnings(const std::vector<std::string>& warnings, Terminal& terminal) {
+  for (const std::string& warning : warnings) terminal.say("warning: {}", warning);
+}
+
 }  // namespace swaplight

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/base/json_fwd.h"
 #include "core/base/progress.h"
@@ -60,5 +61,8 @@ class Terminal {
   bool m_progressShown = false;
   std::chrono::steady_clock::time_point m_lastReport;
 };
+
+/// What a reader has found worth saying.
+void sayWarnings(const std::vector<std::string>& warnings, Terminal& terminal);
 
 }  // namespace swaplight

@@ -5,7 +5,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/json.h"
 #include "core/edit/stack/beta_file.h"
-#include "core/file/atomic_file.h"
+#include "core/file/same_file.h"
 #include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
 
@@ -21,7 +21,9 @@ struct Arguments {
 
 int run(const Arguments& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolve();
-  checkWritable(arguments.output);
+  std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
+  inputs.emplace_back(arguments.edits.file);
+  checkOutput(arguments.output, inputs);
   const SolvedSet set =
       arguments.edits.applyTo(openSource(*programConfig(), arguments.source, options, terminal.progress()));
   Json files = Json::array();

@@ -1,7 +1,9 @@
+#include <array>
+#include "app/program/number_range.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
-#include "core/file/atomic_file.h"
+#include "core/file/same_file.h"
 #include "core/measure/evaluate.h"
 #include "core/measure/folder_evaluation.h"
 
@@ -27,12 +29,14 @@ int run(const Arguments& arguments, Terminal& terminal) {
   EvaluateOptions options = arguments.options;
   if (!arguments.metrics.empty()) options.metrics = metricsFromNames(arguments.metrics);
   options.scale = arguments.scale;
-  const bool folders = fs::is_directory(arguments.test);
-  if (folders != fs::is_directory(arguments.reference))
+  std::error_code ignored;  // the reader says it better
+  const bool folders = fs::is_directory(arguments.test, ignored);
+  if (folders != fs::is_directory(arguments.reference, ignored))
     throw InputError("{} is {}, {} is {}: name two pictures or two folders", arguments.test,
                      folders ? "a folder" : "none", arguments.reference, folders ? "none" : "a folder");
+  const std::array<fs::path, 2> inputs = {arguments.test, arguments.reference};
   for (const fs::path& file : {options.plot, options.map, options.histogram})
-    if (!file.empty()) checkWritable(file);
+    if (!file.empty()) checkOutput(file, inputs);
   if (folders) {
     const FolderEvaluation all =
         evaluateFolders(arguments.test, arguments.reference, options, terminal.progress());
@@ -60,6 +64,7 @@ void addEvaluateVerb(Program& program) {
   verb.add_option(
           "--scale", a->scale,
           "Show linear pictures at this exposure (default: the reference's 99.5th percentile becomes .9)")
+      ->check(NumberRange(1e-30, 1e30))
       ->type_name("X");
   verb.add_option("--plot", a->options.plot,
                   "Write a box plot; of folders: a box a picture of the first metric")
@@ -68,6 +73,7 @@ void addEvaluateVerb(Program& program) {
   verb.add_option("--map", a->options.map, "Write the first metric in false colour")->type_name("FILE.png");
   verb.add_option("--map-max", a->options.mapMaximum,
                   "Value at the top of the false colours (default: the 99th percentile)")
+      ->check(NumberRange(0, 1e30))
       ->type_name("X");
 }
 

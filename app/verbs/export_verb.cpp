@@ -8,7 +8,7 @@
 #include "core/export/layer_export.h"
 #include "core/export/look_export.h"
 #include "core/export/provenance.h"
-#include "core/file/atomic_file.h"
+#include "core/file/same_file.h"
 
 namespace swaplight {
 namespace {
@@ -66,17 +66,17 @@ int exportLook(const ColorConfig& config, const Arguments& arguments, const std:
 int run(const Arguments& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
-  if (session)
-    for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
+  if (session) sayWarnings(session->warnings, terminal);
   LayerOptions options = optionsOf(arguments);
   const bool look = isLookFile(arguments.file);
   if (look) config->checkView(displayOver(session, arguments.display));
   if (!options.colorSpace.empty()) config->checkColorSpace(options.colorSpace);
-  checkWritable(arguments.file);
+  checkOutput(arguments.file, arguments.lighting.inputs(session));
   arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();
   const SolvedSet set = arguments.lighting.open(*config, session, progress.part(0, 0.6F));
+  sayWarnings(set.capture.warnings, terminal);
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
   if (look) return exportLook(*config, arguments, session, set, rig, terminal);
   options.dataWindow = windowOf(arguments.window, set);

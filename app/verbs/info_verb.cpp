@@ -1,5 +1,6 @@
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include "app/program/description.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -28,6 +29,15 @@ Json pictureJson(const ImageSpec& spec, const ImageFileInfo& info) {
   return {{"width", spec.width},          {"height", spec.height}, {"format", info.format},
           {"pixel_type", info.pixelType}, {"parts", info.parts},   {"color_space", spec.colorSpace},
           {"channels", spec.channels}};
+}
+
+/// All of them are in the JSON.
+std::string channelsText(const ImageSpec& spec) {
+  constexpr size_t kShown = 100;
+  const size_t count = spec.channels.size();
+  const auto end = spec.channels.begin() + static_cast<ptrdiff_t>(std::min(count, kShown));
+  const std::string more = count > kShown ? fmt::format(" and {} more", count - kShown) : "";
+  return fmt::format("{}{}", fmt::join(spec.channels.begin(), end, " "), more);
 }
 
 std::string lightsText(const Capture& capture) {
@@ -86,27 +96,20 @@ void describeRange(const fs::path& file, const ImageFileInfo& info, Description&
 }
 
 Description describeSolvedSet(const fs::path& file) {
-  ImageFileInfo info;
-  const ImageSpec spec = readImageSpec(file, &info);
-  const auto header = [&](const char* key) {
-    const auto found = info.text.find(key);
-    return found == info.text.end() ? Json::object() : parseJson(found->second, file.string() + ": " + key);
-  };
-  const Capture capture = captureFromJson(header("swaplight/capture"), file.parent_path(), file);
-  const SolveReport report =
-      solveReportFromJson(header("swaplight/report"), file.string() + ": swaplight/report");
+  const auto [spec, info, capture, report] = readSolvedHeader(file);
   Description d;
   d.text = fmt::format("{}: solved set \"{}\"\n", file.string(), printable(capture.name));
   d.line("pictures", pictureText(spec, info));
   d.line("lights", lightsText(capture));
-  d.line("channels", fmt::format("{}", fmt::join(spec.channels, " ")));
-  if (!report.message.empty()) d.line("solved", report.message);
+  d.line("channels", channelsText(spec));
+  for (const std::string& warning : capture.warnings) d.line("warning", warning);
+  if (report && !report->message.empty()) d.line("solved", report->message);
   d.json = {{"kind", "solved"}, {"file", file.string()}};
   d.json.update(pictureJson(spec, info));
   describeRange(file, info, d);
   d.text += "\n" + shotsText(capture);
   d.json["capture"] = jsonFromCapture(capture);
-  d.json["report"] = info.text.contains("swaplight/report") ? jsonFromSolveReport(report) : Json::object();
+  d.json["report"] = report ? jsonFromSolveReport(*report) : Json::object();
   return d;
 }
 
@@ -151,7 +154,7 @@ Description describeImage(const fs::path& file, bool verbose) {
   Description d;
   d.text = fmt::format("{}: picture\n", file.string());
   d.line("pixels", pictureText(spec, info));
-  d.line("channels", fmt::format("{}", fmt::join(spec.channels, " ")));
+  d.line("channels", channelsText(spec));
   if (verbose)
     for (const auto& [key, value] : info.text) d.line(key, value);
   d.json = {{"kind", "image"}, {"file", file.string()}};

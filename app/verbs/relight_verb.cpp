@@ -6,7 +6,7 @@
 #include "core/base/json.h"
 #include "core/export/frame_export.h"
 #include "core/export/provenance.h"
-#include "core/file/atomic_file.h"
+#include "core/file/same_file.h"
 #include "core/image/half.h"
 #include "core/image/io/image_io.h"
 #include "core/measure/luminance_histogram.h"
@@ -65,10 +65,10 @@ void warnOfClipping(const Arguments& arguments, const SolvedSet& set, const Rig&
 int run(const Arguments& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
-  if (session)
-    for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
+  if (session) sayWarnings(session->warnings, terminal);
   const std::filesystem::path source = arguments.lighting.source(session);
   FrameOptions output = outputOf(arguments, session);
+  output.warn = [&terminal](const std::string& words) { terminal.say("warning: {}", words); };
 
   // Say what is wrong before the work, not after it.
   checkFrame(*config, arguments.frame, output);
@@ -76,13 +76,15 @@ int run(const Arguments& arguments, Terminal& terminal) {
     throw InputError("--histogram is of one frame: leave it out, or --frames");
   if (arguments.sequence.given())
     return arguments.sequence.run(*config, arguments.lighting, session, arguments.frame, output, terminal);
-  checkWritable(arguments.frame);
+  const std::vector<std::filesystem::path> inputs = arguments.lighting.inputs(session);
+  checkOutput(arguments.frame, inputs);
   if (!arguments.histogram.empty()) checkFrame(*config, arguments.histogram, {});
-  if (!arguments.histogram.empty()) checkWritable(arguments.histogram);
+  if (!arguments.histogram.empty()) checkOutput(arguments.histogram, inputs);
   arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();
   const SolvedSet set = arguments.lighting.open(*config, session, progress.part(0, 0.8F));
+  sayWarnings(set.capture.warnings, terminal);
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
   warnOfClipping(arguments, set, rig, terminal);
   if (isSceneLinear(arguments.frame)) output.write.text = provenanceOf(set, rig, source);

@@ -3,7 +3,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
-#include "core/file/atomic_file.h"
+#include "core/file/same_file.h"
 #include "core/image/io/image_io.h"
 #include "core/report/session_report.h"
 
@@ -20,15 +20,15 @@ struct Arguments {
 int run(const Arguments& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
-  if (session)
-    for (const std::string& warning : session->warnings) terminal.say("warning: {}", warning);
+  if (session) sayWarnings(session->warnings, terminal);
   config->checkView(arguments.display);
   for (const std::string& file : {arguments.page, arguments.histogram})
-    if (!file.empty()) checkWritable(file);
+    if (!file.empty()) checkOutput(file, arguments.lighting.inputs(session));
   arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();
   const SolvedSet set = arguments.lighting.open(*config, session, progress.part(0, 0.7F));
+  sayWarnings(set.capture.warnings, terminal);
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
   const SessionReport report({*config, set, rig, displayOver(session, arguments.display),
                               arguments.lighting.source(session).filename().string()});

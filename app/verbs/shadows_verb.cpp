@@ -6,7 +6,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
-#include "core/file/atomic_file.h"
+#include "core/file/same_file.h"
 #include "core/image/io/image_io.h"
 #include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
@@ -69,8 +69,9 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const SolveOptions solving = arguments.solve.resolve();
   std::filesystem::path overlay = arguments.overlay;
   if (overlay.empty()) overlay = std::filesystem::path(arguments.output).replace_extension(".png");
-  checkWritable(arguments.output);
-  checkWritable(overlay);
+  const std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
+  checkOutput(arguments.output, inputs);
+  checkOutput(overlay, inputs);
 
   const Progress progress = terminal.progress();
   const SolvedSet set = openSource(*programConfig(), arguments.source, solving, progress.part(0, .4f));

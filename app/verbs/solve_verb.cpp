@@ -2,8 +2,8 @@
 #include "app/verbs/verbs.h"
 #include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
-#include "core/file/atomic_file.h"
 #include "core/file/json_file.h"
+#include "core/file/same_file.h"
 #include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
 #include "core/set/set_color_space.h"
@@ -26,14 +26,15 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolve();
   const std::shared_ptr<const ColorConfig> config = programConfig();
   const Capture capture = readCapture(*config, sourceFile(arguments.capture));
-  for (const std::string& warning : capture.warnings) terminal.say("warning: {}", warning);
+  sayWarnings(capture.warnings, terminal);
   checkSetColorSpace(arguments.colorSpace);
-  checkWritable(arguments.output);
-  if (!arguments.report.empty()) checkWritable(arguments.report);
+  const std::vector<std::filesystem::path> inputs = filesOfSource(arguments.capture);
+  checkOutput(arguments.output, inputs);
+  if (!arguments.report.empty()) checkOutput(arguments.report, inputs);
 
   const Progress progress = terminal.progress();
   const CapturePixels pixels = loadCapturePixels(*config, capture, progress.part(0, 0.2f));
-  for (const std::string& warning : pixels.warnings) terminal.say("warning: {}", warning);
+  sayWarnings(pixels.warnings, terminal);
   SolvedSet set = solve(capture, pixels, options, progress.part(0.2f, 0.8f));
   set = inColorSpace(*config, std::move(set), arguments.colorSpace);
   writeSolvedSet(set, arguments.output, arguments.file, progress.part(0.8f, 1));

@@ -1,6 +1,7 @@
 #include "core/export/frame_export.h"
 
 #include "core/base/json.h"
+#include "core/file/json_file.h"
 #include "core/relight/relight.h"
 
 namespace swaplight {
@@ -17,7 +18,7 @@ void exportFrame(const ColorConfig& config, const SolvedSet& set, const Rig& rig
   progress.update(0, "relighting");
   Image frame = relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient);
   progress.update(0.4F, "writing");
-  options.write.text["swaplight/rig"] = jsonFromRig(rig).dump();
+  options.write.text["swaplight/rig"] = jsonText(jsonFromRig(rig));
   if (!options.write.carried) options.write.carried = set.carried;
   writeFrame(config, std::move(frame), file, options, progress.part(0.4F, 1));
 }

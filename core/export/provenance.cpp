@@ -2,6 +2,7 @@
 
 #include "core/base/json.h"
 #include "core/file/file_hash.h"
+#include "core/file/json_file.h"
 #include "core/session/open_source.h"
 
 namespace swaplight {
@@ -25,10 +26,10 @@ Json sourcesOf(const SolvedSet& set, const std::filesystem::path& source) {
 
 std::map<std::string, std::string> provenanceOf(const SolvedSet& set, const Rig& rig,
                                                 const std::filesystem::path& source) {
-  return {{"swaplight/capture", jsonFromCapture(set.capture).dump()},
-          {"swaplight/rig", jsonFromRig(rig).dump()},
-          {"swaplight/solver", (set.report ? jsonFromSolveSummary(*set.report) : Json::object()).dump()},
-          {"swaplight/source", sourcesOf(set, source).dump()}};
+  return {{"swaplight/capture", jsonText(jsonFromCapture(set.capture))},
+          {"swaplight/rig", jsonText(jsonFromRig(rig))},
+          {"swaplight/solver", jsonText(set.report ? jsonFromSolveSummary(*set.report) : Json::object())},
+          {"swaplight/source", jsonText(sourcesOf(set, source))}};
 }
 
 }  // namespace swaplight

@@ -59,7 +59,11 @@ Json readJson(const std::filesystem::path& file) {
 }
 
 void writeJson(const Json& json, const std::filesystem::path& file) {
-  writeFile(file, json.dump(1) + "\n");
+  writeFile(file, jsonText(json, 1) + "\n");
+}
+
+std::string jsonText(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 Json jsonNumber(float value) {

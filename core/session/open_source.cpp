@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
 #include "core/edit/apply/edited_set.h"
+#include "core/file/json_file.h"
+#include "core/image/io/image_io.h"
 #include "core/session/session_file.h"
 #include "core/set/solved_file.h"
 #include "core/shadow/detect/detect_shadows.h"
@@ -27,22 +31,46 @@ std::string lowerExtension(const fs::path& path) {
 
 fs::path sourceFile(const fs::path& path) {
   const fs::path file = fs::absolute(path).lexically_normal();
-  return fs::is_directory(file) ? file / "capture.json" : file;
+  std::error_code error;
+  return fs::is_directory(file, error) ? file / "capture.json" : file;
 }
 
 SourceKind sourceKind(const fs::path& path) {
-  if (fs::is_directory(path))
-    return fs::exists(path / "capture.json") ? SourceKind::Capture : SourceKind::Folder;
+  std::error_code error;  // what cannot be looked at is none of these
+  if (fs::is_directory(path, error))
+    return fs::exists(path / "capture.json", error) ? SourceKind::Capture : SourceKind::Folder;
   if (isSessionFile(path)) return SourceKind::Session;
   const std::string extension = lowerExtension(path);
   if (extension == ".json") return SourceKind::Capture;
-  if (extension == ".exr" && fs::exists(path) && isSolvedSet(path)) return SourceKind::SolvedSet;
+  if (extension == ".exr" && fs::exists(path, error) && isSolvedSet(path)) return SourceKind::SolvedSet;
   return SourceKind::Other;
+}
+
+std::vector<fs::path> filesOfSource(const fs::path& path) {
+  std::vector<fs::path> files{path};
+  if (sourceKind(path) != SourceKind::Capture) return files;
+  const fs::path manifest = sourceFile(path);
+  files.push_back(manifest);
+  const Json json = readJson(manifest);
+  const auto add = [&](const Json& object, const char* key) {
+    if (object.is_object() && object.contains(key) && object[key].is_string())
+      files.push_back(manifest.parent_path() / object[key].get<std::string>());
+  };
+  for (const char* picture : {"ambient", "dark"}) add(json, picture);
+  if (!json.is_object()) return files;
+  if (const auto shots = json.find("shots"); shots != json.end() && shots->is_array())
+    for (const Json& shot : *shots) add(shot, "image");
+  if (const auto truth = json.find("truth"); truth != json.end() && truth->is_object())
+    for (const auto& [light, picture] : truth->items()) add(*truth, light.c_str());
+  return files;
 }
 
 SolvedSet openSource(const ColorConfig& config, const fs::path& path, const SolveOptions& options,
                      const Progress& progress) {
-  if (!fs::exists(path)) throw InputError("{}: there is no such file", path.string());
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) throw InputError("{}: there is no such file", path.string());
+  if (error) throw InputError("{}: cannot be read ({}).", path.string(), error.message());
   switch (sourceKind(path)) {
     case SourceKind::SolvedSet:
       return readSolvedSet(path, progress);
@@ -56,6 +84,8 @@ SolvedSet openSource(const ColorConfig& config, const fs::path& path, const Solv
     case SourceKind::Other:
       break;
   }
+  // A file that cannot be read, or is cut, says so itself.
+  if (lowerExtension(path) == ".exr") static_cast<void>(readImageSpec(path));
   throw InputError(
       "{}: neither a capture nor a solved set. Open a capture.json, an EXR that `swaplight solve` "
       "has written, or a session (.swaplight).",

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/base/parallel.h"
+#include "core/capture/light_name.h"
 #include "core/file/json_file.h"
 #include "core/image/half.h"
 #include "core/image/io/image_io.h"
@@ -129,15 +130,19 @@ PartToWrite merged(const std::vector<PartToWrite>& parts) {
 std::string rangesText(const SolvedSet& set) {
   try {
     const std::vector<LightRange> ranges = dynamicRange(set);
-    return ranges.empty() ? "" : jsonFromRanges(ranges).dump();
+    return ranges.empty() ? "" : jsonText(jsonFromRanges(ranges));
   } catch (const InputError&) {
     return {};
   }
 }
 
 std::map<std::string, std::string> headerOf(const SolvedSet& set, const fs::path& file) {
-  std::map<std::string, std::string> text = {{kCapture, jsonFromCapture(set.capture).dump()}};
-  if (set.report) text[kReport] = jsonFromSolveReport(*set.report).dump();
+  std::map<std::string, std::string> text = {{kCapture, jsonText(jsonFromCapture(set.capture))}};
+  if (set.report) {
+    Json report = jsonFromSolveReport(*set.report);
+    report.erase("seconds");  // the same set is the same bytes, so that check sums can compare
+    text[kReport] = jsonText(report);
+  }
   if (!set.capture.file.empty())
     text[kCaptureFile] =
         fs::proximate(set.capture.file, file.has_parent_path() ? file.parent_path() : ".").string();
@@ -151,7 +156,8 @@ Capture captureFrom(const ImageSpec& spec, const ImageFileInfo& info, const fs::
   const std::string name = file.string();
   if (const auto json = info.text.find(kCapture); json != info.text.end()) {
     Capture capture =
-        captureFromJson(parseJson(json->second, name + " (" + kCapture + ")"), file.parent_path());
+        captureFromJson(parseJson(json->second, name + " (" + kCapture + ")"), file.parent_path(), file);
+    capture.file.clear();
     if (const auto path = info.text.find(kCaptureFile); path != info.text.end()) {
       capture.file = (file.parent_path() / path->second).lexically_normal();
       capture.folder = capture.file.parent_path();
@@ -168,13 +174,17 @@ Capture captureFrom(const ImageSpec& spec, const ImageFileInfo& info, const fs::
   if (capture.lights.empty())
     throw InputError("{}: is no solved set: it has no channel beta.<light>. Make one with swaplight solve.",
                      name);
+  checkLightNames(lightNames(capture), name);  // they become names of files and of layers
   capture.warnings.push_back(
       fmt::format("{}: \"{}\" is missing in the header: roles and shots are not known", name, kCapture));
   return capture;
 }
 
-SolveReport reportFrom(const std::string& text, const std::string& where) {
-  return solveReportFromJson(parseJson(text, where), where);
+std::optional<SolveReport> reportFrom(const ImageFileInfo& info, const fs::path& file) {
+  const auto text = info.text.find(kReport);
+  if (text == info.text.end()) return std::nullopt;
+  const std::string where = file.string() + " (" + kReport + ")";
+  return solveReportFromJson(parseJson(text->second, where), where);
 }
 
 /// Hands out a plane for each channel of the file.
@@ -294,8 +304,7 @@ SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
     if (info.format != "openexr")
       throw InputError("{}: is no solved set, which is an OpenEXR file.", file.string());
     set.capture = captureFrom(spec, info, file);
-    if (const auto report = info.text.find(kReport); report != info.text.end())
-      set.report = reportFrom(report->second, file.string() + " (" + kReport + ")");
+    set.report = reportFrom(info, file);
     const std::vector<std::string> lights = lightNames(set.capture);
     PlaneFinder finder(spec, file.string());
     std::vector<std::string> quality(std::begin(kQuality), std::end(kQuality));
@@ -313,6 +322,14 @@ SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
   readChannels(file, planes, progress);
   mendBroken(set, file);
   return set;
+}
+
+SolvedHeader readSolvedHeader(const fs::path& file) {
+  SolvedHeader header;
+  header.spec = readImageSpec(file, &header.info);
+  header.capture = captureFrom(header.spec, header.info, file);
+  header.report = reportFrom(header.info, file);
+  return header;
 }
 
 bool isSolvedSet(const fs::path& file) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/base/progress.h"
+#include "core/image/io/image_io.h"
 #include "core/set/solved_set.h"
 
 namespace swaplight {
@@ -24,6 +25,16 @@ void writeSolvedSet(const SolvedSet& set, const std::filesystem::path& file,
 /// Reads single-part and multi-part files. Throws InputError where a channel that FORMATS 2 demands is
 /// missing.
 [[nodiscard]] SolvedSet readSolvedSet(const std::filesystem::path& file, const Progress& progress = {});
+
+/// What a solved set says of itself, without its pixels.
+struct SolvedHeader {
+  ImageSpec spec;
+  ImageFileInfo info;
+  Capture capture;
+  std::optional<SolveReport> report;
+};
+/// Throws InputError where readSolvedSet would, for what stands in the header.
+[[nodiscard]] SolvedHeader readSolvedHeader(const std::filesystem::path& file);
 
 /// The header's text with what dynamicRange says of the set as JSON: for those who only look at the header.
 inline constexpr const char* kSolvedRanges = "swaplight/dynamicRange";

@@ -27,9 +27,14 @@ std::string extensionOf(const std::filesystem::path& file) {
 std::string firstBytes(const std::filesystem::path& file, size_t count) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw InputError("{}: no such file.", file.string());
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw InputError("{}: no such file.", file.string());
+  if (!std::filesystem::exists(status))
+    throw InputError("{}: cannot be read ({}).", file.string(), error.message());
   if (std::filesystem::is_directory(status))
     throw InputError("{}: is a folder, expected a picture.", file.string());
+  if (!std::filesystem::is_regular_file(status))  // opening a pipe would wait for its writer
+    throw InputError("{}: is no regular file, expected a picture.", file.string());
   std::ifstream in(file, std::ios::binary);
   if (!in) throw InputError("{}: cannot be opened. Check its permissions.", file.string());
   std::string bytes(count, '\0');

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+namespace swaplight {
+
+/// What checkWritable says, and that the target is none of the files that the work reads, under whatever name
+/// (links): the photograph would be gone. Throws InputError.
+void checkOutput(const std::filesystem::path& target, std::span<const std::filesystem::path> inputs);
+
+}  // namespace swaplight
