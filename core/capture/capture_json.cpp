@@ -15,6 +15,8 @@ namespace {
 constexpr const char* kFormat = "swaplight-capture";
 constexpr int kVersion = 1;
 constexpr double kMostStops = 40;  // either way: no camera's exposures span so much
+constexpr size_t kMostLights = 64;  // far beyond what a solve takes; longer lists only take time
+constexpr size_t kMostShots = 4096;
 
 /// Keeps what a newer or another program wrote, and says so.
 Json keepUnknown(const JsonFields& fields, std::vector<std::string>& warnings) {
@@ -41,7 +43,7 @@ void checkFormat(JsonFields& fields, std::vector<std::string>& warnings) {
 }
 
 std::vector<Light> lightsFromJson(JsonFields& fields, std::vector<std::string>& warnings) {
-  const Json& list = fields.list("lights", "a list of lights, such as [{\"name\": \"key\"}]");
+  const Json& list = fields.list("lights", "a list of lights, such as [{\"name\": \"key\"}]", kMostLights);
   if (list.empty())
     throw InputError("{}: has no lights. Name at least one under \"lights\".", fields.where());
   std::vector<Light> lights;
@@ -105,7 +107,7 @@ std::string requiredPath(JsonFields& fields, const std::string& key) {
 
 std::vector<Shot> shotsFromJson(JsonFields& fields, const std::vector<Light>& lights,
                                 std::vector<std::string>& warnings) {
-  const Json& list = fields.list("shots", "a list of shots");
+  const Json& list = fields.list("shots", "a list of shots", kMostShots);
   if (list.empty()) throw InputError("{}: has no shots. List at least one under \"shots\".", fields.where());
   std::vector<Shot> shots;
   for (size_t k = 0; k < list.size(); ++k) {

@@ -10,6 +10,7 @@
 #include "core/capture/mosaic_saturation.h"
 #include "core/capture/sensor_limits.h"
 #include "core/color/chromaticities.h"
+#include "core/image/io/image_format.h"
 #include "core/image/rgb_image.h"
 #include "core/ocio/color_config.h"
 
@@ -147,10 +148,26 @@ void scaleDown(CapturePixels& pixels, double scale) {
   if (pixels.ambient) pixels.ambient = scaledImage(*pixels.ambient, scale, kNoClip);
 }
 
+/// All pictures of a capture are of one size: the first one says what all of them take.
+void checkAllFit(const Capture& capture, size_t pictures) {
+  constexpr double kShare = 0.8;       // of the memory
+  constexpr double kBytesAPixel = 12;  // of R G B
+  const std::filesystem::path file = capture.folder / capture.shots.front().image;
+  const ImageSpec spec = readImageSpec(file);
+  const double gigabytes = 1e-9 * kBytesAPixel * double(spec.width) * double(spec.height) * double(pictures);
+  if (gigabytes > kShare * machineGigabytes())
+    throw InputError(
+        "{}: is {} x {} pixels, and there are {} pictures of that size: they take {:.1f} GB, this machine "
+        "has "
+        "{:.1f} GB. Scale or crop them.",
+        file.string(), spec.width, spec.height, pictures, gigabytes, machineGigabytes());
+}
+
 /// Reads every picture, several at a time: most decoders use one core.
 std::vector<Picture> readPictures(const ColorConfig& config, const Capture& capture,
                                   const Progress& progress) {
   const std::vector<std::string> paths = PictureList(capture).paths;
+  checkAllFit(capture, paths.size());
   std::vector<Picture> pictures(paths.size());
   std::atomic<int> done = 0;
   progress.update(0, "reading pictures");

@@ -36,6 +36,13 @@ const Json& JsonFields::list(const std::string& key, const std::string& what) {
   return *value;
 }
 
+const Json& JsonFields::list(const std::string& key, const std::string& what, size_t most) {
+  const Json& value = list(key, what);
+  if (value.size() > most)
+    throw InputError("{}: \"{}\" is a list of {}, expected at most {}.", m_where, key, value.size(), most);
+  return value;
+}
+
 std::optional<std::string> JsonFields::text(const std::string& key) {
   const Json* value = find(key);
   if (!value) return std::nullopt;

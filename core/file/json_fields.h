@@ -20,6 +20,8 @@ class JsonFields {
   const Json* find(const std::string& key);
   /// A list; `what` says what belongs into it, for the message where it is missing.
   const Json& list(const std::string& key, const std::string& what);
+  /// As many elements as this kind of list can have, with room; more would only take time. Throws InputError.
+  const Json& list(const std::string& key, const std::string& what, size_t most);
   std::optional<std::string> text(const std::string& key);
   /// A finite number in [low, high].
   std::optional<double> number(const std::string& key, double low, double high);

@@ -1,6 +1,7 @@
 #include "core/file/json_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -11,8 +12,33 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kLargestFile = size_t{256} << 20;
+constexpr size_t kLargestFile = size_t{64} << 20;
 constexpr int kDeepest = 100;  // nothing of ours nests deeper; bounds the recursion of those who walk it
+constexpr size_t kMostKeys = 4096;      // of one object: they are searched one after the other
+constexpr size_t kMostValues = 8 << 20;  // of a file: two million points of strokes, a gigabyte of memory
+
+/// Counts while a text is parsed, so that a small file cannot take minutes or all memory.
+class ParseBudget {
+ public:
+  explicit ParseBudget(const std::string& name) : m_name(name) {}
+
+  bool allow(int depth, Json::parse_event_t event) {
+    using Event = Json::parse_event_t;
+    if (depth > kDeepest) throw InputError("{}: is nested deeper than {} levels.", m_name, kDeepest);
+    if (event == Event::object_start) m_keys[static_cast<size_t>(depth)] = 0;
+    // The key of an object that began at depth d is told at depth d + 1.
+    if (event == Event::key && depth > 0 && ++m_keys[static_cast<size_t>(depth - 1)] > kMostKeys)
+      throw InputError("{}: has an object of more than {} keys, which this kind of file never has.", m_name, kMostKeys);
+    if (event != Event::key && ++m_values > kMostValues)
+      throw InputError("{}: holds more than {} values, which this kind of file never does.", m_name, kMostValues);
+    return true;
+  }
+
+ private:
+  const std::string& m_name;
+  std::array<size_t, kDeepest + 2> m_keys{};
+  size_t m_values = 0;
+};
 
 /// "line 3, column 17" of a byte of the text.
 std::string lineAndColumn(std::string_view text, size_t byte) {
@@ -38,10 +64,9 @@ std::string syntaxError(std::string_view text, const Json::parse_error& error) {
 
 Json parseJson(const std::string& text, const std::string& name) {
   try {
-    return Json::parse(text, [&](int depth, Json::parse_event_t, const Json&) {
-      if (depth > kDeepest) throw InputError("{}: is nested deeper than {} levels.", name, kDeepest);
-      return true;
-    });
+    ParseBudget budget(name);
+    return Json::parse(
+        text, [&](int depth, Json::parse_event_t event, const Json&) { return budget.allow(depth, event); });
   } catch (const Json::parse_error& error) {
     throw InputError("{}: {}", name, syntaxError(text, error));
   } catch (const Json::out_of_range& error) {
@@ -50,7 +75,7 @@ Json parseJson(const std::string& text, const std::string& name) {
     const size_t from = words.find('\'') + 1;
     const std::string number = words.substr(from, words.rfind('\'') - from);
     throw InputError("{}: {}: the number {} is too large.", name, lineAndColumn(text, text.find(number)),
-                     number);
+                     number.size() <= 40 ? number : number.substr(0, 40) + "...");
   }
 }
 

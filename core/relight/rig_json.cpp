@@ -10,6 +10,7 @@ namespace {
 
 constexpr const char* kFormat = "swaplight-rig";
 constexpr int kVersion = 1;
+constexpr size_t kMostLights = 64;
 constexpr double kMostStops = 30;
 constexpr double kLargestFactor = 1e9;
 
@@ -88,10 +89,10 @@ Rig rigFromJson(const Json& json, const std::string& where) {
                      version, kFormat, kVersion);
   Rig rig;
   for (const Json& light :
-       fields.list("lights", "a list such as [{\"name\": \"key\", \"color\": \"3200K\"}]"))
+       fields.list("lights", "a list such as [{\"name\": \"key\", \"color\": \"3200K\"}]", kMostLights))
     rig.lights.push_back(settingFromJson(light, fmt::format("{}: light {}", where, rig.lights.size() + 1)));
   if (const Json* groups = fields.find("groups"); groups && groups->is_array())
-    for (const Json& group : *groups)
+    for (const Json& group : fields.list("groups", "a list of groups", kMostLights))
       rig.groups.push_back(groupFromJson(group, fmt::format("{}: group {}", where, rig.groups.size() + 1)));
   rig.ambient = static_cast<float>(fields.number("ambient", 0, kLargestFactor).value_or(1));
   return rig;

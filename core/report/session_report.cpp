@@ -56,9 +56,11 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// At most `width` wide.
+/// At most `width` wide, and no taller than a page is long.
 Image shrunk(const Image& image, int width) {
-  const int n = (image.width() + width - 1) / width;
+  constexpr int kMostHeights = 8;  // of the width
+  const int height = kMostHeights * width;
+  const int n = std::max((image.width() + width - 1) / width, (image.height() + height - 1) / height);
   return n <= 1 ? image.clone() : shrunkImage(image, image.width() / n, image.height() / n);
 }
 

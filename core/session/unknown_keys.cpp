@@ -1,7 +1,8 @@
 #include "core/session/unknown_keys.h"
 
 #include "core/base/json.h"
-
+#include <algorithm>
+#include <iterator>
 namespace swaplight {
 namespace {
 
@@ -14,9 +15,21 @@ bool sameIdentity(const Json& a, const Json& b) {
   return false;
 }
 
-const Json* findPartner(const Json& array, const Json& item) {
-  for (const Json& other : array)
-    if (sameIdentity(item, other)) return &other;
+bool hasIdentity(const Json& item) {
+  return item.is_object() && std::any_of(std::begin(kIdentities), std::end(kIdentities),
+                                         [&](const char* key) { return item.contains(key); });
+}
+
+// Both lists are in the same order, nearly always: the search goes on behind `last`, where the partner of the item
+// before was found, and then from the beginning.
+const Json* findPartner(const Json& array, const Json& item, size_t& last) {
+  if (!hasIdentity(item)) return nullptr;
+  const size_t count = array.size();
+  for (size_t i = 0; i < count; ++i)
+    if (const size_t at = (last + i) % count; sameIdentity(item, array[at])) {
+      last = at + 1;
+      return &array[at];
+    }
   return nullptr;
 }
 
@@ -48,8 +61,9 @@ Json unknownKeys(const Json& read, const Json& understood) {
   }
   if (read.is_array() && understood.is_array()) {
     Json unknown = Json::array();
+    size_t last = 0;
     for (const Json& item : read) {
-      const Json* partner = findPartner(understood, item);
+      const Json* partner = findPartner(understood, item, last);
       if (!partner) continue;
       const Json inner = unknownKeys(item, *partner);
       if (!inner.empty()) unknown.push_back(withIdentity(inner, item));
@@ -69,8 +83,9 @@ void keepUnknownKeys(Json& written, const Json& unknown) {
         keepUnknownKeys(*own, value);
     }
   } else if (written.is_array() && unknown.is_array()) {
+    size_t last = 0;
     for (Json& item : written)
-      if (const Json* partner = findPartner(unknown, item)) keepUnknownKeys(item, *partner);
+      if (const Json* partner = findPartner(unknown, item, last)) keepUnknownKeys(item, *partner);
   }
 }
 

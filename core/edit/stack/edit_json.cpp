@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* kOperationNames[] = {"fill", "gain",    "curve",   "invert",
                                            "blur", "sharpen", "picture", "shadow"};
+constexpr size_t kMostEdits = 4096;
 constexpr const char* kShadowNames[] = {"lighten", "deepen", "soften", "sharpen", "recolor"};
 
 Json pairs(const std::vector<std::array<float, 2>>& points) {
@@ -162,7 +163,7 @@ EditStack editStackFromJson(const Json& json, int width, int height, const std::
   JsonFields fields(json, where);
   stack.newLights = readNames(fields, "new_lights");
   stack.shadowThresholds = readThresholds(fields);
-  for (const Json& item : fields.list("edits", "a list of edits")) {
+  for (const Json& item : fields.list("edits", "a list of edits", kMostEdits)) {
     JsonFields one(item, where + ": edit " + std::to_string(stack.edits.size() + 1));
     Edit edit;
     edit.name = one.text("name").value_or("");

@@ -3,15 +3,20 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/image/io/image_format.h"
 #include "core/image/pixel_pack.h"
 
 namespace swaplight {
 namespace {
 
 std::string encoded(const Image& image, const std::string& format, int quality) {
+  if (format == "jpeg" && std::max(image.width(), image.height()) > kLongestJpegSide)
+    throw InputError("a picture of {} x {} pixels cannot be encoded as JPEG: no side may be longer than {}",
+                     image.width(), image.height(), kLongestJpegSide);
   const PackedLayout layout({PixelType::UInt8, PixelType::UInt8, PixelType::UInt8});
   std::vector<std::byte> pixels(image.pixelCount() * layout.pixelBytes);
   const std::vector<const float*> planes = {image.plane(0), image.plane(1), image.plane(2)};

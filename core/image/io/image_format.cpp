@@ -77,6 +77,10 @@ std::string imageFormatForWriting(const std::filesystem::path& file) {
       file.string(), extension);
 }
 
+double machineGigabytes() {
+  return 1e-9 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
 void checkImageFits(const std::string& name, int width, int height, int channels) {
   constexpr int kLongestSide = 1 << 17;
   if (width <= 0 || height <= 0 || channels <= 0)
@@ -86,8 +90,7 @@ void checkImageFits(const std::string& name, int width, int height, int channels
     throw InputError("{}: is {} x {} pixels; no side may be longer than {}.", name, width, height,
                      kLongestSide);
   const double gigabytes = 4e-9 * width * height * channels;
-  const double memory =
-      1e-9 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double memory = machineGigabytes();
   if (gigabytes > 0.5 * memory)
     throw InputError(
         "{}: is {} x {} pixels with {} channels: that takes {:.1f} GB, this machine has {:.1f} GB. "

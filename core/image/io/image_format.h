@@ -13,12 +13,18 @@ namespace swaplight {
 /// InputError that lists the extensions.
 [[nodiscard]] std::string imageFormatForWriting(const std::filesystem::path& file);
 
+/// libjpeg ends the process where it is asked for more.
+inline constexpr int kLongestJpegSide = 65500;
+
+/// This machine's memory.
+[[nodiscard]] double machineGigabytes();
+
 /// Throws InputError where a picture would not fit into this machine's memory; `name` is the file.
 void checkImageFits(const std::string& name, int width, int height, int channels);
 
 /// Finds what decoders pass over without a word or complain of on standard error: a JPEG that ends in the
-/// middle of its picture (they pad it with grey), a PNG that ends early or whose checksums are wrong. Throws
-/// InputError.
+/// middle of its picture (they pad it with grey), a PNG that ends early or whose checksums are wrong, an EXR whose
+/// header lies about lengths. Takes no memory to speak of. Throws InputError.
 void checkIntegrity(const std::filesystem::path& file, const std::string& format);
 
 }  // namespace swaplight

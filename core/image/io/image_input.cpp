@@ -93,6 +93,21 @@ void place(ImagePart& part, const OIIO::ImageSpec& display, const ImageInput& in
   if (apart) throw InputError("{}: its data window lies outside of its display window.", input.name());
 }
 
+/// The image is the display window: one that is huge around a little data makes a small file take all memory.
+void checkDisplayWindow(const std::string& name, const ImageContents& contents) {
+  constexpr double kMuch = double{1 << 30};  // bytes
+  constexpr double kLargestShare = 64;       // of the data: a crop render leaves out less
+  double data = 0;
+  for (const ImagePart& part : contents.parts) data += double(part.spec.width) * part.spec.height;
+  const double display = double(contents.spec.width) * contents.spec.height;
+  if (4 * display * contents.spec.channelCount() > kMuch && display > kLargestShare * data)
+    throw InputError(
+        "{}: its display window of {} x {} pixels is far larger than what is in it ({} x {}). Crop the display "
+        "window.",
+        name, contents.spec.width, contents.spec.height, contents.parts.front().spec.width,
+        contents.parts.front().spec.height);
+}
+
 }  // namespace
 
 std::optional<PixelType> pixelTypeOf(const OIIO::TypeDesc& type) {
@@ -143,6 +158,7 @@ ImageContents contentsOf(ImageInput& input) {
   }
   (void)input->geterror();  // of the part behind the last
   if (contents.parts.empty()) input.fail("it has no picture in it");
+  checkDisplayWindow(input.name(), contents);
   contents.info.parts = static_cast<int>(contents.parts.size());
   return contents;
 }

@@ -112,6 +112,9 @@ void checkSuits(const FileToWrite& contents, const std::string& format, const st
     throw InputError("{}: an EXR holds half or float, not {}.", name, pixelTypeName(type));
   if (format == "png" && (!integer || channels > 4))
     refuse("a PNG holds 8 or 16-bit pixels of 1 to 4 channels.");
+  if (format == "jpeg" && std::max(contents.width, contents.height) > kLongestJpegSide)
+    refuse(fmt::format("is {} x {} pixels; no side of a JPEG may be longer than {}.", contents.width,
+                       contents.height, kLongestJpegSide));
   if (format == "jpeg" && (type != PixelType::UInt8 || (channels != 1 && channels != 3)))
     refuse("a JPEG holds 8-bit pixels of 1 or 3 channels.");
   if (format == "hdr" && (type != PixelType::Float || channels != 3))
