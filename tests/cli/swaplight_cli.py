@@ -3,6 +3,7 @@ import copy
 import hashlib
 import json
 import os
+import resource
 import shutil
 import signal
 import subprocess
@@ -27,6 +28,11 @@ def run(*arguments, **options):
     environment.update(options.pop('env', {}))
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=600,
                           env=environment, **options)
+
+
+def limit_memory(gigabytes):
+    """For preexec_fn: the program may not take more address space."""
+    resource.setrlimit(resource.RLIMIT_AS, (gigabytes << 30, gigabytes << 30))
 
 
 def write_image(path, pixels, pixel_type='float', **attributes):
