@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/ocio/color_config_impl.h"
+#include "core/ocio/config_check.h"
 
 namespace swaplight {
 namespace {
@@ -195,8 +196,10 @@ ColorConfig::ColorConfig(const std::string& ocioFile) : m_impl(std::make_unique<
     m_impl->config = sharedBuiltin();
     return;
   }
+  checkConfigFile(ocioFile);
   inWords(ocioFile, [&] {
     m_impl->config = OCIO::Config::CreateFromFile(ocioFile.c_str());
+    checkConfig(m_impl->config, ocioFile);
     m_impl->config->validate();
     findBridge(*m_impl);
   });
