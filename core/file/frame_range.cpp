@@ -23,19 +23,31 @@ struct Place {
   int digits = 0;
 };
 
+/// The place that begins at `at`: %d, %4d, %04d, or a row of # or of @.
+std::optional<Place> placeAt(const std::string& text, size_t at) {
+  const auto isDigit = [&](size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  if (text[at] == '#' || text[at] == '@') {
+    const size_t length = std::min(text.find_first_not_of(text[at], at), text.size()) - at;
+    return Place{at, length, text[at] == '#' && length == 1 ? 4 : static_cast<int>(length)};
+  }
+  if (text[at] != '%') return std::nullopt;
+  size_t end = at + 1;
+  if (isDigit(end) && text[end] == '0') ++end;
+  int digits = 1;
+  if (isDigit(end)) digits = text[end++] - '0';
+  if (end >= text.size() || text[end] != 'd') return std::nullopt;
+  return Place{at, end + 1 - at, digits};
+}
+
+/// The last one.
 std::optional<Place> placeIn(const std::string& pattern) {
-  static const std::regex kPlace("%(0?)([0-9]?)d|#+|@+");
   // Only the file's own name: folders may be called anything.
   const size_t slash = pattern.find_last_of('/');
-  const auto first = pattern.begin() + static_cast<ptrdiff_t>(slash == std::string::npos ? 0 : slash + 1);
   std::optional<Place> found;
-  for (auto match = std::sregex_iterator(first, pattern.end(), kPlace); match != std::sregex_iterator();
-       ++match) {
-    const std::string text = match->str();
-    int digits = static_cast<int>(text.size());
-    if (text == "#") digits = 4;
-    if (text.front() == '%') digits = (*match)[2].length() > 0 ? std::atoi((*match)[2].str().c_str()) : 1;
-    found = Place{static_cast<size_t>(first - pattern.begin() + match->position()), text.size(), digits};
+  for (size_t at = slash == std::string::npos ? 0 : slash + 1; at < pattern.size();) {
+    const std::optional<Place> place = placeAt(pattern, at);
+    if (place) found = place;
+    at += place ? place->length : 1;
   }
   return found;
 }
