@@ -28,6 +28,7 @@ class ConfigWalk {
       : m_config(config), m_name(name) {}
 
   void space(const char* called) {
+    if (!called || !*called) return;
     const auto space = m_config->getColorSpace(called);
     if (!space) return;  // OpenColorIO says so itself
     visit("the colour space " + std::string(space->getName()), [&] {
@@ -36,6 +37,7 @@ class ConfigWalk {
     });
   }
   void look(const char* called) {
+    if (!called || !*called) return;
     const auto look = m_config->getLook(called);
     if (!look) return;
     visit("the look " + std::string(look->getName()), [&] {
@@ -45,6 +47,7 @@ class ConfigWalk {
     });
   }
   void viewTransform(const char* called) {
+    if (!called || !*called) return;
     const auto view = m_config->getViewTransform(called);
     if (!view) return;
     visit("the view transform " + std::string(view->getName()), [&] {
@@ -53,6 +56,7 @@ class ConfigWalk {
     });
   }
   void namedTransform(const char* called) {
+    if (!called || !*called) return;
     const auto named = m_config->getNamedTransform(called);
     if (!named) return;
     visit("the transform " + std::string(named->getName()), [&] {

@@ -5,12 +5,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <cstdio>
+#include <optional>
+#include <set>
 #include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/file/json_fields.h"
 #include "core/file/json_file.h"
+#include "core/session/broken_recovery.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;
@@ -42,12 +48,18 @@ RecoverySlot::RecoverySlot(const fs::path& folder) {
       fmt::format("{}-{}", std::chrono::duration_cast<std::chrono::milliseconds>(now).count(), getpid());
   m_session = folder / (id + ".swaplight");
   m_lock = folder / (id + ".lock");
-  m_handle = open(m_lock.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
-  if (m_handle < 0 || flock(m_handle, LOCK_EX | LOCK_NB) != 0)
+  // Locked before it has the name under which others look for it: an unlocked one would be taken for dead.
+  const fs::path unseen = folder / (id + ".new");
+  m_handle = open(unseen.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_RDWR | O_CLOEXEC, 0600);
+  const bool locked = m_handle >= 0 && flock(m_handle, LOCK_EX | LOCK_NB) == 0;
+  if (!locked || std::rename(unseen.c_str(), m_lock.c_str()) != 0) {
+    if (m_handle >= 0) close(m_handle);
+    fs::remove(unseen, error);
     throw InputError(
         "{}: cannot be written, so that nothing could be recovered after a crash. Check the "
         "folder's permissions.",
         folder.string());
+  }
 }
 
 RecoverySlot::~RecoverySlot() {
@@ -76,30 +88,57 @@ void RecoverySlot::opened() {
   writeLock(m_handle, {});
 }
 
-std::vector<Recovered> findRecovered(const fs::path& folder) {
-  std::vector<Recovered> found;
+namespace {
+
+/// The locks of a folder, and those that ought to stand beside a session: it may have lost its own.
+std::set<fs::path> locksIn(const fs::path& folder) {
+  std::set<fs::path> locks;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() != ".lock") continue;
-    const int handle = open(entry.path().c_str(), O_RDONLY | O_CLOEXEC);
-    if (handle < 0) continue;
-    const bool dead = flock(handle, LOCK_EX | LOCK_NB) == 0;
-    Recovered recovered{entry.path(), {}, {}, dead ? readLock(handle) : ""};
-    close(handle);
-    if (!dead) continue;
-    const fs::path session = fs::path(entry.path()).replace_extension(".swaplight");
+    const fs::path extension = entry.path().extension();
+    const bool beingWritten = entry.path().filename().string().starts_with('.');  // see AtomicFile
+    if (!beingWritten && (extension == ".lock" || extension == ".swaplight"))
+      locks.insert(fs::path(entry.path()).replace_extension(".lock"));
+  }
+  return locks;
+}
+
+/// What the lock of a dead process says; nothing where the process lives, or nobody can tell.
+std::optional<std::string> deadLock(const fs::path& lock) {
+  const int handle = open(lock.c_str(), O_RDONLY | O_CLOEXEC);
+  if (handle < 0) return errno == ENOENT ? std::optional<std::string>("") : std::nullopt;
+  const bool dead = flock(handle, LOCK_EX | LOCK_NB) == 0;
+  std::optional<std::string> opening;
+  if (dead) opening = readLock(handle);
+  close(handle);
+  return opening;
+}
+
+}  // namespace
+
+std::vector<Recovered> findRecovered(const fs::path& folder) {
+  std::vector<Recovered> found;
+  for (const fs::path& lock : locksIn(folder)) {
+    const std::optional<std::string> opening = deadLock(lock);
+    if (!opening) continue;
+    Recovered recovered{lock, {}, {}, *opening};
+    const fs::path session = fs::path(lock).replace_extension(".swaplight");
+    std::error_code error;
+    const bool work = fs::exists(session, error) || error;
     try {
-      if (fs::exists(session)) {
-        recovered.savedAs = readJson(session).value(kOfKey, "");
+      if (work) {
+        const Json json = readJson(session);
+        recovered.savedAs = JsonFields(json, session.string()).text(kOfKey).value_or("");
+        static_cast<void>(sessionFromJson(json, folder, session.string()));  // what recovering it will do
         recovered.session = session;
       }
     } catch (const std::exception&) {
-      recovered.session.clear();
+      recovered.session.clear();  // stays where it is: see broken_recovery.h
     }
-    if (recovered.session.empty() && recovered.opening.empty())
-      discardRecovered(recovered);
-    else
+    if (!recovered.session.empty() || !recovered.opening.empty())
       found.push_back(std::move(recovered));
+    else if (!work)
+      discardRecovered(recovered);
   }
   std::sort(found.begin(), found.end(),
             [](const Recovered& a, const Recovered& b) { return a.lock > b.lock; });
@@ -108,8 +147,31 @@ std::vector<Recovered> findRecovered(const fs::path& folder) {
 
 void discardRecovered(const Recovered& recovered) {
   std::error_code ignored;
-  fs::remove(fs::path(recovered.lock).replace_extension(".swaplight"), ignored);
+  if (!recovered.session.empty()) fs::remove(recovered.session, ignored);
   fs::remove(recovered.lock, ignored);
+}
+
+std::vector<std::string> setBrokenAside(const fs::path& folder) {
+  std::vector<std::string> words;
+  for (const fs::path& lock : locksIn(folder)) {
+    const fs::path session = fs::path(lock).replace_extension(".swaplight");
+    std::error_code error;
+    if (!deadLock(lock) || !fs::exists(session, error)) continue;
+    try {
+      static_cast<void>(readSession(session));
+    } catch (const std::exception& reason) {
+      words.push_back(setAside(session, reason.what()));
+    }
+  }
+  return words;
+}
+
+std::string setAside(const fs::path& session, const std::string& reason) {
+  const fs::path kept = fs::path(session).replace_extension(".broken");
+  std::error_code error;
+  fs::rename(session, kept, error);
+  return fmt::format("Work that was not saved cannot be read: {} It is kept as {}.", reason,
+                     (error ? session : kept).string());
 }
 
 }  // namespace swaplight

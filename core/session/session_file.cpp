@@ -7,6 +7,7 @@
 #include "core/edit/mask/selection.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
+#include "core/session/known_files.h"
 #include "core/session/unknown_keys.h"
 #include "core/set/set_color_space.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr const char* kFormat = "swaplight-session";
 constexpr int kLargestSide = 1 << 16;
+constexpr int64_t kMostPixels = int64_t{1} << 28;  // no solved set of more fits into a machine of today
 
 std::string writtenPath(const std::filesystem::path& path, const std::filesystem::path& folder) {
   if (path.empty() || folder.empty()) return path.generic_string();
@@ -54,7 +56,8 @@ EditStack editsFromJson(const Json& json, const std::filesystem::path& folder, c
                      (*size)[1].is_number_integer();
   const int width = known ? (*size)[0].get<int>() : 0;
   const int height = known ? (*size)[1].get<int>() : 0;
-  if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide)
+  if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide ||
+      int64_t{width} * height > kMostPixels)
     throw InputError("{}: \"size\" is {}, expected [width, height] of the picture", where,
                      size ? size->dump() : "missing");
   return withFiles(editStackFromJson(json, width, height, where),
@@ -135,11 +138,14 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& folder, c
 }
 
 Session readSession(const std::filesystem::path& file) {
+  rememberFile(file);  // first: what changes while it is read has changed
   return sessionFromJson(readJson(file), std::filesystem::absolute(file).parent_path(), file.string());
 }
 
 void writeSession(const Session& session, const std::filesystem::path& file) {
+  checkUnchanged(file);
   writeJson(jsonFromSession(session, std::filesystem::absolute(file).parent_path()), file);
+  rememberFile(file);
 }
 
 bool isSessionFile(const std::filesystem::path& file) {

@@ -20,8 +20,8 @@ bool hasIdentity(const Json& item) {
                                          [&](const char* key) { return item.contains(key); });
 }
 
-// Both lists are in the same order, nearly always: the search goes on behind `last`, where the partner of the item
-// before was found, and then from the beginning.
+// Both lists are in the same order, nearly always: the search goes on behind `last`, where the partner of the
+// item before was found, and then from the beginning.
 const Json* findPartner(const Json& array, const Json& item, size_t& last) {
   if (!hasIdentity(item)) return nullptr;
   const size_t count = array.size();

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/ocio/color_config.h"
+#include "core/session/broken_recovery.h"
 #include "core/session/open_source.h"
 
 namespace swaplight {
@@ -36,6 +37,7 @@ SessionController::SessionController(DocumentEditor& editor, ViewState& view, Se
   } catch (const std::exception& error) {
     m_messages.warn(error.what());
   }
+  for (const std::string& words : setBrokenAside(stateFolder / "recovery")) m_messages.warn(words);
 }
 
 SessionController::Pending SessionController::pendingFor(const fs::path& path) const {
@@ -81,9 +83,10 @@ void SessionController::recover(const Recovered& recovered) {
     unknown.erase("recovery_of");
     pending.session.unknown = std::move(unknown);
     pending.session.warnings.clear();
+    if (m_slot) m_slot->save(pending.session, pending.file);  // ours before the other is discarded
     begin(std::move(pending));
   } catch (const std::exception& error) {
-    m_messages.error(error.what());
+    m_messages.error(setAside(recovered.session, error.what()));
   }
 }
 
@@ -127,7 +130,11 @@ void SessionController::notTaken() {
     next.workingSpace = m_set->original == m_set->found ? "" : m_set->original->colorSpace();
     m_editor.edit("Working space: as before", std::move(next));
   }
-  m_pending.reset();
+  // Recovered work stays, without its pictures.
+  if (m_pending && m_pending->unsaved)
+    adopt(*std::exchange(m_pending, std::nullopt), std::nullopt);
+  else
+    m_pending.reset();
 }
 
 void SessionController::followWorkingSpace() {
@@ -275,8 +282,10 @@ void SessionController::autosave() {
 }
 
 void SessionController::discardRecoveredFiles() {
-  for (const Recovered& recovered : m_recovered) discardRecovered(recovered);
-  m_recovered.clear();
+  // Of one studio: nobody has decided about the others.
+  if (m_recovered.empty()) return;
+  discardRecovered(m_recovered.front());
+  m_recovered.erase(m_recovered.begin());
 }
 
 std::string SessionController::title() const {

@@ -65,18 +65,18 @@ void RecoveryDialog::draw(SessionController& session) {
   else
     ImGui::TextWrapped("It was opening %s. That may be what stopped it.", name.c_str());
   ImGui::Dummy(ImVec2(0, px(8)));
-  bool done = false;
+  bool done = false, opened = false;
   if (hasWork) {
     if (button("Recover", "recovery.recover")) {
       session.recover(Recovered(newest));
-      done = true;
+      done = opened = true;
     }
     ImGui::SameLine();
   }
   if (!newest.opening.empty()) {
     if (button("Open safely", "recovery.safe")) {
       session.openWithoutPictures(std::filesystem::path(newest.opening));
-      done = true;
+      done = opened = true;
     }
     ImGui::SameLine();
   }
@@ -84,7 +84,7 @@ void RecoveryDialog::draw(SessionController& session) {
   ImGui::EndPopup();
   if (done) {
     session.discardRecoveredFiles();
-    m_dismissed = true;
+    m_dismissed = opened;  // what others have left is offered after this one, or at the next start
   }
 }
 

@@ -1,5 +1,6 @@
 #include "core/solve/model/shot_signal.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -12,6 +13,12 @@ namespace swaplight {
 namespace {
 
 constexpr size_t kChunk = 1 << 14;
+/// Pictures lie around 1 (see signal_scale.h): what is so far above is damage, and its square would overflow.
+constexpr float kHighest = 1e12F;
+
+bool isBroken(float y, float lowest) {
+  return !(y >= lowest) || y > kHighest;  // NaN, too
+}
 
 /// Whether every value lies in lowest <= y < clip (false for NaN).
 SWAPLIGHT_SIMD(bool, allWithin, (const float* y, size_t count, float lowest, float clip),
@@ -23,7 +30,7 @@ SWAPLIGHT_SIMD(bool, allWithin, (const float* y, size_t count, float lowest, flo
 
 void flagOutside(const float* y, size_t count, float lowest, float clip, uint8_t* flags) {
   for (size_t p = 0; p < count; ++p) {
-    if (!std::isfinite(y[p]) || y[p] < lowest)
+    if (isBroken(y[p], lowest))
       flags[p] |= kNotFinite;
     else if (y[p] >= clip)
       flags[p] |= kClipped;
@@ -51,8 +58,7 @@ ShotSignal::ShotSignal(const CapturePixels& pixels, const LightPlan& plan, const
   parallelRows(chunks, 4, [&](int begin, int end) {
     for (int chunk = begin; chunk < end; ++chunk)
       eachPlane(chunk, [&](const float* y, size_t count, float clip, size_t) {
-        // Infinity is outside too: clip may be infinite, and y < infinity fails for it.
-        if (!dirty[size_t(chunk)] && !allWithin(y, count, m_lowest, clip))
+        if (!dirty[size_t(chunk)] && !allWithin(y, count, m_lowest, std::min(clip, kHighest)))
           dirty[size_t(chunk)] = 1, anyDirty = true;
       });
   });
@@ -125,14 +131,14 @@ void ShotSignal::run(size_t first, int count, bool mask, std::vector<float>& scr
     for (size_t k = 0; k < shots.size(); ++k)
       for (int c = 0; c < 3; ++c) {
         const float y = shots[k].plane(c)[first + size_t(p)];
-        if (std::isfinite(y) && y >= m_lowest && y < m_pixels->clipLevel[k]) ++good, ++inChannel[c];
+        if (!isBroken(y, m_lowest) && y < m_pixels->clipLevel[k]) ++good, ++inChannel[c];
       }
     const bool dropClipped =
         mask && good >= m_needed && inChannel[0] > 0 && inChannel[1] > 0 && inChannel[2] > 0;
     for (size_t k = 0; k < shots.size(); ++k)
       for (int c = 0; c < 3; ++c) {
         const float y = shots[k].plane(c)[first + size_t(p)];
-        const bool broken = !std::isfinite(y) || y < m_lowest;
+        const bool broken = isBroken(y, m_lowest);
         const bool clipped = !broken && y >= m_pixels->clipLevel[k];
         float& usable = planeOf(k, c)[p];
         if (broken || (clipped && dropClipped))
