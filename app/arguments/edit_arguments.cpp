@@ -10,7 +10,8 @@ void EditArguments::addTo(CLI::App& verb) {
   verb.add_option("--edits", file, "Edit the lights first: a file of edits (JSON)")->type_name("FILE");
 }
 
-SolvedSet EditArguments::applyTo(SolvedSet set, const EditStack& session) const {
+SolvedSet EditArguments::applyTo(SolvedSet set, const EditStack& session,
+                                 const std::string& sessionFile) const {
   if (file.empty() && session == EditStack{}) return set;
   const auto original = std::make_shared<const SolvedSet>(std::move(set));
   EditStack stack = session;
@@ -23,7 +24,7 @@ SolvedSet EditArguments::applyTo(SolvedSet set, const EditStack& session) const 
   try {
     return withEdits(original, stack);
   } catch (const InputError& error) {
-    throw InputError("{}: {}", file.empty() ? "session" : file, error.what());
+    throw InputError("{}: {}", file.empty() ? sessionFile : file, error.what());
   }
 }
 

@@ -13,8 +13,10 @@ struct EditArguments {
   std::string file;
 
   void addTo(CLI::App& verb);
-  /// The set with a session's edits, if it has any, and the file's after them. Throws InputError.
-  [[nodiscard]] SolvedSet applyTo(SolvedSet set, const EditStack& session = {}) const;
+  /// The set with a session's edits, if it has any, and the file's after them. Throws InputError that begins
+  /// with the file, or the session's.
+  [[nodiscard]] SolvedSet applyTo(SolvedSet set, const EditStack& session = {},
+                                  const std::string& sessionFile = {}) const;
 };
 
 }  // namespace swaplight

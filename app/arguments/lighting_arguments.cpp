@@ -86,8 +86,12 @@ void LightingArguments::addTo(CLI::App& verb) {
   m_solve.addTo(verb);
 }
 
+const std::string& LightingArguments::sessionFile() const {
+  return m_session.empty() && isSessionFile(m_source) ? m_source : m_session;
+}
+
 std::optional<Session> LightingArguments::session() const {
-  const std::string& file = m_session.empty() && isSessionFile(m_source) ? m_source : m_session;
+  const std::string& file = sessionFile();
   if (file.empty()) return std::nullopt;
   return readSession(file);
 }
@@ -105,8 +109,11 @@ std::filesystem::path LightingArguments::source(const std::optional<Session>& se
 Rig LightingArguments::rig(const std::optional<Session>& session, const Capture& capture,
                            const SolvedSet* set) const {
   Rig rig = defaultRig(capture);
-  if (session) saying("session", [&] { rig = rigFor(capture, session->document.rig); });
-  if (!m_rig.empty()) saying(m_rig, [&] { rig = rigFor(capture, readRig(m_rig)); });
+  if (session) saying(sessionFile(), [&] { rig = rigFor(capture, session->document.rig); });
+  if (!m_rig.empty()) {
+    const Rig read = readRig(m_rig);  // names the file itself
+    saying(m_rig, [&] { rig = rigFor(capture, read); });
+  }
   if (!m_look.empty()) saying("--look", [&] { rig = withLook(rig, m_look, session, set); });
   for (const std::string& text : m_lights) {
     const size_t equals = text.find('=');
@@ -157,13 +164,13 @@ SolvedSet LightingArguments::openFile(const ColorConfig& config, const std::file
                                       const std::optional<Session>& session, const Progress& progress) const {
   SolvedSet set = openSource(config, file, solveOptions(session), progress);
   return m_edits.applyTo(inColorSpace(config, std::move(set), workingSpace(session)),
-                         session ? session->document.edits : EditStack{});
+                         session ? session->document.edits : EditStack{}, sessionFile());
 }
 
 RigAnimation LightingArguments::animation(const std::optional<Session>& session) const {
   RigAnimation animation;
   if (session && session->unknown.json().contains(kAnimation))
-    animation = animationFromJson(session->unknown.json()[kAnimation], "session: animation");
+    animation = animationFromJson(session->unknown.json()[kAnimation], sessionFile() + ": animation");
   if (!m_rig.empty()) {
     const Json json = readJson(m_rig);
     if (json.contains(kAnimation)) animation = animationFromJson(json[kAnimation], m_rig + ": animation");

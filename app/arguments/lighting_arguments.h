@@ -53,6 +53,8 @@ class LightingArguments {
                                    const std::optional<Session>& session, const Progress& progress) const;
 
  private:
+  [[nodiscard]] const std::string& sessionFile() const;
+
   std::string m_source;
   std::vector<std::string> m_lights;
   std::string m_rig;

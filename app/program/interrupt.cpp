@@ -6,7 +6,8 @@
 #include <csignal>
 #include <string_view>
 
-#include "core/file/atomic_file.h"
+#include "app/program/standard_streams.h"
+#include "core/file/temporary_names.h"
 
 namespace swaplight {
 namespace {
@@ -22,7 +23,7 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
 void endNow(int) {
   removeTemporaryFiles();
   constexpr std::string_view kWords = "swaplight: stopped\n";
-  if (::write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) {
+  if (::write(standardError(), kWords.data(), kWords.size()) < 0) {
     // Nobody is there to be told.
   }
   ::_exit(128 + g_signal);

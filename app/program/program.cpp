@@ -89,6 +89,8 @@ int Program::run(int argc, const char* const* argv) {
 int Program::runVerb(Verb& verb) {
   catchInterrupts();
   setThreads(verb.options.threads);
+  // A studio's graphics drivers have much to say that its users are asked for.
+  if (!verb.options.verbose && verb.app->get_name() != "studio") silenceLibraries();
   try {
     Terminal terminal(verb.options);
     return verb.run(terminal);

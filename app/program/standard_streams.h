@@ -11,6 +11,13 @@ void openStandardStreams();
 /// A file that grows beyond `ulimit -f`, a reader that has gone: said by the call that failed, no signal.
 void ignoreWriteSignals();
 
+/// Keeps what libraries print (libpng, LibRaw) off standard error: what matters of it is said in our line.
+/// From here on only sayOnStandardError is heard.
+void silenceLibraries();
+
+/// Where sayOnStandardError writes to.
+[[nodiscard]] int standardError();
+
 /// Writes to standard error. Words that cannot be said (no room, nobody reads) are not said: never throws.
 void sayOnStandardError(std::string_view words) noexcept;
 

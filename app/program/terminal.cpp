@@ -35,7 +35,7 @@ std::string printableLines(std::string_view text) {
 
 Terminal::Terminal(CommonOptions options)
     : m_options(options),
-      m_isTerminal(isatty(STDERR_FILENO) != 0),
+      m_isTerminal(isatty(standardError()) != 0),
       m_lastReport(std::chrono::steady_clock::now()) {}
 
 Terminal::~Terminal() {

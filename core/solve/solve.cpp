@@ -191,10 +191,8 @@ SolvedSet solveScaled(const Capture& given, const CapturePixels& photographs, co
   SolvedSet set = solve(capture, scaledSignal(photographs, scale), scaled, progress);
   unscale(set, scale);
   set.capture.noise = given.noise;
-  set.report["options"] = jsonFromSolveOptions(options);
-  Json& noise = set.report["noise"];
-  noise["read"] = noise["read"].get<double>() / double{scale};
-  noise["full_well"] = noise["full_well"].get<double>() * double{scale};
+  set.report->options = jsonFromSolveOptions(options);
+  set.report->noise = scaledNoise(set.report->noise, 1 / scale);
   return set;
 }
 
