@@ -50,9 +50,10 @@ Json writeHistogram(const ColorConfig& config, const SolvedSet& set, const Rig& 
 
 /// Light that half float cannot hold is clipped where half was asked for; without --type the frame becomes
 /// float.
-void warnOfClipping(const Arguments& arguments, const SolvedSet& set, const Rig& rig, Terminal& terminal) {
+void warnOfClipping(const ColorConfig& config, const Arguments& arguments, const SolvedSet& set,
+                    const Rig& rig, Terminal& terminal) {
   if (arguments.output.write.pixelType != "half") return;
-  const Image frame = relight(set, rigFactors(rig, set.colorSpace()), rig.ambient);
+  const Image frame = relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient);
   for (int c = 0; c < frame.channelCount(); ++c)
     if (!fitsHalf(frame.plane(c), frame.pixelCount())) {
       terminal.say(
@@ -68,7 +69,6 @@ int run(const Arguments& arguments, Terminal& terminal) {
   if (session) sayWarnings(session->warnings, terminal);
   const std::filesystem::path source = arguments.lighting.source(session);
   FrameOptions output = outputOf(arguments, session);
-  output.warn = [&terminal](const std::string& words) { terminal.say("warning: {}", words); };
 
   // Say what is wrong before the work, not after it.
   checkFrame(*config, arguments.frame, output);
@@ -86,7 +86,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   const SolvedSet set = arguments.lighting.open(*config, session, progress.part(0, 0.8F));
   sayWarnings(set.capture.warnings, terminal);
   const Rig rig = arguments.lighting.rig(session, set.capture, &set);
-  warnOfClipping(arguments, set, rig, terminal);
+  warnOfClipping(*config, arguments, set, rig, terminal);
   if (isSceneLinear(arguments.frame)) output.write.text = provenanceOf(set, rig, source);
   exportFrame(*config, set, rig, arguments.frame, output, progress.part(0.9F, 1));
 

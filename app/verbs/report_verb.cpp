@@ -3,6 +3,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/file/atomic_file.h"
 #include "core/file/same_file.h"
 #include "core/image/io/image_io.h"
 #include "core/report/session_report.h"

@@ -13,8 +13,8 @@ namespace swaplight {
 namespace {
 
 constexpr size_t kLargestFile = size_t{64} << 20;
-constexpr int kDeepest = 100;  // nothing of ours nests deeper; bounds the recursion of those who walk it
-constexpr size_t kMostKeys = 4096;      // of one object: they are searched one after the other
+constexpr int kDeepest = 100;       // nothing of ours nests deeper; bounds the recursion of those who walk it
+constexpr size_t kMostKeys = 4096;  // of one object: they are searched one after the other
 constexpr size_t kMostValues = 8 << 20;  // of a file: two million points of strokes, a gigabyte of memory
 
 /// Counts while a text is parsed, so that a small file cannot take minutes or all memory.
@@ -28,9 +28,11 @@ class ParseBudget {
     if (event == Event::object_start) m_keys[static_cast<size_t>(depth)] = 0;
     // The key of an object that began at depth d is told at depth d + 1.
     if (event == Event::key && depth > 0 && ++m_keys[static_cast<size_t>(depth - 1)] > kMostKeys)
-      throw InputError("{}: has an object of more than {} keys, which this kind of file never has.", m_name, kMostKeys);
+      throw InputError("{}: has an object of more than {} keys, which this kind of file never has.", m_name,
+                       kMostKeys);
     if (event != Event::key && ++m_values > kMostValues)
-      throw InputError("{}: holds more than {} values, which this kind of file never does.", m_name, kMostValues);
+      throw InputError("{}: holds more than {} values, which this kind of file never does.", m_name,
+                       kMostValues);
     return true;
   }
 

@@ -17,7 +17,8 @@ namespace swaplight {
 /// Writes indented JSON, atomically. Throws InputError where it cannot be written.
 void writeJson(const Json& json, const std::filesystem::path& file);
 
-/// JSON as text, in one line or indented. Bytes that are not UTF-8 (the name of a file or folder) become U+FFFD.
+/// JSON as text, in one line or indented. Bytes that are not UTF-8 (the name of a file or folder) become
+/// U+FFFD.
 [[nodiscard]] std::string jsonText(const Json& json, int indent = -1);
 
 /// A float as the number that a person would write: 0.9, not 0.8999999761581421.

@@ -21,8 +21,8 @@ enum class SourceKind { Capture, SolvedSet, Session, Folder, Other };
 /// The file that is meant: the capture.json of a folder, else the path itself; absolute.
 [[nodiscard]] std::filesystem::path sourceFile(const std::filesystem::path& path);
 
-/// Every file that opening it reads: none of them may be replaced by what is made of them. What a manifest lacks is
-/// for its reader to say. Throws InputError where it is no JSON.
+/// Every file that opening it reads: none of them may be replaced by what is made of them. What a manifest
+/// lacks is for its reader to say. Throws InputError where it is no JSON.
 [[nodiscard]] std::vector<std::filesystem::path> filesOfSource(const std::filesystem::path& path);
 
 /// A set from a solved file or, solving it, from a capture, whose pictures may be in any colour space of the

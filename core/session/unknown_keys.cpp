@@ -1,8 +1,8 @@
 #include "core/session/unknown_keys.h"
 
-#include "core/base/json.h"
 #include <algorithm>
 #include <iterator>
+#include "core/base/json.h"
 namespace swaplight {
 namespace {
 

@@ -1,5 +1,5 @@
-// Preloaded into the program (LD_PRELOAD): makes the k-th call of one kind fail, once, as a bad disk or a full memory
-// would. What to do stands in the environment:
+// Preloaded into the program (LD_PRELOAD): makes the k-th call of one kind fail, once, as a bad disk or a
+// full memory would. What to do stands in the environment:
 //   FAIL_CALL   open, write, fsync, rename, close, malloc
 //   FAIL_AT     which one, from 1
 //   FAIL_ERRNO  what errno is then

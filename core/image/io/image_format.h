@@ -23,8 +23,8 @@ inline constexpr int kLongestJpegSide = 65500;
 void checkImageFits(const std::string& name, int width, int height, int channels);
 
 /// Finds what decoders pass over without a word or complain of on standard error: a JPEG that ends in the
-/// middle of its picture (they pad it with grey), a PNG that ends early or whose checksums are wrong, an EXR whose
-/// header lies about lengths. Takes no memory to speak of. Throws InputError.
+/// middle of its picture (they pad it with grey), a PNG that ends early or whose checksums are wrong, an EXR
+/// whose header lies about lengths. Takes no memory to speak of. Throws InputError.
 void checkIntegrity(const std::filesystem::path& file, const std::string& format);
 
 }  // namespace swaplight

@@ -44,8 +44,8 @@ struct ImageFile {
 /// (part name + dot + channel; a first part called rgb, rgba, main or beauty keeps its plain names). Alpha is
 /// not multiplied in. The spec's colour space is what the file says or its format implies (lin_rec709,
 /// acescg, aces2065_1, srgb, raw). Throws InputError that names the file: missing, not a picture, truncated,
-/// empty, too large; Stopped.
-[[nodiscard]] ImageFile readImage(const std::filesystem::path& file, const Progress& progress = {});
+/// empty, too large.
+[[nodiscard]] ImageFile readImage(const std::filesystem::path& file);
 /// Reads the channels straight to where they are wanted: `planes` is given the header and returns a plane a
 /// channel (rows without gaps), or nullptr for those not wanted. Otherwise as readImage, but not turned
 /// upright.

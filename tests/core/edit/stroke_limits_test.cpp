@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/edit/mask/paint.h"
 #include "tests/support/temporary_folder.h"
 

@@ -95,7 +95,9 @@ TEST(KeptWork, ALockIsLockedFromTheMomentItCanBeSeen) {
       if (handle < 0) continue;  // it has gone meanwhile
       const bool taken = flock(handle, LOCK_EX | LOCK_NB) == 0;
       // Free only once it is gone from the folder: its process has cleaned up.
-      if (taken) EXPECT_FALSE(fs::exists(entry.path()));
+      if (taken) {
+        EXPECT_FALSE(fs::exists(entry.path()));
+      }
       close(handle);
     }
   EXPECT_EQ(status, 0);
