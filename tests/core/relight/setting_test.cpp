@@ -104,7 +104,7 @@ TEST(Setting, AnErrorQuotesThePartAndSaysWhatWouldBeRight) {
   EXPECT_THAT(errorOf("green:2"), testing::HasSubstr("-1 to +1"));
   EXPECT_THAT(errorOf("gel:L9999"), testing::AllOf(testing::HasSubstr("L9999"), testing::HasSubstr("L204")));
   EXPECT_THAT(errorOf("+99st"), testing::HasSubstr("-30st to +30st"));
-  EXPECT_THAT(errorOf("x-1"), testing::HasSubstr("0 or more"));
+  EXPECT_THAT(errorOf("x-1"), testing::HasSubstr("from 0 to 1e9"));
   EXPECT_THAT(errorOf("xinf"), testing::HasSubstr("no light setting"));
   EXPECT_THAT(errorOf("1.5"), testing::HasSubstr("'1.5'"));
 }

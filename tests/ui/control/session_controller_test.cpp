@@ -21,6 +21,9 @@ fs::path solvedFile(const StudioParts& studio, const std::string& name = "set.ex
   const fs::path file = studio.folder / name;
   SolvedSet set = test::smallSet(lights, 64, 48);
   set.capture.colorSpace = "lin_rec709";
+  Shot& shot = set.capture.shots.emplace_back();
+  shot.image = "shot_01.exr";
+  shot.lightColors.assign(static_cast<size_t>(lights), Rgb(1));
   for (Image& contribution : set.contributions) contribution.setColorSpace("lin_rec709");
   set.quality = Image(ImageSpec{64, 48, {"residual", "sigma", "flags", "model"}, "data"}, 0.1F);
   writeSolvedSet(set, file);
