@@ -21,9 +21,10 @@ fs::path solvedFile(const StudioParts& studio, const std::string& name = "set.ex
   const fs::path file = studio.folder / name;
   SolvedSet set = test::smallSet(lights, 64, 48);
   set.capture.colorSpace = "lin_rec709";
-  Shot& shot = set.capture.shots.emplace_back();
+  Shot shot;
   shot.image = "shot_01.exr";
   shot.lightColors.assign(static_cast<size_t>(lights), Rgb(1));
+  set.capture.shots.push_back(shot);
   for (Image& contribution : set.contributions) contribution.setColorSpace("lin_rec709");
   set.quality = Image(ImageSpec{64, 48, {"residual", "sigma", "flags", "model"}, "data"}, 0.1F);
   writeSolvedSet(set, file);
@@ -180,6 +181,14 @@ TEST(SessionController, AnotherWorkingSpaceIsMadeInAThreadAndKeepsWhatWasFound) 
   studio.until("not back", [&] { return studio.session.set()->original == found; });
 }
 
+/// Sessions that wait for recovery, without those that are being written.
+ptrdiff_t sessionsKept(const StudioParts& studio) {
+  return std::count_if(
+      fs::directory_iterator(studio.folder / "state" / "recovery"), {}, [](const auto& entry) {
+        return entry.path().extension() == ".swaplight" && !entry.path().filename().string().starts_with('.');
+      });
+}
+
 /// What a studio that died would leave: copies, because this one lives and its own are locked.
 fs::path remainsOf(const StudioParts& studio) {
   const fs::path state = studio.folder / "died";
@@ -193,12 +202,7 @@ TEST(SessionController, UnsavedWorkIsRecoveredAfterTheStudioDied) {
   StudioParts studio;
   openAndWait(studio, solvedFile(studio));
   brighten(studio, 3);
-  const auto inRecovery = [&] {
-    for (const fs::directory_entry& entry : fs::directory_iterator(studio.folder / "state" / "recovery"))
-      if (entry.path().extension() == ".swaplight") return true;
-    return false;
-  };
-  studio.until("nothing is kept for recovery", inRecovery);
+  studio.until("nothing is kept for recovery", [&] { return sessionsKept(studio) == 1; });
 
   StudioParts next(remainsOf(studio));
   ASSERT_EQ(next.session.recovered().size(), 1U);
@@ -217,14 +221,9 @@ TEST(SessionController, NothingIsLeftForRecoveryOnceItIsSaved) {
   StudioParts studio;
   openAndWait(studio, solvedFile(studio));
   brighten(studio, 3);
-  const fs::path folder = studio.folder / "state" / "recovery";
-  const auto sessions = [&] {
-    return std::count_if(fs::directory_iterator(folder), {},
-                         [](const auto& entry) { return entry.path().extension() == ".swaplight"; });
-  };
-  studio.until("nothing is kept", [&] { return sessions() == 1; });
+  studio.until("nothing is kept", [&] { return sessionsKept(studio) == 1; });
   studio.session.saveAs(studio.folder / "work.swaplight");
-  studio.until("it stays in recovery", [&] { return !studio.session.saving() && sessions() == 0; });
+  studio.until("it stays in recovery", [&] { return !studio.session.saving() && sessionsKept(studio) == 0; });
 }
 
 TEST(SetController, GivesItsSetOnceAndSaysWhatItDoes) {
