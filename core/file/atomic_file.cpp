@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -152,6 +153,8 @@ std::string unguessable() {
 AtomicFile::AtomicFile(const fs::path& target) : m_target(target), m_resolved(resolveLinks(target)) {
   std::error_code error;
   if (!m_resolved.has_filename()) throw InputError("{}: names a folder, expected a file.", target.string());
+  if (m_resolved.filename().native().size() > NAME_MAX)
+    throw InputError("{}: the name is longer than {} bytes. Take a shorter one.", target.string(), NAME_MAX);
   const fs::file_status status = fs::status(m_resolved, error);
   if (fs::is_directory(status)) throw InputError("{}: is a folder. Name a file to write.", target.string());
   if (fs::exists(status) && !fs::is_regular_file(status))

@@ -1,9 +1,9 @@
 #include "core/file/json_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -13,32 +13,57 @@ namespace swaplight {
 namespace {
 
 constexpr size_t kLargestFile = size_t{64} << 20;
-constexpr int kDeepest = 100;       // nothing of ours nests deeper; bounds the recursion of those who walk it
+constexpr size_t kDeepest = 100;    // nothing of ours nests deeper; bounds the recursion of those who walk it
 constexpr size_t kMostKeys = 4096;  // of one object: they are searched one after the other
 constexpr size_t kMostValues = 8 << 20;  // of a file: two million points of strokes, a gigabyte of memory
 
-/// Counts while a text is parsed, so that a small file cannot take minutes or all memory.
-class ParseBudget {
+/// Counts what a text holds before it is parsed, so that a small file cannot take minutes or all memory. (Not
+/// while it is parsed: the library's parser with a callback looks through the list around it after each
+/// object.)
+class Budget : public nlohmann::json_sax<Json> {
  public:
-  explicit ParseBudget(const std::string& name) : m_name(name) {}
+  explicit Budget(const std::string& name) : m_name(name) {}
 
-  bool allow(int depth, Json::parse_event_t event) {
-    using Event = Json::parse_event_t;
-    if (depth > kDeepest) throw InputError("{}: is nested deeper than {} levels.", m_name, kDeepest);
-    if (event == Event::object_start) m_keys[static_cast<size_t>(depth)] = 0;
-    // The key of an object that began at depth d is told at depth d + 1.
-    if (event == Event::key && depth > 0 && ++m_keys[static_cast<size_t>(depth - 1)] > kMostKeys)
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(number_integer_t) override { return value(); }
+  bool number_unsigned(number_unsigned_t) override { return value(); }
+  bool number_float(number_float_t, const string_t&) override { return value(); }
+  bool string(string_t&) override { return value(); }
+  bool binary(binary_t&) override { return value(); }
+  bool start_object(size_t) override { return enter(); }
+  bool start_array(size_t) override { return enter(); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool key(string_t&) override {
+    if (++m_keys.back() > kMostKeys)
       throw InputError("{}: has an object of more than {} keys, which this kind of file never has.", m_name,
                        kMostKeys);
-    if (event != Event::key && ++m_values > kMostValues)
+    return true;
+  }
+  /// The parser says it better.
+  bool parse_error(size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+
+ private:
+  bool value() {
+    if (++m_values > kMostValues)
       throw InputError("{}: holds more than {} values, which this kind of file never does.", m_name,
                        kMostValues);
     return true;
   }
+  bool enter() {
+    m_keys.push_back(0);
+    if (m_keys.size() > kDeepest + 1)
+      throw InputError("{}: is nested deeper than {} levels.", m_name, kDeepest);
+    return value();
+  }
+  bool leave() {
+    m_keys.pop_back();
+    return true;
+  }
 
- private:
   const std::string& m_name;
-  std::array<size_t, kDeepest + 2> m_keys{};
+  std::vector<size_t> m_keys;  ///< of each object that is open
   size_t m_values = 0;
 };
 
@@ -66,9 +91,9 @@ std::string syntaxError(std::string_view text, const Json::parse_error& error) {
 
 Json parseJson(const std::string& text, const std::string& name) {
   try {
-    ParseBudget budget(name);
-    return Json::parse(
-        text, [&](int depth, Json::parse_event_t event, const Json&) { return budget.allow(depth, event); });
+    Budget budget(name);
+    static_cast<void>(Json::sax_parse(text, &budget));
+    return Json::parse(text);
   } catch (const Json::parse_error& error) {
     throw InputError("{}: {}", name, syntaxError(text, error));
   } catch (const Json::out_of_range& error) {

@@ -79,7 +79,10 @@ class DeafTest(cli.CliTest):
 
     def test_messages_never_go_into_a_file_that_took_the_place_of_standard_error(self):
         capture = cli.Capture(self.path('set'))
-        self.assertEqual(self.run_with('<&- >&- 2>&-', 'solve', capture.path, '-o', self.path('o.exr')).returncode, 0)
+        self.assertEqual(self.run_with('<&- 2>&-', 'solve', capture.path, '-o', self.path('o.exr')).returncode, 0)
+        self.assertEqual(cli.read_rgb(self.path('o.exr')).shape, (12, 16, 3))
+        # The result cannot be said: that is an error, and the file is whole.
+        self.assertEqual(self.run_with('<&- >&- 2>&-', 'solve', capture.path, '-o', self.path('o.exr')).returncode, 3)
         self.assertEqual(cli.read_rgb(self.path('o.exr')).shape, (12, 16, 3))
 
     def test_a_reader_that_has_gone(self):
