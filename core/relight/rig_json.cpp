@@ -21,9 +21,11 @@ LightSetting settingFromJson(const Json& json, const std::string& where) {
   if (!name) throw InputError("{}: \"name\" is missing.", where);
   light.light = *name;
   fields.setWhere(fmt::format("{} ({})", where, *name));
+  const auto color = fields.text("color");
+  const auto role = fields.text("role");
   try {
-    if (const auto color = fields.text("color")) applySetting(light, *color);
-    if (const auto role = fields.text("role")) light.role = roleFromName(*role);
+    if (color) applySetting(light, *color);
+    if (role) light.role = roleFromName(*role);
   } catch (const InputError& error) {
     throw InputError("{}: {}", fields.where(), error.what());
   }

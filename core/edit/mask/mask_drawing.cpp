@@ -15,8 +15,9 @@ namespace {
 constexpr int kShift = 4;  // OpenCV draws at 1/16 of a pixel
 
 // Softer than so many pixels of sigma, a shape is drawn in a smaller picture: that is as smooth, and costs
-// neither the time nor the memory of a picture that is a feather larger on all sides.
-constexpr float kMostSigma = 8;
+// neither the time nor the memory of a picture that is a feather larger on all sides. OpenCV's outline is
+// half a pixel of that picture too far out: 1/64 of the sigma at most.
+constexpr float kMostSigma = 32;
 
 float diagonal(int width, int height) {
   return std::hypot(static_cast<float>(width), static_cast<float>(height));
