@@ -106,12 +106,17 @@ std::filesystem::path LightingArguments::source(const std::optional<Session>& se
   throw InputError("say what to relight: a solved set, a capture, or a session that names one");
 }
 
+const Json& LightingArguments::rigFile() const {
+  if (!m_rigFile) m_rigFile = std::make_shared<const Json>(readJson(m_rig));
+  return *m_rigFile;
+}
+
 Rig LightingArguments::rig(const std::optional<Session>& session, const Capture& capture,
                            const SolvedSet* set) const {
   Rig rig = defaultRig(capture);
   if (session) saying(sessionFile(), [&] { rig = rigFor(capture, session->document.rig); });
   if (!m_rig.empty()) {
-    const Rig read = readRig(m_rig);  // names the file itself
+    const Rig read = rigFromJson(rigFile(), m_rig);  // names the file itself
     saying(m_rig, [&] { rig = rigFor(capture, read); });
   }
   if (!m_look.empty()) saying("--look", [&] { rig = withLook(rig, m_look, session, set); });
@@ -172,7 +177,7 @@ RigAnimation LightingArguments::animation(const std::optional<Session>& session)
   if (session && session->unknown.json().contains(kAnimation))
     animation = animationFromJson(session->unknown.json()[kAnimation], sessionFile() + ": animation");
   if (!m_rig.empty()) {
-    const Json json = readJson(m_rig);
+    const Json& json = rigFile();
     if (json.contains(kAnimation)) animation = animationFromJson(json[kAnimation], m_rig + ": animation");
   }
   for (const std::string& text : m_keys) {

@@ -9,6 +9,7 @@
 #include "app/arguments/edit_arguments.h"
 #include "app/arguments/solve_arguments.h"
 #include "app/program/program.h"
+#include "core/base/json_fwd.h"
 #include "core/ocio/color_config.h"
 #include "core/relight/rig.h"
 #include "core/relight/rig_animation.h"
@@ -54,10 +55,13 @@ class LightingArguments {
 
  private:
   [[nodiscard]] const std::string& sessionFile() const;
+  /// What the rig's file holds: read once, since a shell's `<(...)` gives it once only.
+  [[nodiscard]] const Json& rigFile() const;
 
   std::string m_source;
   std::vector<std::string> m_lights;
   std::string m_rig;
+  mutable std::shared_ptr<const Json> m_rigFile;
   std::string m_session;
   std::string m_look;
   std::string m_workingSpace;
