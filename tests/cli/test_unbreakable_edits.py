@@ -26,7 +26,7 @@ class LargeShapesTest(cli.CliTest):
         limit = lambda: cli.limit_memory(2)
         self.succeed('relight', self.solved, '--edits', self.edits(shape), '--light', 'fill=off', '-o',
                      self.path('o.exr'), '-q', preexec_fn=limit)
-        self.assertLess(time.time() - begun, 20)
+        self.assertLess(time.time() - begun, 60)
         return cli.read_rgb(self.path('o.exr'))
 
     def test_a_feather_far_beyond_the_picture(self):
