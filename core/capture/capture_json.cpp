@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kFormat = "swaplight-capture";
 constexpr int kVersion = 1;
-constexpr double kMostStops = 40;  // either way: no camera's exposures span so much
+constexpr double kMostStops = 40;   // either way: no camera's exposures span so much
 constexpr size_t kMostLights = 64;  // far beyond what a solve takes; longer lists only take time
 constexpr size_t kMostShots = 4096;
 

@@ -40,7 +40,7 @@ SWAPLIGHT_SIMD(void, weightedSum,
 }
 
 /// Shows one channel, or the luma of the codes, as grey. Weights add up to 2^16.
-SWAPLIGHT_SIMD(void, mixToGrey, (uint32_t* rgba, size_t count, uint32_t wr, uint32_t wg, uint32_t wb),
+SWAPLIGHT_SIMD(void, mixToGrey, (uint32_t * rgba, size_t count, uint32_t wr, uint32_t wg, uint32_t wb),
                (rgba, count, wr, wg, wb)) {
   for (size_t i = 0; i < count; ++i) {
     const uint32_t p = rgba[i];
