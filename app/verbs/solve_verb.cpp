@@ -44,7 +44,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
   json["solved"] = arguments.output;
   terminal.say("wrote {}, {} x {} pixels, {} lights", arguments.output, set.width(), set.height(),
                set.lightCount());
-  terminal.result(set.report->message + "\n", json);
+  terminal.result(fmt::format("{} {:.2f} s.\n", set.report->message, set.report->seconds), json);
   return 0;
 }
 

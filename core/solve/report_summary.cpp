@@ -38,10 +38,9 @@ void summarize(const SolvedSet& set, SolveReport& report) {
   const auto percent = [&](size_t count) {
     return 100.0 * double(count) / double(std::max<size_t>(report.pixels, 1));
   };
-  report.message = fmt::format(
-      "{} lights told apart in {:.2f} s ({}, {}). A light's part is known to {:.1f} % of the pixel "
-      "(median).",
-      set.lightCount(), report.seconds, report.model, report.solver, 100 * report.sigmaMedian);
+  report.message =
+      fmt::format("{} lights told apart ({}, {}). A light's part is known to {:.1f} % of the pixel (median).",
+                  set.lightCount(), report.model, report.solver, 100 * report.sigmaMedian);
   if (report.residualMedian > 3)
     report.message += fmt::format(
         " The pictures disagree with the light colours by {:.1f} times their noise: check the "

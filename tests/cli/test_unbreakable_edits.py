@@ -56,8 +56,9 @@ class LargeShapesTest(cli.CliTest):
         expected = np.array([.5 - .5 * erf((x + .5 - 300) / (50 * 2 ** .5)) for x in range(600)])
         self.assertLess(abs(share - expected).max(), .02)
         edge = (sharp - nothing)[20, :, 1] / (full - nothing)[20, :, 1]
-        self.assertLess(abs(edge[:299] - 1).max(), 2e-3)
-        self.assertLess(abs(edge[301:]).max(), 2e-3)
+        # OpenCV draws the outline a pixel wide, with soft sides.
+        self.assertLess(abs(edge[:298] - 1).max(), 2e-3)
+        self.assertLess(abs(edge[302:]).max(), 2e-3)
 
     def test_text_larger_than_the_picture(self):
         for height in (1e6, 41):
