@@ -107,7 +107,7 @@ class Edits(StudioTest):
         self.drag_slider('parameters.offset', 0.5, 0.6)
         studio.click('parameters.add')
         self.add('fill')
-        self.drag_slider('parameters.fill', 0.25, 0.4)
+        self.drag_slider('parameters.value', 0.25, 0.4)
         self.drag_slider('edits.opacity', 0.98, 0.5)
         self.add('blur')
         self.drag_slider('parameters.radius', 0.3, 0.7)
@@ -146,7 +146,7 @@ class Edits(StudioTest):
         studio = self.open_edits()
         before = studio.picture('edits_fill_before')
         self.add('fill')
-        self.drag_slider('parameters.fill', 0.25, 0.02)
+        self.drag_slider('parameters.value', 0.25, 0.02)
         studio.move(*studio.point('viewer.picture', 0.5, 0.02))
         self.assertLess(np.abs(studio.picture('edits_filled') - before)[:, 10:-10].mean(), 0.6,
                         'under white lights the others give what it loses')

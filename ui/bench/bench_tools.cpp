@@ -39,11 +39,11 @@ class Stopwatch {
   }
 
   /// A shape dragged over the picture; the drag is a gesture.
-  void drag(const char* what, const ShapeKind& kind) {
+  void drag(const char* what, const Stencil& stencil) {
     ViewerContext& context = m_stage.studio().context();
     Document begun = context.document();
     Edit edit = brushEdit(context);
-    edit.mask = {draggedShape(kind, {400, 900}, {1800, 1300}, false)};
+    edit.mask = {draggedShape(stencil, {400, 900}, {1800, 1300}, false)};
     begun.edits.append(edit);
     context.editor.edit(what, begun);
     settle();
@@ -159,13 +159,13 @@ Json benchTools(const StudioOptions& options) {
   run("a new light", "brush.new_light");
   run("the new light undone", "edit.undo");
   timeSelections(watch);
-  ShapeKind kind;
-  kind.kind = ShapeKind::Kind::Linear;
-  watch.drag("a gradient dragged", kind);
-  kind.kind = ShapeKind::Kind::Radial;
-  watch.drag("a round gradient dragged", kind);
-  kind.kind = ShapeKind::Kind::Text;
-  watch.drag("words dragged", kind);
+  Stencil stencil;
+  stencil.shape = LinearGradientShape::info.name;
+  watch.drag("a gradient dragged", stencil);
+  stencil.shape = RadialGradientShape::info.name;
+  watch.drag("a radial gradient dragged", stencil);
+  stencil.shape = TextShape::info.name;
+  watch.drag("text dragged", stencil);
   watch.time("a blur over all of it",
              [](ViewerContext& context) { addEverywhere(context, "Blur", BlurOperation{64}); });
   watch.time("a curve over all of it", [](ViewerContext& context) {

@@ -174,7 +174,7 @@ EditStack EditController::usable(const EditStack& wanted) {
   EditStack stack = fitEdits(wanted, m_set->width(), m_set->height());
   stack.shadowThresholds = m_foundFor;
   for (auto& edit : stack.edits)  // an edit that is another object is prepared anew
-    if (m_filesStale && std::holds_alternative<PictureOperation>(edit->operation))
+    if (m_filesStale && std::holds_alternative<BetaMapOperation>(edit->operation))
       edit = std::make_shared<const Edit>(*edit);
   const auto needs = [](const auto& edit) { return usesShadows(*edit); };
   if (std::any_of(stack.edits.begin(), stack.edits.end(), needs)) m_needsShadows = true;

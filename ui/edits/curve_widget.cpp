@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/edit/stack/curve.h"
+#include "core/edit/operations/curve.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
@@ -15,13 +15,13 @@ namespace swaplight {
 namespace {
 
 constexpr float kReach = 9;           ///< of a point, pixels at scale 1
-constexpr float kOutside = 26;        ///< beyond the field a point is let go
+constexpr float kOutside = 26;        ///< beyond the area a point is let go
 constexpr float kLeastApart = .005F;  // in x
 constexpr int kSteps = 96;
 constexpr size_t kFewest = 2;
 
-/// The field on the screen; beta 1 is at the top.
-struct Field {
+/// The area on the screen; beta 1 is at the top.
+struct PlotArea {
   ImVec2 low, high;
   float most = 1;  ///< the largest beta shown
   [[nodiscard]] ImVec2 at(float x, float y) const {
@@ -37,9 +37,9 @@ struct Field {
   }
 };
 
-int pointAt(const CurvePoints& points, const Field& field, ImVec2 mouse) {
+int pointAt(const CurvePoints& points, const PlotArea& area, ImVec2 mouse) {
   for (size_t i = 0; i < points.size(); ++i) {
-    const ImVec2 at = field.at(points[i][0], points[i][1]);
+    const ImVec2 at = area.at(points[i][0], points[i][1]);
     if (std::hypot(at.x - mouse.x, at.y - mouse.y) < px(kReach)) return static_cast<int>(i);
   }
   return -1;
@@ -58,14 +58,14 @@ int insertPoint(CurvePoints& points, const std::array<float, 2>& value) {
 }
 
 /// The points with the held one at the mouse, between its neighbours; without it where the mouse is far away.
-CurvePoints dragged(const CurveGrab& grab, const Field& field, ImVec2 mouse) {
+CurvePoints dragged(const CurveGrab& grab, const PlotArea& area, ImVec2 mouse) {
   CurvePoints points = grab.before;
   const auto held = static_cast<size_t>(grab.held);
-  if (field.farOutside(mouse) && points.size() > kFewest) {
+  if (area.farOutside(mouse) && points.size() > kFewest) {
     points.erase(points.begin() + grab.held);
     return points;
   }
-  std::array<float, 2> value = field.valueAt(mouse);
+  std::array<float, 2> value = area.valueAt(mouse);
   const float least = held > 0 ? points[held - 1][0] + kLeastApart : 0;
   const float most = held + 1 < points.size() ? points[held + 1][0] - kLeastApart : 1;
   value[0] = std::clamp(value[0], std::min(least, most), std::max(least, most));
@@ -73,41 +73,39 @@ CurvePoints dragged(const CurveGrab& grab, const Field& field, ImVec2 mouse) {
   return points;
 }
 
-void drawField(const Field& field, std::span<const float> histogram) {
+void drawPlotArea(const PlotArea& area, std::span<const float> histogram) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(field.low, field.high, kViewerGround);
-  const float width =
-      (field.high.x - field.low.x) / static_cast<float>(std::max<size_t>(1, histogram.size()));
+  draw->AddRectFilled(area.low, area.high, kViewerGround);
+  const float width = (area.high.x - area.low.x) / static_cast<float>(std::max<size_t>(1, histogram.size()));
   for (size_t i = 0; i < histogram.size(); ++i) {
-    const float x = field.low.x + static_cast<float>(i) * width;
-    draw->AddRectFilled(ImVec2(x, field.high.y - histogram[i] * (field.high.y - field.low.y)),
-                        ImVec2(x + width, field.high.y), IM_COL32(110, 110, 110, 130));
+    const float x = area.low.x + static_cast<float>(i) * width;
+    draw->AddRectFilled(ImVec2(x, area.high.y - histogram[i] * (area.high.y - area.low.y)),
+                        ImVec2(x + width, area.high.y), IM_COL32(110, 110, 110, 130));
   }
   for (const float part : {0.25F, 0.5F, 0.75F}) {
-    draw->AddLine(field.at(part, 0), field.at(part, field.most), IM_COL32(255, 255, 255, 22));
-    draw->AddLine(field.at(0, part * field.most), field.at(1, part * field.most),
-                  IM_COL32(255, 255, 255, 22));
+    draw->AddLine(area.at(part, 0), area.at(part, area.most), IM_COL32(255, 255, 255, 22));
+    draw->AddLine(area.at(0, part * area.most), area.at(1, part * area.most), IM_COL32(255, 255, 255, 22));
   }
-  draw->AddLine(field.at(0, 0), field.at(1, 1), IM_COL32(255, 255, 255, 46));
-  draw->AddRect(field.low, field.high, kOutline);
+  draw->AddLine(area.at(0, 0), area.at(1, 1), IM_COL32(255, 255, 255, 46));
+  draw->AddRect(area.low, area.high, kOutline);
 }
 
-void drawCurve(const CurvePoints& points, const Field& field, int lit) {
+void drawCurve(const CurvePoints& points, const PlotArea& area, int lit) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   std::vector<ImVec2> line;
   try {
     const std::vector<float> table = curveTable(points, kSteps + 1);
     for (int i = 0; i <= kSteps; ++i)
       line.push_back(
-          field.at(static_cast<float>(i) / kSteps, std::min(table[static_cast<size_t>(i)], field.most)));
+          area.at(static_cast<float>(i) / kSteps, std::min(table[static_cast<size_t>(i)], area.most)));
   } catch (const InputError&) {
     line.clear();  // a file's points may be anything
   }
-  draw->PushClipRect(field.low, field.high, true);
+  draw->PushClipRect(area.low, area.high, true);
   draw->AddPolyline(line.data(), static_cast<int>(line.size()), kAccent, ImDrawFlags_None, px(2));
   draw->PopClipRect();
   for (size_t i = 0; i < points.size(); ++i) {
-    const ImVec2 at = field.at(points[i][0], std::min(points[i][1], field.most));
+    const ImVec2 at = area.at(points[i][0], std::min(points[i][1], area.most));
     const bool big = static_cast<int>(i) == lit;
     draw->AddCircleFilled(at, px(big ? 5.5F : 4.F), big ? kAccent : kText);
     draw->AddCircle(at, px(big ? 5.5F : 4.F), IM_COL32(0, 0, 0, 200), 0, px(1));
@@ -123,11 +121,11 @@ bool curveWidget(CurvePoints& points, CurveGrab& grab, std::span<const float> hi
   markItem("curve");
   // Points on the border can be taken hold of as well.
   const float air = px(5);
-  Field field{ImVec2(corner.x + air, corner.y + air),
-              ImVec2(corner.x + size.x - air, corner.y + size.y - air)};
-  for (const auto& point : points) field.most = std::max(field.most, point[1]);
+  PlotArea area{ImVec2(corner.x + air, corner.y + air),
+                ImVec2(corner.x + size.x - air, corner.y + size.y - air)};
+  for (const auto& point : points) area.most = std::max(area.most, point[1]);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const int under = ImGui::IsItemHovered() || ImGui::IsItemActive() ? pointAt(points, field, mouse) : -1;
+  const int under = ImGui::IsItemHovered() || ImGui::IsItemActive() ? pointAt(points, area, mouse) : -1;
 
   bool changed = false;
   if (ImGui::IsItemActivated()) {
@@ -141,19 +139,19 @@ bool curveWidget(CurvePoints& points, CurveGrab& grab, std::span<const float> hi
     } else if (removes) {
       grab.held = -1;
     } else if (under < 0) {
-      grab.held = insertPoint(grab.before, field.valueAt(mouse));
+      grab.held = insertPoint(grab.before, area.valueAt(mouse));
     }
   }
   const bool isNew = grab.held >= 0 && grab.before.size() > points.size() && !ImGui::GetIO().MouseReleased[0];
   const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, px(2));
   if (ImGui::IsItemActive() && grab.held >= 0 && (isNew || moved.x != 0 || moved.y != 0)) {
-    const CurvePoints next = dragged(grab, field, mouse);
+    const CurvePoints next = dragged(grab, area, mouse);
     changed = changed || next != points;
     points = next;
   }
   if (!ImGui::IsItemActive()) grab.held = -1;
-  drawField(field, histogram);
-  drawCurve(points, field, ImGui::IsItemActive() ? grab.held : under);
+  drawPlotArea(area, histogram);
+  drawCurve(points, area, ImGui::IsItemActive() ? grab.held : under);
   if (!ImGui::IsItemActive())
     tooltip(
         "Across: the light's part of the picture as it is; up: what it becomes. Click to add a point, drag "

@@ -47,7 +47,7 @@ void addEditActions(ActionTable& actions, EditingContext& studio, FileChooser& c
                  });
                },
                [&studio, chosen, index] {
-                 return chosen() && std::holds_alternative<PictureOperation>(
+                 return chosen() && std::holds_alternative<BetaMapOperation>(
                                         studio.document().edits.edits[index()]->operation);
                }});
 }

@@ -6,14 +6,12 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "ui/edits/edit_parameters.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
-#include "ui/state/enum_names.h"
 
 namespace swaplight {
 namespace {
@@ -22,26 +20,10 @@ constexpr float kRowHeight = 44;
 constexpr float kLeastHeight = 140;  ///< of the list, below whatever else the panel holds
 constexpr const char* kDragged = "swaplight edit";
 
-std::string operationWords(const Edit& edit) {
-  const auto* gain = std::get_if<GainOperation>(&edit.operation);
-  if (gain && gain->gain == 1) return fmt::format("{:+.0f} %", 100 * gain->offset);
-  if (const auto* fill = std::get_if<FillOperation>(&edit.operation))
-    return fill->value == 0 ? "none" : fmt::format("to {:.0f} %", 100 * fill->value);
-  if (const auto* picture = std::get_if<PictureOperation>(&edit.operation))
-    return std::filesystem::path(picture->file).filename().string();
-  if (const auto* shadow = std::get_if<ShadowOperation>(&edit.operation)) {
-    const std::string how = shadow->kind == ShadowOperation::Kind::Soften
-                                ? fmt::format("{} px", shadow->radius)
-                                : fmt::format("{:.0f} %", 100 * shadow->amount);
-    return fmt::format("{} {}", kShadowWords.at(static_cast<size_t>(shadow->kind)), how);
-  }
-  return operationName(edit.operation);
-}
-
 /// What an edit does, below its name.
 std::string detailWords(const Edit& edit) {
   std::string words = edit.lights.empty() ? "all lights" : fmt::format("{}", fmt::join(edit.lights, ", "));
-  words += "  ·  " + operationWords(edit);
+  words += "  ·  " + operationSummary(edit.operation);
   if (edit.meaning == Meaning::Share) words += "  ·  shared";
   if (edit.opacity < 1) words += fmt::format("  ·  {:.0f} %", 100 * edit.opacity);
   return words;

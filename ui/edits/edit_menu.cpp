@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <array>
-
 #include "core/edit/mask/selection.h"
 #include "ui/control/light_edit.h"
 #include "ui/edits/edit_list.h"
@@ -13,33 +11,6 @@
 
 namespace swaplight {
 namespace {
-
-struct Choice {
-  const char* words;
-  const char* mark;
-  const char* tip;
-  Operation operation;
-  Meaning meaning;
-};
-
-const std::array<Choice, 6>& choices() {
-  static const std::array<Choice, 6> all{
-      {{"Curve", "add.curve",
-        "Less of the light where there is little, more where there is much, or as you draw it.",
-        CurveOperation{}, Meaning::Share},
-       {"Gain and offset", "add.gain", "The light's part times a number, plus a number.", GainOperation{},
-        Meaning::Share},
-       {"Fill", "add.fill", "The light has the same part of the picture everywhere; 0 % takes it away.",
-        FillOperation{0.5F}, Meaning::Share},
-       {"Invert", "add.invert",
-        "The light goes where it was not, and leaves where it was. For two lights: they change places.",
-        InvertOperation{}, Meaning::Share},
-       {"Blur", "add.blur", "The light's borders and shadows become softer.", BlurOperation{},
-        Meaning::Share},
-       {"Sharpen", "add.sharpen", "The light's borders and shadows become harder.", SharpenOperation{},
-        Meaning::Share}}};
-  return all;
-}
 
 /// An edit of the chosen light, within the selection.
 Edit newEdit(const EditingContext& studio, const std::string& what, const Operation& operation,
@@ -51,8 +22,8 @@ Edit newEdit(const EditingContext& studio, const std::string& what, const Operat
   edit.meaning = meaning;
   edit.operation = operation;
   edit.mask = maskWithin({}, studio.document().selection);
-  // Two lights change places; a third has to be told which.
-  if (std::holds_alternative<InvertOperation>(operation) && studio.document().rig.lights.size() == 2)
+  // With three lights somebody has to say which two change places.
+  if (swapsTwoLights(operation) && studio.document().rig.lights.size() == 2)
     edit.lights.clear();
   return edit;
 }
@@ -86,12 +57,13 @@ void drawAddEdit(EditingContext& studio, float width) {
   markItem("edits.add");
   tooltip("A new edit of the chosen light.");
   if (!ImGui::BeginPopup("##add edit")) return;
-  for (const Choice& choice : choices()) {
-    if (ImGui::MenuItem(choice.words))
-      append(studio, choice.words, newEdit(studio, choice.words, choice.operation, choice.meaning));
-    markItem(choice.mark);
-    tooltip(choice.tip);
-  }
+  forEachOperation([&]<typename T>(const T& operation) {
+    if (!T::info.inMenu) return;
+    if (ImGui::MenuItem(T::info.title))
+      append(studio, T::info.title, newEdit(studio, T::info.title, operation, Meaning::Share));
+    markItem({"add.", T::info.name});
+    tooltip(T::info.tip);
+  });
   ImGui::Separator();
   if (ImGui::MenuItem("From a file \u2026")) studio.actions.run("edits.add_picture");
   markItem("add.picture");
@@ -106,7 +78,7 @@ void drawAddEdit(EditingContext& studio, float width) {
 }
 
 void addPictureEdit(EditingContext& studio, const std::string& file) {
-  const Edit edit = newEdit(studio, "From a file", PictureOperation{file, ""}, Meaning::Share);
+  const Edit edit = newEdit(studio, "From a file", BetaMapOperation{file, ""}, Meaning::Share);
   studio.edits.files().choose(edit, lightsOf(studio),
                               [&studio, edit] { append(studio, "From a file", edit); });
 }
@@ -115,7 +87,7 @@ void setPictureOfEdit(EditingContext& studio, size_t index, const std::string& f
   if (index >= studio.document().edits.edits.size()) return;
   const std::shared_ptr<const Edit> before = studio.document().edits.edits[index];
   Edit edit = *before;
-  auto& picture = std::get<PictureOperation>(edit.operation);
+  auto& picture = std::get<BetaMapOperation>(edit.operation);
   if (picture.file != file) picture = {file, ""};
   studio.edits.files().choose(edit, lightsOf(studio), [&studio, before, index, edit] {
     const auto& edits = studio.document().edits.edits;

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "core/color/srgb.h"
+#include "core/edit/fields/field.h"
 #include "core/edit/stack/beta_histogram.h"
 #include "ui/control/light_edit.h"
 #include "ui/edits/curve_widget.h"
@@ -21,7 +22,6 @@
 #include "ui/kit/panel_controls.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
-#include "ui/state/enum_names.h"
 
 namespace swaplight {
 namespace {
@@ -58,13 +58,6 @@ bool percent(const char* words, const char* mark, float* part, float low, float 
   float shown = 100 * *part;
   if (!labelledSlider(words, mark, &shown, 100 * low, 100 * high, "%.0f %%", tip, 0)) return false;
   *part = shown / 100;
-  return true;
-}
-
-bool radius(const char* mark, int* pixels, const char* tip) {
-  auto shown = static_cast<float>(*pixels);
-  if (!labelledSlider("Radius", mark, &shown, 1, 256, "%.0f px", tip, kLogarithmic)) return false;
-  *pixels = static_cast<int>(std::round(shown));
   return true;
 }
 
@@ -128,95 +121,113 @@ std::span<const float> histogramFor(const Parameters& of) {
   return kept[light];
 }
 
-void fields(const Parameters& of, FillOperation fill) {
-  if (percent("Part", "parameters.fill", &fill.value, 0, 2,
-              "The light's part of the picture under white lights; 0 % takes it away."))
-    of.preview("part", fill);
+// A control for one value of an edit, as its field describes it. True where it was changed; steps of their own
+// (a reset, a choice) are taken at once.
+
+std::string markOf(const char* key) {
+  return std::string("parameters.") + key;
 }
 
-void fields(const Parameters& of, GainOperation gain) {
-  bool changed = labelledSlider("Gain", "parameters.gain", &gain.gain, 0, 4, "x %.2f",
-                                "The light's part times this.", 0);
-  gain.gain = std::max(gain.gain, 0.F);
-  changed |= percent("Offset", "parameters.offset", &gain.offset, -1, 1, "And so much more or less.");
-  if (changed) of.preview("gain", gain);
+template <typename Owner>
+bool control(const Parameters& /*of*/, const Field<Owner, float>& field, float& value) {
+  const Scale& scale = field.scale;
+  const bool percents = scale.unit == Scale::Unit::Percent;
+  const std::string mark = markOf(field.key);
+  const bool changed =
+      percents ? percent(field.label, mark.c_str(), &value, scale.sliderLeast, scale.sliderMost, field.tip)
+               : labelledSlider(field.label, mark.c_str(), &value, scale.sliderLeast, scale.sliderMost,
+                                scale.unit == Scale::Unit::Factor ? "x %.2f" : "%.1f px", field.tip, 0);
+  value = std::clamp(value, static_cast<float>(scale.least), static_cast<float>(scale.most));
+  return changed;
 }
 
-void fields(const Parameters& of, CurveOperation curve) {
+/// Whole numbers.
+template <typename Owner>
+bool control(const Parameters& /*of*/, const Field<Owner, int>& field, int& value) {
+  auto shown = static_cast<float>(value);
+  if (!labelledSlider(field.label, markOf(field.key).c_str(), &shown, field.scale.sliderLeast,
+                      field.scale.sliderMost, field.scale.unit == Scale::Unit::Count ? "%.0f" : "%.0f px",
+                      field.tip, kLogarithmic))
+    return false;
+  value = static_cast<int>(std::round(shown));
+  return true;
+}
+
+template <typename Owner>
+bool control(const Parameters& of, const Field<Owner, Points>& field, Points& points) {
   const float width = ImGui::GetContentRegionAvail().x - px(6);
-  if (curveWidget(curve.points, of.studio.editing.curve, histogramFor(of), ImVec2(width, px(kCurveHeight))))
-    of.preview("curve", curve);
-  if (ImGui::Button("Straight again", ImVec2(width, 0)) && !(curve == CurveOperation{})) {
+  const bool changed =
+      curveWidget(points, of.studio.editing.curve, histogramFor(of), ImVec2(width, px(kCurveHeight)));
+  if (ImGui::Button("Reset curve", ImVec2(width, 0)) && points != Owner().*field.member) {
     Edit next = of.edit;
-    next.operation = CurveOperation{};
-    of.change("Curve: straight again", std::move(next));
+    std::get<Owner>(next.operation).*field.member = Owner().*field.member;
+    of.change("Reset curve", std::move(next));
   }
   markItem("curve.reset");
-  tooltip("The curve that changes nothing.");
+  tooltip("A straight line: no change.");
+  return changed;
 }
 
-void fields(const Parameters& of, InvertOperation /*none*/) {
-  hint(of.edit.lights.size() == 2 || (of.edit.lights.empty() && of.studio.document().rig.lights.size() == 2)
-           ? "The two lights change places."
-           : "1 \u2212 \u03b2 of each light.");
-}
-
-void fields(const Parameters& of, BlurOperation blur) {
-  if (radius("parameters.radius", &blur.radius, "Over how many pixels of the picture."))
-    of.preview("radius", blur);
-}
-
-void fields(const Parameters& of, SharpenOperation sharpen) {
-  bool changed = radius("parameters.radius", &sharpen.radius, "Of the details that become stronger.");
-  changed |= percent("Amount", "parameters.amount", &sharpen.amount, 0, 4, "How much stronger.");
-  sharpen.amount = std::max(sharpen.amount, 0.F);
-  if (changed) of.preview("sharpen", sharpen);
-}
-
-void fields(const Parameters& of, const PictureOperation& picture) {
-  label("File");
-  const std::string name = std::filesystem::path(picture.file).filename().string();
+template <typename Owner>
+bool control(const Parameters& of, const Field<Owner, std::string>& field, const std::string& file) {
+  label(field.label);
+  const std::string name = std::filesystem::path(file).filename().string();
   const float again = px(28);
   const float width = ImGui::GetContentRegionAvail().x - px(6) - again - px(4);
   if (ImGui::Button((name + "##file").c_str(), ImVec2(width, 0)))
     of.studio.actions.run("edits.choose_picture");
-  markItem("parameters.file");
-  tooltip((picture.file + "\nClick to choose another.").c_str());
+  markItem({"parameters.", field.key});
+  tooltip((file + "\nClick to choose another file.").c_str());
   ImGui::SameLine(0, px(4));
-  if (toggleButton(kIconReset, false, kAccent, again, "Read the file again: it was changed elsewhere."))
-    setPictureOfEdit(of.studio, of.index, picture.file);
+  if (toggleButton(kIconReset, false, kAccent, again, "Reload: the file was changed in another program."))
+    setPictureOfEdit(of.studio, of.index, file);
   markItem("parameters.read_again");
+  return false;
 }
 
-void fields(const Parameters& of, ShadowOperation shadow) {
-  using Kind = ShadowOperation::Kind;
-  label("Shadows");
-  const bool open = ImGui::BeginCombo("##kind", kShadowWords.at(static_cast<size_t>(shadow.kind)));
-  markItem("parameters.kind");
-  for (size_t i = 0; open && i < kShadowWords.size(); ++i) {
-    if (ImGui::Selectable(kShadowWords.at(i), static_cast<size_t>(shadow.kind) == i)) {
+template <typename Owner>
+bool control(const Parameters& /*of*/, const Field<Owner, Rgb>& field, Rgb& color) {
+  label(field.label);
+  Rgb codes = srgbFromLinear(color);
+  const bool changed = ImGui::ColorEdit3("##colour", &codes.x,
+                                         ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+  if (changed) color = linearFromSrgb(codes);
+  markItem({"parameters.", field.key});
+  tooltip(field.tip);
+  return changed;
+}
+
+template <typename Owner, typename Choice>
+  requires std::is_enum_v<Choice>
+bool control(const Parameters& of, const Field<Owner, Choice>& field, Choice& choice) {
+  label(field.label);
+  const bool open = ImGui::BeginCombo("##choice", field.titles[static_cast<size_t>(choice)]);
+  markItem({"parameters.", field.key});
+  if (!open) tooltip(field.tip);
+  for (size_t i = 0; open && i < field.titles.size(); ++i) {
+    if (ImGui::Selectable(field.titles[i], static_cast<size_t>(choice) == i)) {
       Edit next = of.edit;
-      shadow.kind = static_cast<Kind>(i);
-      next.operation = shadow;
-      of.change(std::string("Shadows: ") + kShadowWords.at(i), std::move(next));
+      std::get<Owner>(next.operation).*field.member = choice = static_cast<Choice>(i);
+      of.change(std::string(field.label) + ": " + field.titles[i], std::move(next));
     }
-    markItem({"parameters.kind.", kShadowWords.at(i)});
+    markItem({"parameters.", field.key, ".", field.titles[i]});
   }
   if (open) ImGui::EndCombo();
-  bool changed = percent("Amount", "parameters.amount", &shadow.amount, 0, 1, "From nothing to all of it.");
-  shadow.amount = std::clamp(shadow.amount, 0.F, 1.F);
-  if (shadow.kind == Kind::Soften)
-    changed |= radius("parameters.radius", &shadow.radius, "Over how many pixels of the picture.");
-  if (shadow.kind == Kind::Recolor) {
-    label("Colour");
-    Rgb codes = srgbFromLinear(shadow.color);
-    if (ImGui::ColorEdit3("##colour", &codes.x, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel)) {
-      shadow.color = linearFromSrgb(codes);
-      changed = true;
-    }
-    markItem("parameters.colour");
-  }
-  if (changed) of.preview("shadows", shadow);
+  return false;
+}
+
+template <LightOperation T>
+void fields(const Parameters& of, T operation) {
+  const char* changed = nullptr;
+  forEachField(operation, [&](const auto& field, auto& value) {
+    const bool shown = *field.label && (!field.applies || field.applies(operation));
+    if (shown && control(of, field, value)) changed = field.label;
+  });
+  if (changed) of.preview(changed, operation);
+  if (!swapsTwoLights(operation)) return;
+  const size_t all = of.studio.document().rig.lights.size();
+  hint(of.edit.lights.size() == 2 || (of.edit.lights.empty() && all == 2) ? "The two lights change places."
+                                                                          : "1 \u2212 \u03b2 of each light.");
 }
 
 }  // namespace

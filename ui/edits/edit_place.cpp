@@ -20,11 +20,8 @@ namespace {
 std::string placeWords(const Mask& mask) {
   if (mask.empty()) return "everywhere";
   if (mask.size() > 1) return fmt::format("{} shapes", mask.size());
-  constexpr std::array<const char*, 12> kWords{"rectangle",      "ellipse", "lasso", "gradient",
-                                               "round gradient", "pattern", "words", "picture",
-                                               "painted",        "shadows", "alike", "selection"};
   const MaskShape& shape = mask.front();
-  std::string words = kWords.at(shape.shape.index());
+  std::string words = std::visit([](const auto& s) { return s.info.title; }, shape.shape);
   if (const auto* shadow = std::get_if<ShadowShape>(&shape.shape))
     words = (shadow->region ? "a shadow of " : "shadows of ") + shadow->light;
   return shape.invert ? "not " + words : words;

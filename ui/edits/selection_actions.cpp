@@ -14,8 +14,8 @@ void askForStencilPicture(EditingContext& studio, FileChooser& chooser) {
                "",
                studio.document().source.parent_path(),
                [&studio](const std::filesystem::path& file) {
-                 studio.editing.stencil.kind.kind = ShapeKind::Kind::Picture;
-                 studio.editing.stencil.kind.file =
+                 studio.editing.stencil.stencil.shape = ImageShape::info.name;
+                 studio.editing.stencil.stencil.file =
                      std::filesystem::absolute(file).lexically_normal().string();
                }});
 }

@@ -18,60 +18,44 @@
 namespace swaplight {
 namespace {
 
-using Kind = ShapeKind::Kind;
-
 constexpr float kMostFeather = 400;
 
 void kinds(StencilState& state) {
-  struct Choice {
-    Kind kind;
-    const char* words;
-    const char* mark;
-    const char* tip;
-  };
-  constexpr Choice kChoices[] = {
-      {Kind::Text, "Words", "stencil.text", "Drag: the words become as wide as the drag."},
-      {Kind::Picture, "Picture", "stencil.picture",
-       "A picture's brightness as a stencil, stretched over the drag."},
-      {Kind::Rectangle, "Rectangle", "stencil.rectangle", "Drag from corner to corner. Shift: a square."},
-      {Kind::Ellipse, "Ellipse", "stencil.ellipse", "Drag from corner to corner. Shift: a circle."},
-      {Kind::Linear, "Gradient", "stencil.linear",
-       "Drag from where all of it is to where nothing is. Shift: in steps of 45 degrees."},
-      {Kind::Radial, "Round grad.", "stencil.radial", "Drag from the middle to the rim."},
-      {Kind::Pattern, "Pattern", "stencil.pattern",
-       "Stripes, checks or dots, as of a gobo in front of a lamp. Drag: how long a repeat is, and in which "
-       "direction."}};
   const float gap = px(4);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
   int column = 0;
-  for (const Choice& one : kChoices) {
+  for (const StencilKind& one : stencilKinds()) {
     if (column++ % 2 == 1) ImGui::SameLine(0, gap);
-    if (choiceButton(one.words, state.kind.kind == one.kind, width, one.mark, one.tip))
-      state.kind.kind = one.kind;
+    const bool chosen = state.stencil.shape == one.info.name;
+    const std::string mark = std::string("stencil.") + one.info.name;
+    if (choiceButton(one.stencil.label, chosen, width, mark.c_str(), one.stencil.tip))
+      state.stencil.shape = one.info.name;
   }
 }
 
 /// What only this kind has. True where it changed.
 bool ownValues(EditingContext& studio) {
-  ShapeKind& kind = studio.editing.stencil.kind;
+  Stencil& stencil = studio.editing.stencil.stencil;
+  const StencilKind& kind = kindOf(stencil);
   bool changed = false;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  if (kind.kind == Kind::Text) {
-    changed = ImGui::InputTextWithHint("##words", "The words", &kind.text);
+  if (kind.text) {
+    changed = ImGui::InputTextWithHint("##words", "Text", &stencil.text);
     markItem("stencil.words");
-  } else if (kind.kind == Kind::Picture) {
-    const std::string name = std::filesystem::path(kind.file).filename().string();
+  }
+  if (kind.file) {
+    const std::string name = std::filesystem::path(stencil.file).filename().string();
     actionTextButton(studio.actions, "stencil.choose_picture", name.empty() ? "Choose \u2026" : name.c_str(),
                      ImGui::GetContentRegionAvail().x);
-  } else if (kind.kind == Kind::Pattern) {
-    int pattern = static_cast<int>(kind.pattern);
+  }
+  if (kind.pattern) {
+    int pattern = static_cast<int>(stencil.pattern);
     changed = ImGui::Combo("##pattern", &pattern, "Stripes\0Checks\0Dots\0");
     markItem("stencil.which_pattern");
-    kind.pattern = static_cast<PatternShape::Kind>(pattern);
+    stencil.pattern = static_cast<PatternShape::Kind>(pattern);
   }
-  const bool soft = kind.kind != Kind::Picture && kind.kind != Kind::Linear && kind.kind != Kind::Radial;
-  if (soft && labelledSlider("Soft edge", "stencil.feather", &kind.feather, 0, kMostFeather, "%.0f px",
-                             "Over how many pixels of the picture its edge falls off.", kLogarithmic))
+  if (kind.feather && labelledSlider("Feather", "stencil.feather", &stencil.feather, 0, kMostFeather, "%.0f px",
+                                     "Width of the soft edge, in image pixels.", kLogarithmic))
     changed = true;
   return changed;
 }
@@ -89,7 +73,7 @@ void drawStencilPanel(EditingContext& studio) {
   tooltip("Everywhere but in the shape.");
   if (const Edit* chosen = chosenStencil(studio); changed && chosen && !state.going) {
     Edit edit = *chosen;
-    edit.mask.front() = withKind(edit.mask.front(), state.kind);
+    edit.mask.front() = withStencil(edit.mask.front(), state.stencil);
     edit.mask.front().invert = state.invert;
     const std::string step = edit.name + ": stencil";
     previewEdit(studio, static_cast<size_t>(studio.editing.chosen), step, std::move(edit));

@@ -20,9 +20,6 @@ template <typename Enum, size_t N>
   return found == names.end() ? otherwise : static_cast<Enum>(found - names.begin());
 }
 
-/// Of ShadowOperation::Kind.
-inline constexpr std::array<const char*, 5> kShadowWords = {"lighten", "deepen", "soften", "sharpen",
-                                                            "recolour"};
 /// Of ViewSubject::Kind.
 inline constexpr std::array<const char*, 9> kSubjectNames = {
     "relit", "contribution", "beta", "reflectance", "residual", "sigma", "flags", "photograph", "visibility"};

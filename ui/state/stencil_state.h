@@ -9,7 +9,7 @@ namespace swaplight {
 
 /// The stencil or gradient through which light is laid on, and the drag that is under way.
 struct StencilState {
-  ShapeKind kind;
+  Stencil stencil;
   bool invert = false;
 
   struct Going {

@@ -14,8 +14,6 @@ namespace swaplight {
 namespace {
 
 using What = ShapeHandle::What;
-using Point = std::array<float, 2>;
-
 constexpr float kReach = 11;  // pixels of the screen at scale 1
 constexpr float kRadius = 5;
 constexpr float kLeastDrag = 1;

@@ -10,39 +10,31 @@
 namespace swaplight {
 namespace {
 
-using Kind = ShapeKind::Kind;
-using Point = std::array<float, 2>;
-
 constexpr float kLeastDrag = 4;  // pixels of the screen: less places nothing
-
-const char* wordOf(Kind kind) {
-  constexpr const char* kWords[] = {"text",    "ellipse",  "rectangle",     "pattern",
-                                    "picture", "gradient", "round gradient"};
-  return kWords[static_cast<size_t>(kind)];
-}
 
 void begin(EditingContext& studio, const Point& at) {
   StencilState& state = studio.editing.stencil;
-  if (state.kind.kind == Kind::Picture && state.kind.file.empty()) {
-    studio.messages.info("Choose the picture first.");
+  const StencilKind& kind = kindOf(state.stencil);
+  if (kind.file && state.stencil.file.empty()) {
+    studio.messages.info("Choose an image first.");
     return;
   }
-  if (state.kind.kind == Kind::Text && state.kind.text.empty()) {
-    studio.messages.info("Type the words first.");
+  if (kind.text && state.stencil.text.empty()) {
+    studio.messages.info("Type the text first.");
     return;
   }
   StencilState::Going going;
   going.before = studio.document();
   going.from = at;
   going.base = brushEdit(studio);
-  going.base.name += std::string(": ") + wordOf(state.kind.kind);
+  going.base.name += std::string(": ") + kind.info.title;
   state.going = std::move(going);
 }
 
 void show(EditingContext& studio, const Point& at) {
   const StencilState& state = studio.editing.stencil;
   const StencilState::Going& going = *state.going;
-  MaskShape shape = draggedShape(state.kind, going.from, at, ImGui::GetIO().KeyShift);
+  MaskShape shape = draggedShape(state.stencil, going.from, at, ImGui::GetIO().KeyShift);
   shape.invert = state.invert;
   Edit edit = going.base;
   edit.mask = maskWithin({std::move(shape)}, going.before.selection);
@@ -59,8 +51,7 @@ const Edit* chosenStencil(const EditingContext& studio) {
   const int chosen = studio.editing.chosen;
   if (chosen < 0 || chosen >= static_cast<int>(edits.size())) return nullptr;
   const Edit& edit = *edits[static_cast<size_t>(chosen)];
-  return !edit.mask.empty() && isOfKind(edit.mask.front(), studio.editing.stencil.kind.kind) ? &edit
-                                                                                             : nullptr;
+  return !edit.mask.empty() && isOfKind(edit.mask.front(), studio.editing.stencil.stencil) ? &edit : nullptr;
 }
 
 namespace {

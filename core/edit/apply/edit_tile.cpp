@@ -4,7 +4,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/edit/apply/edit_rows.h"
-#include "core/edit/apply/edit_targets.h"
 
 namespace swaplight {
 
@@ -95,86 +94,96 @@ std::vector<float> EditTile::blurredBeta(int light, int radius) const {
   return blurred;
 }
 
-void EditTile::swapRow(const PreparedEdit& edit, int y, int x, int count, const float* mask) {
-  for (int c = 0; c < 3; ++c) {
-    float* a = writableRow(edit.lights[0], c, y) + (x - m_area.x);
-    float* b = writableRow(edit.lights[1], c, y) + (x - m_area.x);
-    for (int i = 0; i < count; ++i) {
-      const float step = mask[i] * (b[i] - a[i]);
-      a[i] += step;
-      b[i] -= step;
+template <typename Body>
+void EditTile::forEachSpan(const PreparedEdit& edit, const PixelRect& area, const Body& body) {
+  std::vector<float> mask(static_cast<size_t>(area.width));
+  for (int y = area.y; y < area.bottom(); ++y) {
+    if (!edit.mask->row(area.x, y, area.width, mask.data())) continue;
+    // Only between the first and the last pixel that the mask lets through.
+    const auto isOpen = [](float m) { return m > 0; };
+    const auto first = std::find_if(mask.begin(), mask.end(), isOpen);
+    const auto end = std::find_if(mask.rbegin(), mask.rend(), isOpen).base();
+    std::for_each(first, end, [&](float& m) { m *= edit.edit->opacity; });
+    body(Span{area.x + static_cast<int>(first - mask.begin()), y, static_cast<int>(end - first), &*first});
+  }
+}
+
+void EditTile::swapLights(const PreparedEdit& edit, const PixelRect& area) {
+  forEachSpan(edit, area, [&](const Span& span) {
+    for (int c = 0; c < 3; ++c) {
+      float* a = writableRow(edit.lights[0], c, span.y) + (span.x - m_area.x);
+      float* b = writableRow(edit.lights[1], c, span.y) + (span.x - m_area.x);
+      for (int i = 0; i < span.count; ++i) {
+        const float step = span.mask[i] * (b[i] - a[i]);
+        a[i] += step;
+        b[i] -= step;
+      }
     }
-  }
+  });
 }
 
-void EditTile::shadowRow(const PreparedEdit& edit, int y, int x, int count, const float* mask) {
-  const auto& operation = std::get<ShadowOperation>(edit.edit->operation);
-  thread_local std::vector<float> weight;
-  weight.resize(static_cast<size_t>(count));
-  for (size_t k = 0; k < edit.lights.size(); ++k) {
-    const ShadowChange& change = edit.shadows[k];
-    shadowWeightRow(operation, change, x, y, mask, count, weight.data());
-    for (int c = 0; c < 3; ++c)
-      changeShadowRow(operation, c, weight.data(), change.shadows->direct.view().row(c, y) + x, count,
-                      writableRow(edit.lights[k], c, y) + (x - m_area.x));
-  }
+void EditTile::applyOperation(const ShadowOperation& operation, const PreparedEdit& edit,
+                              const PixelRect& area) {
+  std::vector<float> weight(static_cast<size_t>(area.width));
+  forEachSpan(edit, area, [&](const Span& span) {
+    for (size_t k = 0; k < edit.lights.size(); ++k) {
+      const ShadowChange& change = edit.shadows[k];
+      shadowWeightRow(operation, change, span.x, span.y, span.mask, span.count, weight.data());
+      for (int c = 0; c < 3; ++c)
+        changeShadowRow(operation, c, weight.data(), change.shadows->direct.view().row(c, span.y) + span.x,
+                        span.count, writableRow(edit.lights[k], c, span.y) + (span.x - m_area.x));
+    }
+  });
 }
 
-void EditTile::apply(const PreparedEdit& edit, const PixelRect& part) {
-  const PixelRect area = intersection(part, edit.mask->bounds());
-  if (area.empty() || !edit.isActive() || edit.lights.empty() || !edit.mask->touches(area)) return;
+template <BetaOperation T>
+void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area) {
+  if (requires { T::kSwapsTwoLights; } && edit.lights.size() == 2) return swapLights(edit, area);
   std::vector<std::vector<float>> blurred;
   if (const int radius = edit.reach(); radius > 0)
     for (const int light : edit.lights) blurred.push_back(blurredBeta(light, radius));
-  const bool swap = std::holds_alternative<InvertOperation>(edit.edit->operation) && edit.lights.size() == 2;
-  const bool shadow = std::holds_alternative<ShadowOperation>(edit.edit->operation);
   const bool share = edit.edit->meaning == Meaning::Share;
 
   std::vector<RgbRow> rows;
-  std::vector<float> maskRow(static_cast<size_t>(area.width));
-  ShareScratch scratch(static_cast<size_t>(m_lights), maskRow.size());
-  for (int y = area.y; y < area.bottom(); ++y) {
-    if (!edit.mask->row(area.x, y, area.width, maskRow.data())) continue;
-    // Only the span between the first and the last pixel that the mask lets through.
-    const auto isOpen = [](float m) { return m > 0; };
-    const auto first = std::find_if(maskRow.begin(), maskRow.end(), isOpen);
-    const auto end = std::find_if(maskRow.rbegin(), maskRow.rend(), isOpen).base();
-    const int x = area.x + static_cast<int>(first - maskRow.begin());
-    const int count = static_cast<int>(end - first);
-    const int skip = x - m_area.x;
-    float* mask = &*first;
-    for (int i = 0; i < count; ++i) mask[i] *= edit.edit->opacity;
-    if (swap || shadow) {
-      swap ? swapRow(edit, y, x, count, mask) : shadowRow(edit, y, x, count, mask);
-      continue;
-    }
+  ShareScratch scratch(static_cast<size_t>(m_lights), static_cast<size_t>(area.width));
+  forEachSpan(edit, area, [&](const Span& span) {
+    const int skip = span.x - m_area.x;
+    const auto count = static_cast<size_t>(span.count);
 
     // Beta as it is and as the operation wants it.
     for (int i = 0; share && i < m_lights; ++i)
-      betaRow(i, y, x, count, scratch.beta[static_cast<size_t>(i)].data());
+      betaRow(i, span.y, span.x, span.count, scratch.beta[static_cast<size_t>(i)].data());
     for (size_t k = 0; k < edit.lights.size(); ++k) {
       const auto i = static_cast<size_t>(edit.lights[k]);
-      if (!share) betaRow(edit.lights[k], y, x, count, scratch.beta[i].data());
-      const float* soft = blurred.empty()
-                              ? nullptr
-                              : blurred[k].data() + static_cast<size_t>((y - m_area.y) * m_area.width + skip);
-      targetRow(edit, k, y, x, scratch.beta[i].data(), soft, count, scratch.target[i].data());
+      if (!share) betaRow(edit.lights[k], span.y, span.x, span.count, scratch.beta[i].data());
+      BetaRow row{{scratch.beta[i].data(), count}, nullptr, nullptr, edit.table};
+      if (!blurred.empty())
+        row.blurred = blurred[k].data() + static_cast<size_t>((span.y - m_area.y) * m_area.width + skip);
+      if (edit.beta) row.map = edit.beta->maps[k].view().row(0, span.y) + span.x;
+      float* target = scratch.target[i].data();
+      operation.targetRow(row, target);
+      std::transform(target, target + count, target, [](float t) { return std::max(t, 0.f); });
     }
 
     // Move the light.
     rows.clear();
     for (int i = 0; i < m_lights; ++i)
-      rows.push_back({writableRow(i, 0, y) + skip, writableRow(i, 1, y) + skip, writableRow(i, 2, y) + skip});
-    if (share) {
-      shareRow(rows, edit.lights, mask, count, scratch);
-      continue;
-    }
-    const ConstRgbRow white{whiteRow(0, y) + skip, whiteRow(1, y) + skip, whiteRow(2, y) + skip};
+      rows.push_back({writableRow(i, 0, span.y) + skip, writableRow(i, 1, span.y) + skip,
+                      writableRow(i, 2, span.y) + skip});
+    if (share) return shareRow(rows, edit.lights, span.mask, span.count, scratch);
+    const ConstRgbRow white{whiteRow(0, span.y) + skip, whiteRow(1, span.y) + skip,
+                            whiteRow(2, span.y) + skip};
     for (const int i : edit.lights) {
       const auto k = static_cast<size_t>(i);
-      addRow(rows[k], white, scratch.beta[k].data(), scratch.target[k].data(), mask, count);
+      addRow(rows[k], white, scratch.beta[k].data(), scratch.target[k].data(), span.mask, span.count);
     }
-  }
+  });
+}
+
+void EditTile::apply(const PreparedEdit& edit, const PixelRect& part) {
+  const PixelRect area = intersection(part, edit.mask->bounds());
+  if (area.empty() || !edit.isActive() || edit.lights.empty() || !edit.mask->touches(area)) return;
+  std::visit([&](const auto& operation) { applyOperation(operation, edit, area); }, edit.edit->operation);
 }
 
 }  // namespace swaplight

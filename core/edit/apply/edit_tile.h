@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/edit/apply/prepared_edit.h"
+#include "core/edit/operations/operations.h"
 #include "core/set/solved_set.h"
 
 namespace swaplight {
@@ -38,8 +39,18 @@ class EditTile {
   void betaRow(int light, int y, int x, int count, float* out) const;
   /// Beta of a light over the whole area, blurred.
   [[nodiscard]] std::vector<float> blurredBeta(int light, int radius) const;
-  void swapRow(const PreparedEdit& edit, int y, int x, int count, const float* mask);
-  void shadowRow(const PreparedEdit& edit, int y, int x, int count, const float* mask);
+  /// A part of a row in which an edit acts.
+  struct Span {
+    int x, y, count;
+    const float* mask;  ///< times the edit's opacity
+  };
+  /// Calls body(Span) for each row of the area in which the edit's mask lets something through.
+  template <typename Body>
+  void forEachSpan(const PreparedEdit& edit, const PixelRect& area, const Body& body);
+  void swapLights(const PreparedEdit& edit, const PixelRect& area);
+  void applyOperation(const ShadowOperation& operation, const PreparedEdit& edit, const PixelRect& area);
+  template <BetaOperation T>
+  void applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area);
 
   int m_lights;
   PixelRect m_area;

@@ -6,12 +6,9 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/edit/stack/curve.h"
 
 namespace swaplight {
 namespace {
-
-constexpr int kCurveSteps = 1025;
 
 std::vector<int> chosenLights(const Edit& edit, const EditedLights& lights) {
   std::vector<int> chosen;
@@ -32,17 +29,27 @@ int zoneOf(const Operation& operation, int width) {
   return shadow ? shadowZone(*shadow, width) : 0;
 }
 
+// What the operation looks up of each chosen light's shadows, or what was looked up before.
+std::vector<ShadowChange> shadowChanges(const ShadowOperation& operation, const Edit& edit,
+                                        const std::vector<int>& chosen, const EditedLights& lights,
+                                        const ShadowSource& shadows, const PreparedEdit* earlier) {
+  if (!shadows) throw InputError("the edit \"{}\" uses shadows, which are not available here.", edit.name);
+  const auto* before = earlier ? std::get_if<ShadowOperation>(&earlier->edit->operation) : nullptr;
+  if (before && earlier->lights == chosen && sameShadowChange(*before, operation)) return earlier->shadows;
+  std::vector<ShadowChange> changes;
+  for (const int i : chosen)
+    changes.push_back(shadowChange(operation, shadows(lights.names[static_cast<size_t>(i)])));
+  return changes;
+}
+
 }  // namespace
 
 int PreparedEdit::reach() const {
-  if (!isActive()) return 0;
-  if (const auto* blur = std::get_if<BlurOperation>(&edit->operation)) return blur->radius;
-  if (const auto* sharpen = std::get_if<SharpenOperation>(&edit->operation)) return sharpen->radius;
-  return 0;
+  return isActive() ? operationReach(edit->operation) : 0;
 }
 
 std::optional<BetaRequest> betaRequest(const Edit& edit, const EditedLights& lights) {
-  const auto* picture = std::get_if<PictureOperation>(&edit.operation);
+  const auto* picture = std::get_if<BetaMapOperation>(&edit.operation);
   if (!picture) return std::nullopt;
   BetaRequest request{*picture, {}, lights.width, lights.height};
   for (const int i : chosenLights(edit, lights))
@@ -51,14 +58,13 @@ std::optional<BetaRequest> betaRequest(const Edit& edit, const EditedLights& lig
 }
 
 void checkBeta(const Edit& edit, const EditedLights& lights, const BetaMaps& beta) {
-  const auto& picture = std::get<PictureOperation>(edit.operation);
+  const auto& picture = std::get<BetaMapOperation>(edit.operation);
   if (edit.meaning == Meaning::Share)
     checkProportions(beta, beta.maps.size() == lights.names.size(), picture.file);
 }
 
 PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights, MaskGround& ground,
                          BetaFiles& files, const PreparedEdit* earlier) {
-  const ShadowSource& shadows = ground.shadows();
   PreparedEdit prepared;
   prepared.lights = chosenLights(*edit, lights);
   const int zone = zoneOf(edit->operation, lights.width);
@@ -66,19 +72,17 @@ PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& l
     prepared.mask = earlier->mask;
   else
     prepared.mask = std::make_shared<PreparedMask>(edit->mask, ground, zone);
-  if (const auto* curve = std::get_if<CurveOperation>(&edit->operation)) {
-    prepared.curve = curveTable(curve->points, kCurveSteps);
-  } else if (const auto request = betaRequest(*edit, lights)) {
+  std::visit(
+      [&]<typename T>(const T& operation) {
+        if constexpr (std::is_same_v<T, ShadowOperation>)
+          prepared.shadows =
+              shadowChanges(operation, *edit, prepared.lights, lights, ground.shadows(), earlier);
+        if constexpr (requires { operation.tabulate(); }) prepared.table = operation.tabulate();
+      },
+      edit->operation);
+  if (const auto request = betaRequest(*edit, lights)) {
     prepared.beta = files.maps(*request);
     checkBeta(*edit, lights, *prepared.beta);
-  } else if (const auto* shadow = std::get_if<ShadowOperation>(&edit->operation)) {
-    if (!shadows) throw InputError("the edit \"{}\" uses shadows, which are not at hand here.", edit->name);
-    const auto* before = earlier ? std::get_if<ShadowOperation>(&earlier->edit->operation) : nullptr;
-    if (before && earlier->lights == prepared.lights && sameShadowChange(*before, *shadow))
-      prepared.shadows = earlier->shadows;
-    else
-      for (const int i : prepared.lights)
-        prepared.shadows.push_back(shadowChange(*shadow, shadows(lights.names[static_cast<size_t>(i)])));
   }
   prepared.edit = std::move(edit);
   return prepared;

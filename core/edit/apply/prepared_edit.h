@@ -24,13 +24,13 @@ struct PreparedEdit {
   std::shared_ptr<const Edit> edit;
   std::vector<int> lights;  ///< those chosen, ascending
   std::shared_ptr<const PreparedMask> mask;
-  std::vector<float> curve;              ///< beta 0..1 in even steps, for CurveOperation
-  std::shared_ptr<const BetaMaps> beta;  ///< of the chosen lights, for PictureOperation
+  std::vector<float> table;              ///< what the operation tabulates
+  std::shared_ptr<const BetaMaps> beta;  ///< of the chosen lights, for BetaMapOperation
   std::vector<ShadowChange> shadows;     ///< one a chosen light, for ShadowOperation
 
   /// Does it do anything?
   [[nodiscard]] bool isActive() const { return edit->on && edit->opacity > 0; }
-  /// How far a pixel looks around it; 0 where the edit is not active.
+  /// How many pixels around it a pixel looks; 0 where the edit is not active.
   [[nodiscard]] int reach() const;
 };
 

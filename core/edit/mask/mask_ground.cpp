@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/edit/mask/mask_drawing.h"
 #include "core/edit/mask/selection_drawing.h"
 
 namespace swaplight {
@@ -34,22 +33,23 @@ void MaskGround::keep(const MaskShape& shape, const std::shared_ptr<const MaskRa
 }
 
 std::shared_ptr<const MaskRaster> MaskGround::draw(const MaskShape& shape, int shadowZone) {
+  const auto made = [](MaskRaster raster) { return std::make_shared<const MaskRaster>(std::move(raster)); };
   return std::visit(
-      [&](const auto& s) -> std::shared_ptr<const MaskRaster> {
-        using T = std::decay_t<decltype(s)>;
+      [&]<typename T>(const T& s) -> std::shared_ptr<const MaskRaster> {
         if constexpr (std::is_same_v<T, ShadowShape>) {
-          if (!m_shadows) throw InputError("the edits use shadows, which are not at hand here.");
+          if (!m_shadows) throw InputError("the edits use shadows, which are not available here.");
           const auto found = m_shadows(s.light);
-          return std::make_shared<const MaskRaster>(
-              shadowZone > 0 && s.region ? drawShadowZone(s, *found, shadowZone) : drawShape(s, *found));
+          return made(shadowZone > 0 && s.region ? s.drawZone(*found, shadowZone) : s.draw(*found));
         } else if constexpr (std::is_same_v<T, SimilarShape>) {
-          return std::make_shared<const MaskRaster>(drawSimilar(s, m_set));
+          return made(s.draw(m_set));
         } else if constexpr (std::is_same_v<T, SelectionShape>) {
-          return std::make_shared<const MaskRaster>(drawSelection(s, *this));
-        } else if constexpr (requires { drawShape(s, 0, 0); }) {
-          return std::make_shared<const MaskRaster>(drawShape(s, width(), height()));
-        } else {
+          return made(drawSelection(s, *this));
+        } else if constexpr (std::is_same_v<T, PaintShape>) {
+          return {s.painting, &s.painting->mask()};
+        } else if constexpr (requires { s.valueAt(0.F, 0.F); }) {
           return nullptr;
+        } else {
+          return made(s.draw(width(), height()));
         }
       },
       shape.shape);

@@ -123,8 +123,8 @@ void checkProportions(const BetaMaps& beta, bool all, const std::filesystem::pat
   const bool most = tooMuch && (!tooLittle || beta.most.value - 1 > 1 - beta.least.value);
   const BetaMaps::Sum& worst = most ? beta.most : beta.least;
   throw InputError(
-      "{}: the lights' proportions of the pixel {}, {} add up to {:.3f}, expected {}. Read one light's map "
-      "alone, or let the other lights stay.",
+      "{}: the lights' betas at pixel {}, {} add up to {:.3f}, expected {}. Read one light's map alone, or "
+      "use " add " instead of " share ".",
       file.string(), worst.x, worst.y, worst.value, all ? "1" : "1 at most");
 }
 

@@ -11,7 +11,7 @@ namespace swaplight {
 
 /// Maps of lights that an edit takes from a file, of a picture of this size.
 struct BetaRequest {
-  PictureOperation picture;
+  BetaMapOperation picture;
   std::vector<std::string> lights;
   int width = 0, height = 0;
   bool operator==(const BetaRequest&) const = default;

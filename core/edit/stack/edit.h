@@ -4,74 +4,13 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/base/json_fwd.h"
-#include "core/color/rgb.h"
 #include "core/edit/mask/mask.h"
+#include "core/edit/operations/operations.h"
 
 namespace swaplight {
-
-// What an edit does to beta, the proportion of a light. Beta is measured in the set as solved: 1 is all of
-// the all-white picture at that pixel.
-
-/// beta = value. 0 clears.
-struct FillOperation {
-  float value = 1;
-  bool operator==(const FillOperation&) const = default;
-};
-/// beta = gain * beta + offset.
-struct GainOperation {
-  float gain = 1;
-  float offset = 0;
-  bool operator==(const GainOperation&) const = default;
-};
-/// beta = curve(beta): monotone cubic pieces through the points (Fritsch and Carlson 1980), constant beyond
-/// them. x ascending within 0..1, y in 0..4.
-struct CurveOperation {
-  std::vector<std::array<float, 2>> points = {{0, 0}, {1, 1}};
-  bool operator==(const CurveOperation&) const = default;
-};
-/// beta = 1 - beta. With exactly two lights chosen: they change places.
-struct InvertOperation {
-  bool operator==(const InvertOperation&) const = default;
-};
-/// beta blurred by a Gaussian of sigma = radius / 2; pixels without light do not take part.
-struct BlurOperation {
-  int radius = 8;  ///< pixels, 1..256
-  bool operator==(const BlurOperation&) const = default;
-};
-/// beta + amount * (beta - blurred beta).
-struct SharpenOperation {
-  int radius = 8;
-  float amount = 1;
-  bool operator==(const SharpenOperation&) const = default;
-};
-/// beta = the file's: channel `channel` of an EXR or PNG of the picture's size (a beta map edited elsewhere).
-struct PictureOperation {
-  std::string file;
-  std::string channel;  ///< empty: beta.<light>, or else the first
-  bool operator==(const PictureOperation&) const = default;
-};
-/// The light's detected shadows. `amount` 0..1 goes from nothing to everything.
-struct ShadowOperation {
-  enum class Kind {
-    Lighten,  ///< fills the shadow with what the light would give there; amount 1 removes it
-    Deepen,   ///< takes away what is left in it
-    Soften,   ///< widens the penumbra by `radius`
-    Sharpen,  ///< makes the penumbra a hard edge
-    Recolor,  ///< fills with `color` times what the light would give
-  };
-  Kind kind = Kind::Lighten;
-  float amount = 1;
-  int radius = 12;
-  Rgb color{1, 1, 1};
-  bool operator==(const ShadowOperation&) const = default;
-};
-
-using Operation = std::variant<FillOperation, GainOperation, CurveOperation, InvertOperation, BlurOperation,
-                               SharpenOperation, PictureOperation, ShadowOperation>;
 
 /// What happens to the other lights.
 enum class Meaning {
@@ -108,9 +47,6 @@ struct EditStack {
 
 /// Bytes that the stack holds and `before` does not share: what it costs to keep both.
 [[nodiscard]] size_t editBytes(const EditStack& stack, const EditStack& before);
-
-/// fill, gain, curve, invert, blur, sharpen, picture, shadow: as in JSON.
-[[nodiscard]] std::string operationName(const Operation& operation);
 
 [[nodiscard]] Json jsonFromEditStack(const EditStack& stack);
 /// `width` and `height` of the picture that the masks are for. Throws InputError that says where.

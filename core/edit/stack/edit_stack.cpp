@@ -52,9 +52,11 @@ EditStack withFiles(const EditStack& stack, const std::function<std::string(cons
   };
   for (auto& kept : renamed.edits) {
     Edit edit = *kept;
-    if (auto* picture = std::get_if<PictureOperation>(&edit.operation)) change(picture->file);
-    for (MaskShape& shape : edit.mask)
-      if (auto* picture = std::get_if<PictureShape>(&shape.shape)) change(picture->file);
+    const auto changeFile = [&](auto& named) {
+      if constexpr (requires { named.file; }) change(named.file);
+    };
+    std::visit(changeFile, edit.operation);
+    for (MaskShape& shape : edit.mask) std::visit(changeFile, shape.shape);
     if (!(edit == *kept)) kept = std::make_shared<const Edit>(std::move(edit));
   }
   return renamed;

@@ -95,7 +95,7 @@ TEST(BetaFile, AnEditOfAllLightsThatShareRefusesSumsButOneThatAddsTakesThem) {
   writeBetaMaps(set, folder / "beta.exr");
   updateBeta(set);
   Edit edit;
-  edit.operation = PictureOperation{(folder / "beta.exr").string(), ""};
+  edit.operation = BetaMapOperation{(folder / "beta.exr").string(), ""};
   EditStack stack;
   stack.append(edit);
   EXPECT_THAT(test::inputError([&] { (void)applyEdits(set, stack); }), HasSubstr("pixel 3, 0"));
@@ -135,7 +135,7 @@ TEST(BetaFile, AnEditWhoseFileHasChangedIsComputedAgain) {
   const auto write = [&](float value) { writeImage(Image(ImageSpec{40, 30, {"Y"}, "data"}, value), file); };
   Edit edit;
   edit.lights = {"light1"};
-  edit.operation = PictureOperation{file.string(), ""};
+  edit.operation = BetaMapOperation{file.string(), ""};
   EditedSet edited(set);
   const auto shown = [&] {
     EditStack stack;

@@ -27,11 +27,11 @@ TEST(EditFile, FilesAreNamedFromWhereItLies) {
   const test::TemporaryFolder folder;
   EditStack stack;
   Edit edit;
-  edit.operation = PictureOperation{"beta.exr", ""};
+  edit.operation = BetaMapOperation{"beta.exr", ""};
   stack.append(edit);
   writeEdits(stack, folder.path() / "edits.json");
   const EditStack read = readEdits(folder.path() / "edits.json", 32, 32);
-  EXPECT_EQ(std::get<PictureOperation>(read.edits[0]->operation).file, (folder.path() / "beta.exr").string());
+  EXPECT_EQ(std::get<BetaMapOperation>(read.edits[0]->operation).file, (folder.path() / "beta.exr").string());
 }
 
 TEST(EditFile, AnotherFileIsRefusedByName) {

@@ -1,14 +1,28 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
 #include "core/base/json.h"
+#include "core/edit/operations/operation_json.h"
 #include "core/edit/stack/edit.h"
+#include "core/file/json_fields.h"
 #include "tests/support/temporary_folder.h"
 
 namespace swaplight {
 namespace {
 
 using testing::HasSubstr;
+
+SelectionShape selectionOfTwo() {
+  const std::vector<SelectionPart> parts = {
+      {{EllipseShape{60, 50, 20, 10, 2}, false}, SelectionPart::Combine::Add},
+      {{ShadowShape{"key", false, 0, 0}, true}, SelectionPart::Combine::Subtract}};
+  return {std::make_shared<const std::vector<SelectionPart>>(parts), 3};
+}
 
 EditStack everyKind() {
   Painting painting(200, 100);
@@ -24,7 +38,7 @@ EditStack everyKind() {
       InvertOperation{},
       BlurOperation{17},
       SharpenOperation{5, .3f},
-      PictureOperation{"beta.exr", "beta.key"},
+      BetaMapOperation{"beta.exr", "beta.key"},
       ShadowOperation{ShadowOperation::Kind::Recolor, .6f, 9, {1, .2f, .1f}}};
   const std::vector<MaskShape> shapes = {{RectangleShape{1, 2, 3, 4, 5}, true},
                                          {EllipseShape{1.5f, 2, 3, 4, 5}, false},
@@ -33,9 +47,11 @@ EditStack everyKind() {
                                          {RadialGradientShape{1, 2, 3, 4}, true},
                                          {PatternShape{PatternShape::Kind::Dots, 30, 45, .3f, 1}, false},
                                          {TextShape{"EXIT \"2\"", 5, 50, 40, 1}, false},
-                                         {PictureShape{"gobo.png", 1, 2, 30, 40}, false},
+                                         {ImageShape{"gobo.png", 1, 2, 30, 40}, false},
                                          {PaintShape{std::make_shared<const Painting>(painting)}, false},
-                                         {ShadowShape{"key", true, 7, 8}, false}};
+                                         {ShadowShape{"key", true, 7, 8}, false},
+                                         {SimilarShape{SimilarShape::By::Share, 4, 5, .25f, false}, false},
+                                         {selectionOfTwo(), true}};
   EditStack stack;
   stack.newLights = {"sun"};
   stack.shadowThresholds = {{"key", .125f}};
@@ -43,7 +59,7 @@ EditStack everyKind() {
     Edit edit;
     edit.name = "edit " + std::to_string(i);
     edit.on = i % 2 == 0;
-    edit.opacity = .1f * static_cast<float>(i);
+    edit.opacity = std::min(1.f, .1f * static_cast<float>(i));
     edit.lights = {"key", "sun"};
     edit.meaning = i % 3 ? Meaning::Add : Meaning::Share;
     edit.operation = operations[i % operations.size()];
@@ -63,6 +79,15 @@ TEST(EditJson, RoundTripKeepsEverything) {
   const auto& before = std::get<PaintShape>(stack.edits[8]->mask[0].shape).painting->mask();
   const auto& after = std::get<PaintShape>(back.edits[8]->mask[0].shape).painting->mask();
   EXPECT_TRUE(before.differences(after).empty());
+}
+
+// Files that are out there have to open, and what is written has to be read by older programs.
+TEST(EditJson, TheFormatIsKeptToTheByte) {
+  std::ifstream file(SWAPLIGHT_TEST_DATA "/edits/every_kind.json");
+  ASSERT_TRUE(file);
+  std::stringstream kept;
+  kept << file.rdbuf();
+  EXPECT_EQ(jsonFromEditStack(everyKind()).dump(1) + "\n", kept.str());
 }
 
 TEST(EditJson, SaysWhereSomethingIsWrong) {
@@ -85,6 +110,37 @@ TEST(EditJson, SaysWhereSomethingIsWrong) {
       message(
           R"({"edits": [{"operation": "fill", "mask": [{"shape": "painted", "strokes": [{"points": [1]}]}]}]})"),
       HasSubstr("stroke 1"));
+}
+
+// What the studio's menu and its controls are made from.
+TEST(EditJson, EveryEditDescribesItself) {
+  std::set<std::string> names;
+  forEachOperation([&]<typename T>(const T& operation) {
+    SCOPED_TRACE(T::info.name);
+    EXPECT_TRUE(names.insert(T::info.name).second) << "two edits of one name";
+    EXPECT_TRUE(!T::info.inMenu || *T::info.tip);
+    Json json = Json::object();
+    writeOperation(operation, json);
+    JsonFields fields(json, "test");
+    EXPECT_EQ(readOperation(fields), Operation(operation)) << json.dump();
+    forEachField(operation, [](const auto& field, const auto& /*value*/) {
+      EXPECT_LE(field.scale.least, field.scale.sliderLeast) << field.key;
+      EXPECT_GE(field.scale.most, field.scale.sliderMost) << field.key;
+      EXPECT_EQ(field.titles.size(), field.choices.size()) << field.key;
+    });
+  });
+  EXPECT_EQ(names.size(), std::variant_size_v<Operation>);
+}
+
+TEST(EditJson, NumbersOutOfAFieldsRangeAreRefused) {
+  const auto message = [](const char* text) {
+    return test::inputError(
+        [&] { (void)editStackFromJson(Json::parse(text), 10, 10, "a.swaplight: edits"); });
+  };
+  EXPECT_THAT(message(R"({"edits": [{"operation": "blur", "radius": 257}]})"), HasSubstr("radius"));
+  EXPECT_THAT(message(R"({"edits": [{"operation": "gain", "gain": -1}]})"), HasSubstr("gain"));
+  EXPECT_THAT(message(R"({"edits": [{"operation": "shadow", "kind": "remove"}]})"),
+              testing::AllOf(HasSubstr("remove"), HasSubstr("lighten")));
 }
 
 }  // namespace

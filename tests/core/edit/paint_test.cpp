@@ -1,11 +1,11 @@
-#include "core/edit/mask/paint.h"
+#include "core/edit/shapes/paint.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/edit/stack/curve.h"
+#include "core/edit/operations/curve.h"
 
 namespace swaplight {
 namespace {

@@ -166,9 +166,9 @@ TEST(MaskOutline, GoesAroundWhatIsSelected) {
 }
 
 TEST(DragShape, WordsAreAsWideAsTheDrag) {
-  ShapeKind kind;
-  kind.text = "LIGHT";
-  const MaskShape shape = draggedShape(kind, {100, 50}, {260, 90}, false);
+  Stencil stencil;
+  stencil.text = "LIGHT";
+  const MaskShape shape = draggedShape(stencil, {100, 50}, {260, 90}, false);
   const ShapeBox drawn = boxOf(shape).value();
   EXPECT_NEAR(drawn.x1 - drawn.x0, 160, 12);
   EXPECT_NEAR(drawn.y1, 90, 2);
@@ -176,24 +176,28 @@ TEST(DragShape, WordsAreAsWideAsTheDrag) {
 }
 
 TEST(DragShape, EvenDragsMakeCirclesAndStraightGradients) {
-  ShapeKind kind;
-  kind.kind = ShapeKind::Kind::Ellipse;
-  const auto circle = std::get<EllipseShape>(draggedShape(kind, {10, 10}, {50, 30}, true).shape);
+  Stencil stencil;
+  stencil.shape = "ellipse";
+  const auto circle = std::get<EllipseShape>(draggedShape(stencil, {10, 10}, {50, 30}, true).shape);
   EXPECT_EQ(circle.radiusX, circle.radiusY);
-  kind.kind = ShapeKind::Kind::Linear;
-  const auto line = std::get<LinearGradientShape>(draggedShape(kind, {10, 10}, {110, 14}, true).shape);
+  stencil.shape = "linear";
+  const auto line = std::get<LinearGradientShape>(draggedShape(stencil, {10, 10}, {110, 14}, true).shape);
   EXPECT_NEAR(line.y1, 10, 1e-3);
-  EXPECT_TRUE(isOfKind({line, false}, ShapeKind::Kind::Linear));
+  EXPECT_TRUE(isOfKind({line, false}, stencil));
 }
 
 TEST(DragShape, EveryKindIsItsOwn) {
-  for (int k = 0; k <= static_cast<int>(ShapeKind::Kind::Radial); ++k) {
-    ShapeKind kind;
-    kind.kind = static_cast<ShapeKind::Kind>(k);
-    const MaskShape shape = draggedShape(kind, {10, 10}, {60, 50}, false);
-    for (int other = 0; other <= static_cast<int>(ShapeKind::Kind::Radial); ++other)
-      EXPECT_EQ(isOfKind(shape, static_cast<ShapeKind::Kind>(other)), other == k);
-    EXPECT_EQ(withKind(shape, kind), shape);
+  ASSERT_EQ(stencilKinds().size(), 7U);
+  for (const StencilKind& kind : stencilKinds()) {
+    Stencil stencil;
+    stencil.shape = kind.info.name;
+    const MaskShape shape = draggedShape(stencil, {10, 10}, {60, 50}, false);
+    for (const StencilKind& other : stencilKinds()) {
+      Stencil another;
+      another.shape = other.info.name;
+      EXPECT_EQ(isOfKind(shape, another), another.shape == stencil.shape);
+    }
+    EXPECT_EQ(withStencil(shape, stencil), shape);
   }
 }
 

@@ -9,7 +9,6 @@ namespace swaplight {
 namespace {
 
 using What = ShapeHandle::What;
-using Point = std::array<float, 2>;
 
 Point handleAt(const MaskShape& shape, What what) {
   for (const ShapeHandle& handle : handlesOf(shape))
@@ -20,10 +19,9 @@ Point handleAt(const MaskShape& shape, What what) {
 
 std::vector<MaskShape> placedShapes() {
   std::vector<MaskShape> shapes;
-  for (const auto kind : {ShapeKind::Kind::Text, ShapeKind::Kind::Ellipse, ShapeKind::Kind::Rectangle,
-                          ShapeKind::Kind::Picture, ShapeKind::Kind::Linear, ShapeKind::Kind::Radial}) {
-    ShapeKind of;
-    of.kind = kind;
+  for (const char* shape : {"text", "ellipse", "rectangle", "picture", "linear", "radial"}) {
+    Stencil of;
+    of.shape = shape;
     of.file = "gobo.png";
     shapes.push_back(draggedShape(of, {100, 120}, {300, 260}, false));
     shapes.back().invert = true;
@@ -105,7 +103,7 @@ TEST(ShapeHandles, TheInnerRadiusStaysWithinTheOuter) {
 
 TEST(ShapeHandles, WhatHasNoPlaceHasNone) {
   EXPECT_TRUE(handlesOf({PatternShape{}, false}).empty());
-  EXPECT_TRUE(handlesOf({PictureShape{"a.png", 0, 0, 0, 0}, false}).empty());
+  EXPECT_TRUE(handlesOf({ImageShape{"a.png", 0, 0, 0, 0}, false}).empty());
   EXPECT_TRUE(handlesOf({ShadowShape{"key", false, 0, 0}, false}).empty());
   const MaskShape pattern{PatternShape{}, false};
   EXPECT_EQ(withHandleAt(pattern, What::Middle, {5, 5}, false), pattern);

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
-#include "core/edit/mask/paint.h"
+#include "core/edit/shapes/paint.h"
 #include "tests/support/temporary_folder.h"
 
 namespace swaplight {

@@ -50,7 +50,7 @@ TEST(SessionEdits, TravelWithTheSessionAndNameFilesFromWhereItLies) {
   session.document = documentWithStrokes(3);
   session.document.edits.newLights = {"window"};
   Edit stencil;
-  stencil.mask = {{PictureShape{(folder.path() / "leaf.png").string(), 1, 2, 30, 40}, false}};
+  stencil.mask = {{ImageShape{(folder.path() / "leaf.png").string(), 1, 2, 30, 40}, false}};
   session.document.edits.append(stencil);
   writeSession(session, folder.path() / "a.swaplight");
   const Session read = readSession(folder.path() / "a.swaplight");

@@ -1,4 +1,4 @@
-#include "core/edit/mask/paint.h"
+#include "core/edit/shapes/paint.h"
 
 #include <algorithm>
 #include <cmath>

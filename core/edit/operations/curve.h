@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 namespace swaplight {
@@ -10,5 +12,13 @@ namespace swaplight {
 /// beyond the first and the last point. Returns `count` values for x = 0 .. 1. Throws InputError unless there
 /// are points with finite, strictly ascending x.
 [[nodiscard]] std::vector<float> curveTable(const std::vector<std::array<float, 2>>& points, int count);
+
+/// Such a table's value at beta, clamped to 0..1; linear between its entries.
+[[nodiscard]] inline float curveAt(std::span<const float> table, float beta) {
+  const float position = std::clamp(beta, 0.f, 1.f) * static_cast<float>(table.size() - 1);
+  const auto below = std::min(static_cast<size_t>(position), table.size() - 2);
+  const float fraction = position - static_cast<float>(below);
+  return table[below] + fraction * (table[below + 1] - table[below]);
+}
 
 }  // namespace swaplight

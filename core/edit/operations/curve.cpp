@@ -1,4 +1,4 @@
-#include "core/edit/stack/curve.h"
+#include "core/edit/operations/curve.h"
 
 #include <algorithm>
 #include <cmath>

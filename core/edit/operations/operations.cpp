@@ -1,0 +1,41 @@
+#include "core/edit/operations/operations.h"
+
+namespace swaplight {
+
+std::string operationName(const Operation& operation) {
+  return std::visit([](const auto& o) -> std::string { return o.info.name; }, operation);
+}
+
+std::string operationSummary(const Operation& operation) {
+  return std::visit(
+      [](const auto& o) -> std::string {
+        if constexpr (requires { o.summary(); })
+          return o.summary();
+        else
+          return o.info.name;
+      },
+      operation);
+}
+
+int operationReach(const Operation& operation) {
+  return std::visit(
+      [](const auto& o) {
+        if constexpr (requires { o.reach(); })
+          return o.reach();
+        else
+          return 0;
+      },
+      operation);
+}
+
+bool swapsTwoLights(const Operation& operation) {
+  return std::visit(
+      [](const auto& o) {
+        return requires {
+          o.kSwapsTwoLights;
+        };
+      },
+      operation);
+}
+
+}  // namespace swaplight

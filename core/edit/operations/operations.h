@@ -1,0 +1,75 @@
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <variant>
+
+#include "core/edit/operations/beta_map_operation.h"
+#include "core/edit/operations/blur_operation.h"
+#include "core/edit/operations/curve_operation.h"
+#include "core/edit/operations/fill_operation.h"
+#include "core/edit/operations/gain_operation.h"
+#include "core/edit/operations/invert_operation.h"
+#include "core/edit/operations/shadow_operation.h"
+#include "core/edit/operations/sharpen_operation.h"
+
+namespace swaplight {
+
+// Light edits, what each does to beta, a light's share of the pixel. Beta is measured in the set as solved: 1
+// is all of the sum at unit white at that pixel. A light edit is a value struct in a file of its own, with
+//
+//   static constexpr OperationInfo info           its names
+//   static constexpr auto fields()                its values: files, checks and the studio's controls
+//   void targetRow(const BetaRow&, float*) const  what it wants beta to be; what is below 0 becomes 0
+//
+// and, where it needs them,
+//
+//   int reach() const                             how many pixels around it a pixel looks: fills
+//   BetaRow::blurred std::vector<float> tabulate() const           made once for all rows: fills
+//   BetaRow::table std::string summary() const                   a few words for the list of edits instead of
+//   its name static T initial()                            what the studio starts with instead of T{} static
+//   constexpr bool kSwapsTwoLights = true  of two lights it makes them change places
+//
+// and it is listed here. Whatever handles edits visits the list, so that one that is not handled does not
+// compile.
+
+using Operation = std::variant<FillOperation, GainOperation, CurveOperation, InvertOperation, BlurOperation,
+                               SharpenOperation, BetaMapOperation, ShadowOperation>;
+
+/// Says what it wants beta to be. All edits but those of shadows.
+template <typename T>
+concept BetaOperation = requires(const T& operation, const BetaRow& row, float* target) {
+  operation.targetRow(row, target);
+};
+
+template <typename T>
+concept LightOperation = std::equality_comparable<T> && std::default_initializable<T> && requires {
+  { T::info } -> std::same_as<const OperationInfo&>;
+  T::fields();
+};
+
+/// Calls visit(T) with a value of each edit as the studio starts with it, in the list's order.
+template <typename Visit>
+void forEachOperation(const Visit& visit) {
+  const auto one = [&]<typename T>(std::type_identity<T>) {
+    static_assert(LightOperation<T>);
+    if constexpr (requires { T::initial(); })
+      visit(T::initial());
+    else
+      visit(T{});
+  };
+  [&]<typename... T>(std::type_identity<std::variant<T...>>) {
+    (one(std::type_identity<T>{}), ...);
+  }(std::type_identity<Operation>{});
+}
+
+/// Its name in files: fill, gain, curve ...
+[[nodiscard]] std::string operationName(const Operation& operation);
+/// What the list of edits says of it: its name, or its values in short.
+[[nodiscard]] std::string operationSummary(const Operation& operation);
+/// How many pixels around it a pixel looks; 0 for most.
+[[nodiscard]] int operationReach(const Operation& operation);
+/// Whether two lights with it change places.
+[[nodiscard]] bool swapsTwoLights(const Operation& operation);
+
+}  // namespace swaplight

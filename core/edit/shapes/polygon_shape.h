@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/edit/fields/field.h"
+#include "core/edit/shapes/mask_raster.h"
+#include "core/edit/shapes/shape_info.h"
+
+namespace swaplight {
+
+/// The inside of a closed line (even-odd).
+struct PolygonShape {
+  Points points;
+  float feather = 0;
+  bool operator==(const PolygonShape&) const = default;
+
+  static constexpr ShapeInfo info{"polygon", "lasso"};
+  static constexpr auto fields() {
+    return std::tuple{numberField("feather", &PolygonShape::feather, {}),
+                      plainField("points", &PolygonShape::points)};
+  }
+  [[nodiscard]] MaskRaster draw(int width, int height) const;
+};
+
+}  // namespace swaplight
