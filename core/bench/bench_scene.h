@@ -4,8 +4,8 @@
 
 namespace swaplight {
 
-/// A set of random pixels (albedo .05 .. .9, shading 0 .. .5 a light) and its photographs: the colours of
-/// FORMATS' sample plan, rotated; full well 20000, read noise .002.
+/// A set of random pixels (albedo .05 .. .9, shading 0 .. .5 a light) and its photographs: the colours
+/// of docs/formats.md's sample, rotated; full well 20000, read noise .002.
 struct BenchScene {
   Capture capture;
   CapturePixels pixels;
@@ -21,7 +21,7 @@ struct BenchScene {
 /// Random pixels alone: the contributions of each light at unit white.
 [[nodiscard]] std::vector<Image> randomTruth(int width, int height, int lights, float highlights);
 
-/// Lights whose colours go round, by one light a shot. Without colours: those of FORMATS' sample plan.
+/// Lights whose colours go round, by one light a shot. Without colours: those of docs/formats.md's sample.
 [[nodiscard]] Capture makeBenchCapture(int lights, const std::vector<Rgb>& colors = {});
 
 /// Photographs known contributions under a capture's colours with the noise that the capture states.

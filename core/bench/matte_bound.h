@@ -9,7 +9,7 @@
 namespace swaplight {
 
 /// The Cramer-Rao bound of a matte pixel on its own: what an unbiased estimator cannot do better than. The
-/// inverse of the Fisher information J' V^-1 J of rho and all betas but the last (THEORY 4).
+/// inverse of the Fisher information J' V^-1 J of rho and all betas but the last (docs/theory.md).
 struct MatteBound {
   double beta = 0;          ///< mean squared error of the proportions, averaged over the lights
   double contribution = 0;  ///< squared error of T, summed over lights and channels

@@ -42,7 +42,7 @@ struct SensorNoise {
   bool operator==(const SensorNoise&) const = default;
 };
 
-/// A set photographed K times while only the colours of its N lights change: `capture.json` (FORMATS 1).
+/// A set photographed K times while only the colours of its N lights change: `capture.json` (formats.md).
 /// Only the description; CapturePixels are its pictures.
 struct Capture {
   std::filesystem::path folder;  ///< what its paths are relative to

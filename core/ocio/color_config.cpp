@@ -12,7 +12,7 @@
 namespace swaplight {
 namespace {
 
-/// The names that every capture may use (FORMATS 1), whatever configuration is in use.
+/// The names that every capture may use (docs/formats.md, A capture), whatever configuration is in use.
 constexpr std::array<const char*, 5> kAlwaysKnown = {"lin_rec709", "srgb", "acescg", "aces2065_1", "raw"};
 constexpr int kGrain = 16;  // rows
 

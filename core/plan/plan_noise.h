@@ -14,7 +14,7 @@ struct TypicalPixel {
   std::array<double, kMaxLights> shading{};
 };
 
-/// Pixels as most sets have them: albedo 0.05 .. 0.9, shading 0 .. 0.5 a light (THEORY, table 1), spread
+/// Pixels as most sets have them: albedo 0.05 .. 0.9, shading 0 .. 0.5 a light (docs/theory.md), spread
 /// evenly by a Kronecker sequence: the same on every machine, and few stand for many.
 [[nodiscard]] std::vector<TypicalPixel> typicalPixels(int lights, int count);
 

@@ -83,7 +83,7 @@ struct Rig {
 [[nodiscard]] std::vector<Rgb> rigFactors(const ColorConfig& config, const Rig& rig,
                                           const std::string& colorSpace);
 
-/// A rig as JSON (FORMATS 3): for every light its name, its colour as a SETTING's text (see setting.h),
+/// A rig as JSON (docs/formats.md): for every light its name, its colour as a SETTING's text (see setting.h),
 /// stops, multiplier, on, solo, mute, role and ratio lock.
 [[nodiscard]] Json jsonFromRig(const Rig& rig);
 /// What is missing is as in a new light. `where` begins the messages. Throws InputError.

@@ -10,7 +10,7 @@ namespace swaplight {
 inline constexpr const char* kSettingGrammar =
     "off, on, white, #rrggbb, rgb:r/g/b, hsv:h/s/v, 3200K, green:+0.25, gel:L201, +1.5st, -2st, x1.7";
 
-/// Parses a SETTING (FORMATS 4) onto a setting: a comma-joined list such as "3200K,+1st". Each part sets one
+/// Parses a SETTING (formats.md) onto a setting: a comma-joined list such as "3200K,+1st". Each part sets one
 /// thing and leaves the others; of two parts for the same thing the later one holds.
 ///   off, on          whether the light is on
 ///   white            unit white

@@ -13,7 +13,7 @@ namespace swaplight {
 /// The newest version of a session file that this program knows.
 inline constexpr int kSessionVersion = 1;
 
-/// A session file, `NAME.swaplight` (FORMATS 3): the document, and what travels with it.
+/// A session file, `NAME.swaplight` (docs/formats.md): the document, and what travels with it.
 struct Session {
   Document document;
   KeptJson studio;  ///< where the person was looking: the studio's own, not undone

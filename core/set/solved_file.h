@@ -17,12 +17,12 @@ struct SolvedFileOptions {
   bool halfSum = false;  ///< R G B as half instead of float, where that holds them to a thousandth
 };
 
-/// Writes a solved set as one multichannel OpenEXR (FORMATS 2), to a temporary name that is then renamed.
+/// Writes a solved set as one multichannel OpenEXR (formats.md), to a temporary name that is then renamed.
 /// Throws InputError where the file cannot be written (the disk is full, no permission).
 void writeSolvedSet(const SolvedSet& set, const std::filesystem::path& file,
                     const SolvedFileOptions& options = {}, const Progress& progress = {});
 
-/// Reads single-part and multi-part files. Throws InputError where a channel that FORMATS 2 demands is
+/// Reads single-part and multi-part files. Throws InputError where a channel that docs/formats.md demands is
 /// missing.
 [[nodiscard]] SolvedSet readSolvedSet(const std::filesystem::path& file, const Progress& progress = {});
 

@@ -12,7 +12,7 @@
 
 namespace swaplight {
 
-/// Bits of quality.flags (FORMATS 2).
+/// Bits of quality.flags (docs/formats.md, A solved set).
 enum PixelFlag : uint8_t {
   kClipped = 1,    ///< clipped in a shot
   kTooDark = 2,    ///< too dark to tell

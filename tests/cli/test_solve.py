@@ -1,4 +1,4 @@
-"""swaplight solve: what it writes (FORMATS 2), its options, its report."""
+"""swaplight solve: what it writes (docs/formats.md), its options, its report."""
 import json
 
 import numpy as np

@@ -10,7 +10,7 @@
 namespace swaplight {
 
 /// A set of random pixels with known contributions: albedo 0.05 .. 0.9, shading 0 .. 0.5 a light, and in 15 %
-/// of the pixels a white highlight a light of mean `highlight` (the pixels of THEORY, table 1).
+/// of the pixels a white highlight a light of mean `highlight` (docs/theory.md, Typical pixels).
 struct SyntheticSet {
   int width = 128;
   int height = 64;

@@ -6,8 +6,8 @@ namespace swaplight {
 
 /// The variance of a shot's value y (linear, full scale 1) as a polynomial: constant + linear y + square y^2.
 ///  constant: read noise and quantisation; linear: photons (1 / full well) and quantisation of an sRGB
-///  coding; square: what is not noise but is not known either, above all the colours of the lights (THEORY
-///  7).
+///  coding; square: what is not noise but is not known either, above all the colours of the lights (docs/
+///  theory.md, Light colours are not known exactly).
 struct NoiseModel {
   float constant = 0;
   float linear = 0;
@@ -27,7 +27,7 @@ struct NoiseModel {
 [[nodiscard]] SensorNoise estimateSensorNoise(const CapturePixels& pixels);
 
 /// How well the light colours of a capture are known that does not state its noise: a photograph (it has
-/// noise) was lit with real gels, known to 5 % (THEORY 7); a rendering (it has none) with exact colours.
+/// noise) was lit with real gels, known to 5 % (theory.md); a rendering (it has none) with exact colours.
 [[nodiscard]] float usualColorUncertainty(const SensorNoise& estimated);
 
 /// The noise of a capture's shots once a constant ambient picture has been subtracted (the mean level stands
