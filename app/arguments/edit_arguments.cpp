@@ -7,7 +7,7 @@
 namespace swaplight {
 
 void EditArguments::addTo(CLI::App& verb) {
-  verb.add_option("--edits", file, "Edit the lights first: a file of edits (JSON)")->type_name("FILE");
+  verb.add_option("--edits", file, "Apply light edits first: a JSON file of edits")->type_name("FILE");
 }
 
 SolvedSet EditArguments::applyTo(SolvedSet set, const EditStack& session,

@@ -55,32 +55,30 @@ RigKey keyFromText(const std::string& text) {
 
 void LightingArguments::addTo(CLI::App& verb) {
   verb.add_option("SOURCE", m_source, "A solved set, a capture (it is solved first) or a session");
-  verb.add_option(
-          "--light", m_lights,
-          std::string("A light's part, more than once if need be. SETTING is a comma-joined list of ") +
-              kSettingGrammar + ". A light that is not named stays unit white")
+  verb.add_option("--light", m_lights,
+                  std::string("A light's setting; may be repeated. SETTING is a comma-separated list of ") +
+                      kSettingGrammar + ". A light that is not named stays unit white")
       ->type_name("NAME=SETTING")
       ->allow_extra_args(false);
   verb.add_option("--rig", m_rig, "A rig of lights (JSON)")->type_name("FILE");
-  verb.add_option("--session", m_session,
-                  "Take the edits, the rig, the view and, without SOURCE, the set of a session")
+  verb.add_option("--session", m_session, "Use a session's edits, rig and view and, without SOURCE, its set")
       ->type_name("FILE");
   verb.add_option("--working-space", m_workingSpace,
-                  "Primaries that lights are multiplied in: lin_rec709, acescg or aces2065_1 (default: the "
+                  "Working space in which lights are mixed: lin_rec709, acescg or aces2065_1 (default: the "
                   "session's, else the set's)")
       ->type_name("NAME");
   verb.add_option("--look", m_look,
-                  "A look: one that the session holds, or high-key, low-key, rembrandt, silhouette, "
-                  "day-for-night, cool-morning, golden-hour, moonlight, candle, neon; with an amount from 0 "
-                  "to 1 after a colon. Lights that --light names are set after it")
+                  "A look: one of the session's, or high-key, low-key, rembrandt, silhouette, day-for-night, "
+                  "cool-morning, golden-hour, moonlight, candle, neon; a colon and a strength from 0 to 1 "
+                  "may follow. --light overrides it")
       ->type_name("NAME[:AMOUNT]");
-  verb.add_option("--key", m_keys,
-                  "A light's setting at a frame of a sequence, more than once if need be: key@1=-2st")
+  verb.add_option("--key", m_keys, "A light's keyframe in a sequence; may be repeated: key@1=-2st")
       ->type_name("NAME@FRAME=SETTING")
       ->allow_extra_args(false);
-  verb.add_option("--between", m_between, "From key to key: linear (default) or smooth")->type_name("HOW");
+  verb.add_option("--between", m_between, "Interpolation between keyframes: linear (default) or smooth")
+      ->type_name("HOW");
   m_edits.addTo(verb);
-  verb.add_option("--ambient", m_ambient, "Factor on what no light explains (default: 1)")
+  verb.add_option("--ambient", m_ambient, "Level of the ambient light (default: 1)")
       ->check(NumberRange(0.0, 1e9))
       ->type_name("X");
   m_solve.addTo(verb);

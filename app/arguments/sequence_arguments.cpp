@@ -142,19 +142,18 @@ void SequenceArguments::addTo(CLI::App& verb) {
           "hold the number's place: name.%04d.exr, name.####.exr")
       ->type_name("RANGE")
       ->group(kGroup);
-  verb.add_flag("--cont", m_goOn, "Go on after a frame that fails")->group(kGroup);
-  verb.add_flag("--skip-existing", m_skipExisting, "Leave frames as they are whose file is there")
-      ->group(kGroup);
-  verb.add_option("--workers", m_workers, "Frames made at a time")
+  verb.add_flag("--cont", m_goOn, "Continue after a frame that fails")->group(kGroup);
+  verb.add_flag("--skip-existing", m_skipExisting, "Skip frames whose file already exists")->group(kGroup);
+  verb.add_option("--workers", m_workers, "Frames rendered in parallel")
       ->check(CLI::Range(1, 64).description(""))
       ->type_name("N")
       ->capture_default_str()
       ->group(kGroup);
   verb.add_option("--frame-index", m_index,
-                  "Make only this part of the frames, counted from 0 (default: Slurm's task)")
+                  "Render only this part of the frames, counted from 0 (default: the Slurm task)")
       ->type_name("I")
       ->group(kGroup);
-  verb.add_option("--frame-count", m_count, "Into how many parts the frames are shared out")
+  verb.add_option("--frame-count", m_count, "Number of parts that the frames are split into")
       ->type_name("N")
       ->group(kGroup);
 }

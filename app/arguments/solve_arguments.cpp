@@ -53,7 +53,7 @@ void SolveArguments::addTo(CLI::App& verb) {
     m_options.push_back(option->group("Solving"));
     return option;
   };
-  add(verb.add_option("--model", m_model, "auto, single, lambert, gloss or transport: what a pixel may hold"))
+  add(verb.add_option("--model", m_model, "Model of a pixel: auto, single, lambert, gloss or transport"))
       ->type_name("NAME")
       ->capture_default_str();
   std::vector<std::string_view> solvers;
@@ -61,18 +61,20 @@ void SolveArguments::addTo(CLI::App& verb) {
   add(verb.add_option("--solver", m_solve.solver,
                       fmt::format("Instead of the model's own estimator: {}", fmt::join(solvers, ", "))))
       ->type_name("NAME");
-  add(verb.add_option("--denoise", m_denoise, "off or guided: smooth what noise left, by the sum's edges"))
+  add(verb.add_option("--denoise", m_denoise,
+                      "off or guided: smooth remaining noise in beta, guided by the edges of the sum"))
       ->type_name("HOW")
       ->capture_default_str();
-  add(verb.add_flag("--solve-ambient", m_solve.solveAmbient,
-                    "Find light that is the same in every shot (takes more shots than lights)"));
-  add(verb.add_option("--align", m_align, "off or on: register the shots to the first"))
+  add(verb.add_flag(
+      "--solve-ambient", m_solve.solveAmbient,
+      "Solve for ambient light, the same in every photograph (needs more photographs than lights)"));
+  add(verb.add_option("--align", m_align, "off or on: register the photographs to the first"))
       ->type_name("HOW")
       ->capture_default_str();
   add(verb.add_flag("--refine-colors", m_solve.refineColors,
-                    "Estimate the light colours from the pictures, starting at the capture's"));
+                    "Refine the light colours from the photographs, starting at the capture's"));
   add(verb.add_option("--color-uncertainty", m_solve.colorUncertainty,
-                      "Relative standard error of the light colours, as .03 (default: estimated)"))
+                      "Relative standard error of the light colours, e.g. .03 (default: estimated)"))
       ->check(NumberRange(0.0, 1.0))
       ->type_name("X");
   add(verb.add_option("--noise", m_noise, "The sensor's noise (default: the capture's, or estimated)"))

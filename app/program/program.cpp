@@ -45,7 +45,7 @@ int failUnlessStopped(int code, const std::string& message) {
 Program::Program() : m_app("Relight a set that has already been photographed.", "swaplight") {
   m_app.set_version_flag("--version", std::string("swaplight ") + version());
   m_app.require_subcommand(0, 1);
-  m_app.footer("`swaplight VERB --help` says what a verb takes.");
+  m_app.footer("`swaplight VERB --help` shows a verb's options.");
 }
 
 CLI::App& Program::addVerb(const std::string& name, const std::string& description, Run run) {
@@ -54,8 +54,8 @@ CLI::App& Program::addVerb(const std::string& name, const std::string& descripti
   Verb& verb = m_verbs.emplace_back(Verb{app, {}, std::move(run)});
   app->add_flag("--json", verb.options.json, "Print one JSON object on standard output")->group("Common");
   app->add_flag("-q,--quiet", verb.options.quiet, "Only errors on standard error")->group("Common");
-  app->add_flag("-v,--verbose", verb.options.verbose, "Say more")->group("Common");
-  app->add_option("--threads", verb.options.threads, "How many threads to use (default: one a core)")
+  app->add_flag("-v,--verbose", verb.options.verbose, "Print details")->group("Common");
+  app->add_option("--threads", verb.options.threads, "Number of threads (default: one per core)")
       ->check(CLI::Range(0, kMostThreads).description(""))
       ->type_name("N")
       ->group("Common");
@@ -83,7 +83,7 @@ int Program::run(int argc, const char* const* argv) {
   }
   for (Verb& verb : m_verbs)
     if (verb.app->parsed()) return runVerb(verb);
-  return fail(kBadInput, fmt::format("say what to do: {} (see swaplight --help)", verbNames()));
+  return fail(kBadInput, fmt::format("no verb given; choose one of {} (see swaplight --help)", verbNames()));
 }
 
 int Program::runVerb(Verb& verb) {

@@ -124,12 +124,12 @@ void addBenchVerb(Program& program) {
   CLI::App& verb = program.addVerb("bench", "Measure speed against error of every solver",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("CAPTURE", a->captures, "Captures with truth, such as samples/*/capture.json");
-  verb.add_option("-o,--output", a->output, "Draw error against cost")->type_name("FILE.png");
-  verb.add_option("--seed", a->seed, "Of the noise")->type_name("N");
-  verb.add_flag("--no-speed", a->noSpeed, "Only the errors");
+  verb.add_option("-o,--output", a->output, "Plot error against cost")->type_name("FILE.png");
+  verb.add_option("--seed", a->seed, "Seed of the noise")->type_name("N");
+  verb.add_flag("--no-speed", a->noSpeed, "Measure errors only");
   verb.add_flag("--hard-cases", a->hardCases,
-                "Instead: every model on captures that are hard, each made for one difficulty");
-  verb.add_flag("--quick", a->quick, "Small pictures and one repetition, to see that it works");
+                "Instead, run every model on synthetic captures, each hard in one way");
+  verb.add_flag("--quick", a->quick, "Small pictures and one repetition, as a quick check");
 }
 
 }  // namespace swaplight

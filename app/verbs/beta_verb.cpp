@@ -39,7 +39,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 
 void addBetaVerb(Program& program) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App& verb = program.addVerb("beta", "Write the lights' proportions for an image editor",
+  CLI::App& verb = program.addVerb("beta", "Write the lights' beta maps for an image editor",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("SOURCE", a->source, "A solved set, or a capture to solve")->required();
   verb.add_option("-o,--output", a->output,

@@ -54,11 +54,11 @@ int run(const Arguments& arguments, Terminal& terminal) {
 
 void addEvaluateVerb(Program& program) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App& verb = program.addVerb("evaluate", "Say how a picture differs from its reference",
+  CLI::App& verb = program.addVerb("evaluate", "Measure how a picture differs from its reference",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
-  verb.add_option("TEST", a->test, "The picture, or the folder of pictures, to be judged")->required();
+  verb.add_option("TEST", a->test, "The picture or folder of pictures to evaluate")->required();
   verb.add_option("REFERENCE", a->reference,
-                  "What it should be: a picture, or a folder with pictures of the same names")
+                  "The reference: a picture, or a folder with pictures of the same names")
       ->required();
   verb.add_option("--metric", a->metrics, "de2000,absdiff,rmse,psnr (default: all)")->type_name("LIST");
   verb.add_option(
@@ -67,7 +67,7 @@ void addEvaluateVerb(Program& program) {
       ->check(NumberRange(1e-30, 1e30))
       ->type_name("X");
   verb.add_option("--plot", a->options.plot,
-                  "Write a box plot; of folders: a box a picture of the first metric")
+                  "Write a box plot; for folders one box per picture, of the first metric")
       ->type_name("FILE.png");
   verb.add_option("--histogram", a->options.histogram, "Plot the luminance of both")->type_name("FILE.png");
   verb.add_option("--map", a->options.map, "Write the first metric in false colour")->type_name("FILE.png");

@@ -99,7 +99,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 void addExportVerb(Program& program) {
   const auto a = std::make_shared<Arguments>();
   CLI::App& verb =
-      program.addVerb("export", "Write every light as a layer for a compositor, or a look's global part",
+      program.addVerb("export", "Export every light as a layer for a compositor, or a look's global part",
                       [a](Terminal& terminal) { return run(*a, terminal); });
   a->lighting.addTo(verb);
   verb.add_option(
@@ -111,7 +111,7 @@ void addExportVerb(Program& program) {
   verb.add_option("--naming", a->naming, "layers (LIGHT.R) or blender (ViewLayer.Combined_LIGHT.R)")
       ->type_name("HOW")
       ->capture_default_str();
-  verb.add_flag("--multipart", a->options.multipart, "One EXR part a layer");
+  verb.add_flag("--multipart", a->options.multipart, "Multi-part EXR, one part per layer");
   verb.add_option("--compression", a->options.compression,
                   "none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab")
       ->type_name("NAME")
@@ -122,8 +122,8 @@ void addExportVerb(Program& program) {
   verb.add_option("--color-space", a->options.colorSpace,
                   "Of the colour layers: lin_rec709, acescg, aces2065_1 ... (default: the set's)")
       ->type_name("NAME");
-  verb.add_flag("--beta", a->options.beta, "The proportions of the lights too (beta.LIGHT)");
-  verb.add_flag("--quality", a->options.quality, "The solver's residual, sigma and flags too");
+  verb.add_flag("--beta", a->options.beta, "Include the lights' beta maps (beta.LIGHT)");
+  verb.add_flag("--quality", a->options.quality, "Include the solver's residual, sigma and flags");
   verb.add_option("--data-type", a->data, "half or float: beta and quality")
       ->type_name("TYPE")
       ->capture_default_str();

@@ -189,7 +189,7 @@ Description describeFile(const fs::path& file, bool verbose) {
 void addInfoVerb(Program& program) {
   const auto file = std::make_shared<std::string>();
   CLI::App& verb =
-      program.addVerb("info", "Say what a capture, a solved set, a session, a rig or a picture holds",
+      program.addVerb("info", "Show what a capture, solved set, session, rig or picture contains",
                       [file](Terminal& terminal) {
                         const Description d = describeFile(*file, terminal.options().verbose);
                         terminal.result(d.text, d.json);

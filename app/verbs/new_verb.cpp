@@ -143,7 +143,7 @@ Description describe(const CaptureDraft& draft, const std::filesystem::path& fil
     shots.push_back({{"image", draft.folder.shots[k].file}, {"colors", colors}});
   }
   Description d{tableText(rows) + "\n", Json::object()};
-  d.line("order", draft.folder.timed ? "of the time they were taken at" : "of their names");
+  d.line("order", draft.folder.timed ? "of capture time" : "of file name");
   if (!how.empty()) d.line("colours", how);
   for (const std::string& warning : warnings) d.line("warning", warning);
   d.json = {{"capture", file.string()},
@@ -194,41 +194,42 @@ int run(const Arguments& arguments, Terminal& terminal) {
 
 void addNewVerb(Program& program) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App& verb =
-      program.addVerb("new", "Describe a folder of photographs as a capture: writes capture.json",
-                      [a](Terminal& terminal) { return run(*a, terminal); });
+  CLI::App& verb = program.addVerb("new", "Describe a folder of photographs: writes capture.json",
+                                   [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("FOLDER", a->folder, "The folder with the photographs, and nothing else")->required();
-  verb.add_option("--lights", a->lights, "The lights' names, apart by commas")
+  verb.add_option("--lights", a->lights, "Light names, separated by commas")
       ->required()
       ->type_name("key,fill");
-  verb.add_option("--gels", a->gels, "The gel of each light in the first shot; how they moved is guessed")
+  verb.add_option("--gels", a->gels,
+                  "The gel of each light in the first photograph; how the gels moved is guessed")
       ->type_name("L106,L119");
   verb.add_option("--colors", a->colors,
-                  "The same as colours: linear r/g/b, #rrggbb, 3200K, a gel's number, off, unknown")
+                  "The same as colours: linear r/g/b, #rrggbb, 3200K, gel number, off, unknown")
       ->type_name("LIST");
   verb.add_option("--rotation", a->rotation,
                   "How they moved: guess (from the pictures), forward (a light takes the colour of the next "
                   "one), back")
       ->type_name("HOW")
       ->capture_default_str();
-  verb.add_flag("--one-at-a-time", a->oneAtATime, "In shot 1 only the first light is on, and so on");
-  verb.add_option("--shot", a->shots, "A shot's colours, one a light; more than once if need be")
+  verb.add_flag("--one-at-a-time", a->oneAtATime,
+                "One light per photograph: the first light in the first one, and so on");
+  verb.add_option("--shot", a->shots, "Colours of one photograph, one per light; may be repeated")
       ->type_name("FILE=COLOUR,COLOUR")
       ->allow_extra_args(false);
   verb.add_option("--card", a->cards,
-                  "A white card that only this light shines on, in pixels: its colours are read off it")
+                  "Pixel of a white card lit by this light only; its colours are read from it")
       ->type_name("LIGHT=X,Y")
       ->allow_extra_args(false);
-  verb.add_option("--shots", a->files, "These files in this order, instead of all in order of time")
+  verb.add_option("--shots", a->files, "Use these files in this order, instead of all by capture time")
       ->type_name("FILE,FILE");
-  verb.add_option("--color-space", a->colorSpace, "Of the pictures (default: what the files say)")
+  verb.add_option("--color-space", a->colorSpace, "Colour space of the photographs (default: from the files)")
       ->type_name("NAME");
-  verb.add_option("--crop", a->crop, "Use only this part of the photographs, in their pixels")
+  verb.add_option("--crop", a->crop, "Crop the photographs, in their own pixels")
       ->type_name("X,Y,WIDTH,HEIGHT");
-  verb.add_option("--scale", a->scale, "Make them smaller: 0.5 is half the width and height")
+  verb.add_option("--scale", a->scale, "Scale the photographs: 0.5 is half the width and height")
       ->type_name("X")
       ->capture_default_str();
-  verb.add_flag("--force", a->force, "Replace a capture.json that is there");
+  verb.add_flag("--force", a->force, "Replace an existing capture.json");
 }
 
 }  // namespace swaplight

@@ -139,9 +139,8 @@ int run(const Arguments& arguments, Terminal& terminal) {
                   [](double amplification) { return std::isfinite(amplification); }))
     transport = predictedNoise(choice.plan, options.noise, pixels, Model::Transport);
   if (const double clipped = clippedFraction(choice.plan, pixels); clipped > kClipped)
-    conditioning.advice.push_back(
-        fmt::format("{:.0f} % of typical pixels reach full scale in a shot: expose less, or dim the lights",
-                    100 * clipped));
+    conditioning.advice.push_back(fmt::format(
+        "{:.0f} % of typical pixels clip in a photograph: expose less, or dim the lights", 100 * clipped));
 
   std::string text = fmt::format(
       "{} shots of {} lights; {} of {} colours at hand\n\n", choice.plan.shots, choice.plan.lights,
@@ -194,27 +193,27 @@ int run(const Arguments& arguments, Terminal& terminal) {
 
 void addPlanVerb(Program& program) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App& verb =
-      program.addVerb("plan", "Say which colours to give the lights, shot by shot, before photographing",
-                      [a](Terminal& terminal) { return run(*a, terminal); });
+  CLI::App& verb = program.addVerb("plan", "Plan which colours to give the lights in each photograph",
+                                   [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("--lights", a->lights, "How many, or their names: 3 or key,fill,back")
       ->required()
       ->type_name("N");
-  verb.add_option("--shots", a->search.shots, "How many photographs (default: one a light)")
+  verb.add_option("--shots", a->search.shots, "Number of photographs (default: one per light)")
       ->check(CLI::Range(1, kMaxShots).description(""))
       ->type_name("K");
-  verb.add_option("--gels", a->gels, "Gels at hand: numbers (L106,L124), all, or a gel table")
+  verb.add_option("--gels", a->gels, "Available gels: numbers (L106,L124), all, or a gel table")
       ->type_name("GELS");
-  verb.add_option("--colors", a->colors,
-                  "Colours at hand: linear r/g/b, #rrggbb, 3200K, off, panels (an RGB panel's; the default)")
+  verb.add_option(
+          "--colors", a->colors,
+          "Available colours: linear r/g/b, #rrggbb, 3200K, off, panels (those of an RGB panel; the default)")
       ->type_name("LIST");
   verb.add_option("--coding", a->coding,
-                  "rotation (the colours move on by a light a shot) or free (any colour on any light)")
+                  "rotation (gels move on by one light per photograph) or free (any colour on any light)")
       ->type_name("HOW")
       ->capture_default_str();
   verb.add_flag("--repeat", a->search.repeat, "A rotation may use a colour on several lights at once");
   verb.add_option("--model", a->model,
-                  "Whose error to minimise: lambert, transport, or auto, the mean of both")
+                  "Model whose error is minimised: lambert, transport, or auto, the mean of both")
       ->type_name("NAME")
       ->capture_default_str();
   verb.add_option("--full-well", a->search.noise.fullWell, "Electrons at full scale")
@@ -225,9 +224,9 @@ void addPlanVerb(Program& program) {
       ->check(NumberRange(0.0, 1.0))
       ->type_name("X")
       ->capture_default_str();
-  verb.add_option(
-          "--exposure", a->search.exposureStops,
-          "Stops over an exposure in which a white surface facing one white light is at full scale's half")
+  verb.add_option("--exposure", a->search.exposureStops,
+                  "Exposure in stops over one in which a white surface facing one white light reaches half "
+                  "of full scale")
       ->check(NumberRange(-20.0, 20.0))
       ->type_name("STOPS")
       ->capture_default_str();

@@ -107,7 +107,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 
 void addRelightVerb(Program& program) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App& verb = program.addVerb("relight", "Make a frame of a set under new lights",
+  CLI::App& verb = program.addVerb("relight", "Relight a set: render a frame or a sequence",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   a->lighting.addTo(verb);
   a->sequence.addTo(verb);
@@ -124,7 +124,7 @@ void addRelightVerb(Program& program) {
       ->type_name("NAME");
   verb.add_option("--histogram", a->histogram, "Plot luminance before (unit white) and after")
       ->type_name("FILE.png");
-  verb.add_flag("--linear", a->output.linear, "Scene-linear pixels, whatever the format");
+  verb.add_flag("--linear", a->output.linear, "Write scene-linear pixels, whatever the format");
   verb.add_option("--type", a->output.write.pixelType,
                   "half, float, uint8 or uint16 (default: as the format has it)")
       ->type_name("TYPE");

@@ -52,10 +52,10 @@ int run(const Arguments& arguments, Terminal& terminal) {
 
 void addReportVerb(Program& program) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App& verb = program.addVerb("report", "Describe a set and its lighting on a page that prints",
+  CLI::App& verb = program.addVerb("report", "Write a printable HTML report of a set and its lighting",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   a->lighting.addTo(verb);
-  verb.add_option("-o,--output", a->page, "The page, complete in itself")
+  verb.add_option("-o,--output", a->page, "The HTML page, self-contained")
       ->required()
       ->type_name("REPORT.html");
   addDisplayOptions(verb, a->display);

@@ -100,12 +100,12 @@ void addShadowsVerb(Program& program) {
   CLI::App& verb = program.addVerb("shadows", "Find each light's shadows",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("SOLVED", a->source, "A solved set, or a capture to solve")->required();
-  verb.add_option("--light", a->lights, "Only this light (may be given again)")->type_name("NAME");
+  verb.add_option("--light", a->lights, "This light only; may be repeated")->type_name("NAME");
   verb.add_option("--threshold", a->thresholds,
                   "Where shadow begins: auto, or the shading over that of lit pixels, 0..1 (default: auto); "
                   "LIGHT=X for one light (may be given again)")
       ->type_name("auto|X|LIGHT=X");
-  verb.add_option("-o,--output", a->output, "Visibility and labels, a layer a light")
+  verb.add_option("-o,--output", a->output, "Visibility and labels, one layer per light")
       ->required()
       ->type_name("SHADOWS.exr");
   verb.add_option("--overlay", a->overlay,

@@ -52,15 +52,16 @@ int run(const Arguments& arguments, Terminal& terminal) {
 
 void addSolveVerb(Program& program) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App& verb = program.addVerb("solve", "Tell the lights of a capture apart",
+  CLI::App& verb = program.addVerb("solve", "Separate the lights of a capture",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("CAPTURE", a->capture, "capture.json, or the folder that holds it")->required();
   verb.add_option("-o,--output", a->output, "The solved set")->required()->type_name("SOLVED.exr");
   verb.add_option("--report", a->report, "Write the solver's report")->type_name("FILE.json");
-  verb.add_option("--color-space", a->colorSpace,
-                  "Working space of the set: lin_rec709, acescg or aces2065_1 (default: that of the shots)")
+  verb.add_option(
+          "--color-space", a->colorSpace,
+          "Working space of the set: lin_rec709, acescg or aces2065_1 (default: that of the photographs)")
       ->type_name("NAME");
-  verb.add_flag("--multipart", a->file.multipart, "One EXR part a light instead of layers");
+  verb.add_flag("--multipart", a->file.multipart, "Multi-part EXR, one part per light, instead of layers");
   verb.add_flag("--float", a->file.floatPictures, "Contributions as 32-bit float instead of half");
   verb.add_flag("--half", a->file.halfSum,
                 "R G B, their sum, as half instead of 32-bit float: a smaller file");

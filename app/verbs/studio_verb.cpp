@@ -98,33 +98,30 @@ void addStudioVerb(Program& program) {
     [[nodiscard]] bool measures() const { return bench || benchPaint || benchTools; }
   };
   const auto a = std::make_shared<Arguments>();
-  CLI::App& verb =
-      program.addVerb("studio", "Open the studio: light a set again, and see it", [a](Terminal& terminal) {
-        readSize(!a->size.empty() ? a->size : a->measures() ? "1920x1080" : "1600x900", a->options);
-        a->options.samplesFolder = SWAPLIGHT_SAMPLES_DIR;
-        if (a->bench) return bench(a->options, terminal);
-        if (a->benchPaint) return benchPainting(a->options, terminal);
-        if (a->benchTools) return benchOtherTools(a->options, terminal);
-        runStudio(a->options);
-        if (!a->options.screenshot.empty()) terminal.say("wrote {}", a->options.screenshot.string());
-        terminal.result("", Json{{"screenshot", a->options.screenshot.string()}});
-        return 0;
-      });
+  CLI::App& verb = program.addVerb("studio", "Open the desktop studio", [a](Terminal& terminal) {
+    readSize(!a->size.empty() ? a->size : a->measures() ? "1920x1080" : "1600x900", a->options);
+    a->options.samplesFolder = SWAPLIGHT_SAMPLES_DIR;
+    if (a->bench) return bench(a->options, terminal);
+    if (a->benchPaint) return benchPainting(a->options, terminal);
+    if (a->benchTools) return benchOtherTools(a->options, terminal);
+    runStudio(a->options);
+    if (!a->options.screenshot.empty()) terminal.say("wrote {}", a->options.screenshot.string());
+    terminal.result("", Json{{"screenshot", a->options.screenshot.string()}});
+    return 0;
+  });
   verb.add_option("FILE", a->options.file, "A capture, a solved set or a session");
   verb.add_option("--screenshot", a->options.screenshot,
-                  "Write the studio's picture to a file instead of opening a window; needs no display")
+                  "Render the studio's window to an image file; needs no display")
       ->type_name("PNG");
-  verb.add_option("--size", a->size,
-                  "Of the window, in pixels (default: 1600x900; 1920x1080 where something is measured)")
+  verb.add_option("--size", a->size, "Window size in pixels (default: 1600x900; 1920x1080 for measurements)")
       ->type_name("WxH");
-  verb.add_option("--scale", a->options.scale, "Of the interface (default: the desktop's)")
+  verb.add_option("--scale", a->options.scale, "Interface scale (default: the desktop's)")
       ->check(NumberRange(0.5, 4.0))
       ->type_name("X");
   const std::map<std::string, Engine> engines{
       {"auto", Engine::Auto}, {"graphics", Engine::Graphics}, {"processor", Engine::Processor}};
-  verb.add_option(
-          "--engine", a->options.engine,
-          "Who computes the picture: graphics, processor, or auto (the graphics card, if there is one)")
+  verb.add_option("--engine", a->options.engine,
+                  "Render engine: graphics, processor, or auto (the graphics card, if there is one)")
       ->transform(CLI::CheckedTransformer(engines).description(""))
       ->type_name("NAME");
   verb.add_flag(
@@ -135,9 +132,9 @@ void addStudioVerb(Program& program) {
   verb.add_flag("--bench-tools", a->benchTools,
                 "Measure a new light, selections, gradients and other edits at 3840x2160: for how long each "
                 "holds up the window");
-  verb.add_option("--script", a->options.script, "Commands for the studio, one a line")->type_name("FILE");
+  verb.add_option("--script", a->options.script, "File of studio commands, one per line")->type_name("FILE");
   verb.add_option("--probe-layout", a->options.layoutProbe,
-                  "Write where the named widgets lie to a JSON file, for tests")
+                  "Write the positions of named widgets to a JSON file, for tests")
       ->type_name("JSON");
 }
 

@@ -29,13 +29,13 @@ void exposureWarnings(const CaptureDraft& draft, std::vector<std::string>& warni
   const Capture capture = captureOf(draft);
   for (size_t k = 1; k < shots.size(); ++k)
     if (capture.shots[k].exposureStops != 0)
-      warnings.push_back(fmt::format("{} was exposed {:+.2f} stops against {}: counted in", shots[k].file,
-                                     capture.shots[k].exposureStops, shots[0].file));
+      warnings.push_back(fmt::format("{} was exposed {:+.2f} stops relative to {}: compensated",
+                                     shots[k].file, capture.shots[k].exposureStops, shots[0].file));
   const auto silent = std::count_if(shots.begin(), shots.end(),
                                     [](const FoundShot& shot) { return !shot.exposureStops.has_value(); });
   if (silent > 0 && static_cast<size_t>(silent) < shots.size())
     warnings.push_back(
-        fmt::format("{} of {} shots do not say how they were exposed: one exposure is assumed for all",
+        fmt::format("{} of {} photographs have no exposure data: the same exposure is assumed for all",
                     silent, shots.size()));
 }
 
@@ -54,7 +54,7 @@ std::vector<std::string> pictureWarnings(const CaptureDraft& draft, const Captur
   for (size_t k = 0; k < shifts.size(); ++k)
     if (worthMoving(shifts[k]) && std::hypot(shifts[k].x, shifts[k].y) > kMovedPixels)
       warnings.push_back(fmt::format(
-          "{}: the camera moved by {:.1f}, {:.1f} pixels against {}: align the shots when they are solved",
+          "{}: the camera moved by {:.1f}, {:.1f} pixels against {}: align the photographs when solving",
           shots[k].file, shifts[k].x, shifts[k].y, shots[0].file));
   for (std::string& warning : shiftWarnings(shifts)) warnings.push_back(std::move(warning));
   exposureWarnings(draft, warnings);

@@ -64,14 +64,12 @@ double misfitOf(const CaptureDraft& draft, const CapturePixels& pixels, const No
 std::string wordsFor(const RotationGuess& guess) {
   std::string words;
   if (guess.tried < 2)
-    words =
-        fmt::format("the only way in which the colours can have moved (misfit {:.1f} %)", 100 * guess.misfit);
+    words = fmt::format("guessed, the only possible rotation (misfit {:.1f} %)", 100 * guess.misfit);
   else
-    words =
-        fmt::format("guessed from the pictures: the best of {} plans (misfit {:.1f} %, of the next {:.1f} %)",
-                    guess.tried, 100 * guess.misfit, 100 * guess.nextMisfit);
+    words = fmt::format("guessed, the best of {} rotations (misfit {:.1f} %, next {:.1f} %)", guess.tried,
+                        100 * guess.misfit, 100 * guess.nextMisfit);
   if (guess.misfit > kBad)
-    words += ": it fits badly, are these the colours?";
+    words += ": poor fit, check the colours";
   else if (guess.tried > 1 && guess.misfit > kSure * guess.nextMisfit)
     words += ": not sure, please check";
   return words;

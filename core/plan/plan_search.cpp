@@ -175,9 +175,8 @@ void check(const std::vector<PlanColor>& colors, const PlanSearchOptions& option
   if (shots < 1 || shots > kMaxShots)
     throw InputError("--shots: {} shots; a plan is for 1 to {}", shots, kMaxShots);
   if (3 * shots < lights + 2)
-    throw InputError(
-        "--shots: {} lights are more than {} shot{} x 3 channels can tell apart; plan at least {}", lights,
-        shots, shots == 1 ? "" : "s", (lights + 4) / 3);
+    throw InputError("--shots: {} lights are more than {} shot{} x 3 channels can separate; plan at least {}",
+                     lights, shots, shots == 1 ? "" : "s", (lights + 4) / 3);
   if (options.model == Model::Transport && shots < lights)
     throw InputError("--shots: the full contributions of {} lights need at least {} shots, not {}", lights,
                      lights, shots);

@@ -128,7 +128,7 @@ std::string temperatureText(const LightColor& color) {
   const Rgb rgb = colorFactor(color);
   if (std::max({rgb.x, rgb.y, rgb.z}) <= 0) return "";
   const CorrelatedTemperature t = correlatedTemperature(xyFromRec709(rgb));
-  if (std::abs(t.duv) > 0.05) return "no white";
+  if (std::abs(t.duv) > 0.05) return "off the Planckian locus";
   return fmt::format("{:.0f} K, Duv {:+.3f}", t.kelvin, t.duv);
 }
 
@@ -207,16 +207,15 @@ std::string SessionReport::html() const {
       set.lightCount(), set.capture.shotCount());
   html += "<h2>Before and after</h2>\n<div class=\"pair\">" +
           photograph(m_subject.config, m_white, m_subject.display, "Every light at unit white") +
-          photograph(m_subject.config, m_relit, m_subject.display, "Under this rig") + "</div>\n";
+          photograph(m_subject.config, m_relit, m_subject.display, "With this rig") + "</div>\n";
   html += "<h2>Lights</h2>\n" + lightTable(m_subject, m_ranges);
   html += solverSection(set.report);
   if (!set.quality.empty())
     html += "<h2>How far to trust it</h2>\n<div class=\"pair\">" +
             mapFigure(set, kResidual, "Residual, in units of its expected noise") +
             mapFigure(set, kSigma, "Standard error, relative to the pixel") + "</div>\n";
-  html += "<h2>Luminance</h2>\n" +
-          figure(inlineImage(pngBytes(histogram()), "png"),
-                 "Share of the pixels by luminance, before (unit white) and after (this rig)");
+  html += "<h2>Luminance</h2>\n" + figure(inlineImage(pngBytes(histogram()), "png"),
+                                          "Luminance histogram before (unit white) and after (this rig)");
   return html + "</body></html>\n";
 }
 

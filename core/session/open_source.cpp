@@ -87,8 +87,8 @@ SolvedSet openSource(const ColorConfig& config, const fs::path& path, const Solv
   // A file that cannot be read, or is cut, says so itself.
   if (lowerExtension(path) == ".exr") static_cast<void>(readImageSpec(path));
   throw InputError(
-      "{}: neither a capture nor a solved set. Open a capture.json, an EXR that `swaplight solve` "
-      "has written, or a session (.swaplight).",
+      "{}: neither a capture nor a solved set. Open a capture.json, an EXR written by `swaplight solve`, or "
+      "a session (.swaplight). For a photograph, bring in its folder first (`swaplight new`).",
       path.string());
 }
 

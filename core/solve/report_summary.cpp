@@ -39,26 +39,28 @@ void summarize(const SolvedSet& set, SolveReport& report) {
     return 100.0 * double(count) / double(std::max<size_t>(report.pixels, 1));
   };
   report.message =
-      fmt::format("{} lights told apart ({}, {}). A light's part is known to {:.1f} % of the pixel (median).",
+      fmt::format("{} lights separated ({}, {}). Contributions are known to {:.1f} % of the pixel (median).",
                   set.lightCount(), report.model, report.solver, 100 * report.sigmaMedian);
   if (report.residualMedian > 3)
     report.message += fmt::format(
-        " The pictures disagree with the light colours by {:.1f} times their noise: check the "
-        "colours, and that nothing moved.",
+        " The photographs disagree with the light colours by {:.1f} times their noise: check the colours, "
+        "and that nothing moved.",
         report.residualMedian);
   for (const std::string& color : report.estimated) report.message += " " + color + ".";
   double farthest = 0;
   for (const ShotShift& shift : report.shifts)
     farthest = std::max(farthest, double(std::hypot(shift.x, shift.y)));
   if (farthest > 0)
-    report.message += fmt::format(" Shots aligned; the farthest lay {:.2f} pixels off.", farthest);
+    report.message += fmt::format(" Photographs aligned; the largest shift was {:.2f} pixels.", farthest);
   if (report.clipped)
-    report.message += fmt::format(" Clipped in a shot: {:.2f} % of the pixels.", percent(report.clipped));
-  if (report.tooDark) report.message += fmt::format(" Too dark to tell: {:.2f} %.", percent(report.tooDark));
-  if (report.moved) report.message += fmt::format(" Moved between shots: {:.2f} %.", percent(report.moved));
+    report.message +=
+        fmt::format(" Clipped in a photograph: {:.2f} % of the pixels.", percent(report.clipped));
+  if (report.tooDark) report.message += fmt::format(" Too dark: {:.2f} %.", percent(report.tooDark));
+  if (report.moved)
+    report.message += fmt::format(" Moved between photographs: {:.2f} %.", percent(report.moved));
   if (report.notFinite)
     report.message +=
-        fmt::format(" Not a number, infinite or negative in a shot: {} pixels.", report.notFinite);
+        fmt::format(" Not a number, infinite or negative in a photograph: {} pixels.", report.notFinite);
   for (const std::string& advice : report.conditioning.advice) report.message += " Note: " + advice + ".";
 }
 

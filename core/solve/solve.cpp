@@ -82,7 +82,7 @@ void solveWithEstimator(const EstimatorInfo& info, const EstimatorContext& conte
         repairRun(signal, first, count, *careful, context.plan.lights, context.plan.shots, out);
       writeBeta(context.plan.lights, count, out);
     }
-    progress.update(0.1F + 0.8F * float(done += end - begin) / float(runs), "Telling the lights apart");
+    progress.update(0.1F + 0.8F * float(done += end - begin) / float(runs), "Separating lights");
   });
 }
 
@@ -206,7 +206,7 @@ SolvedSet solve(const Capture& given, const CapturePixels& photographs, const So
   if (const float scale = signalScale(photographs, where); scale != 1)
     return solveScaled(given, photographs, options, scale, progress);
   const Capture capture = options.solveAmbient ? withAmbientLight(given, where) : given;
-  progress.update(0, "Looking at the shots");
+  progress.update(0, "Analysing the photographs");
   SolveReport report;
   report.warnings = capture.warnings;
   const auto warn = [&](const std::vector<std::string>& warnings) {
@@ -222,7 +222,7 @@ SolvedSet solve(const Capture& given, const CapturePixels& photographs, const So
 
   std::optional<CapturePixels> aligned;
   if (options.align) {
-    progress.update(0.02F, "Aligning the shots");
+    progress.update(0.02F, "Aligning the photographs");
     report.shifts = measureShifts(photographs);
     warn(shiftWarnings(report.shifts));
     if (std::any_of(report.shifts.begin(), report.shifts.end(), worthMoving))
@@ -260,11 +260,10 @@ SolvedSet solve(const Capture& given, const CapturePixels& photographs, const So
   set.carried = photographs.carried;
   if (info.model == Model::Auto) {
     if (solveAuto(context, signal, report.shifts, set, progress) > 0)
-      report.warnings.emplace_back(
-          options.align
-              ? "the shots still disagree along edges: trusted less there"
-              : "the shots disagree along edges, as if the camera had moved by a fraction of a pixel: "
-                "trusted less there; --align may help");
+      report.warnings.emplace_back(options.align
+                                       ? "the photographs still disagree along edges: trusted less there"
+                                       : "the photographs disagree along edges, as if the camera had moved "
+                                         "by a fraction of a pixel: trusted less there; --align may help");
   } else {
     solveWithEstimator(info, context, signal, set, progress);
   }

@@ -24,7 +24,7 @@ void applyKeyText(ActionTable& actions, const std::string& text) {
 
 std::string keyText(const ActionTable& actions) {
   std::string text =
-      "# Swaplight's keys: an action, then its keys. Delete a line to have its own keys again.\n";
+      "# Swaplight's keyboard shortcuts: an action, then its keys. Delete a line to restore its default.\n";
   for (const Action& action : actions.actions())
     if (action.keys != action.ownKeys) text += action.id + " " + action.keys + "\n";
   return text;

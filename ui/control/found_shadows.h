@@ -18,7 +18,7 @@ using ShadowsByLight = std::map<std::string, std::shared_ptr<const LightShadows>
 [[nodiscard]] inline const std::shared_ptr<const LightShadows>& shadowsOf(const ShadowsByLight& found,
                                                                           const std::string& light) {
   const auto known = found.find(light);
-  if (known == found.end()) throw InputError("\"{}\" is no light of the set: it has no shadows.", light);
+  if (known == found.end()) throw InputError("\"{}\" is not a light of the set: it has no shadows.", light);
   return known->second;
 }
 

@@ -24,7 +24,7 @@ void applyPreset(const LightsContext& lights, const Look& look) {
     editRig(lights, look.name, whole);
     if (leavesDark(whole))
       lights.messages.info(
-          "No light comes from behind in this set, and " + look.name +
+          "There is no back light in this set, and " + look.name +
           " leaves the others dark. Give a light the role back below, or paint a new light on "
           "the background (Shift+B).");
     lights.looks.blend = LookState::Blend{look.name, before, whole, whole, 1};

@@ -113,7 +113,8 @@ void ShadowController::resolveClick() {
     state.light = chosen.click.light;
     m_chosenOf = chosen.of;
     if (!chosen.shadow)
-      m_parts.messages.info("There is no shadow of " + state.light + " here: all of them are chosen.");
+      m_parts.messages.info("There is no shadow of " + state.light +
+                            " here: all of its shadows are selected.");
     state.chosen = std::move(chosen.shadow);
   });
   if (!m_parts.edits.shadowsCurrent()) return;

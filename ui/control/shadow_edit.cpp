@@ -45,7 +45,7 @@ void previewShadowThreshold(const EditingContext& studio, const std::string& lig
 void resetShadowThreshold(const EditingContext& studio, const std::string& light) {
   Document next = studio.document();
   next.edits.shadowThresholds.erase(light);
-  studio.editor.edit("Shadows of " + light + " found by themselves", std::move(next));
+  studio.editor.edit("Shadows of " + light + ": automatic threshold", std::move(next));
 }
 
 int shadowEdit(const EditingContext& studio, const std::string& light, const ShadowKinds& kinds) {

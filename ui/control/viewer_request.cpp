@@ -74,13 +74,13 @@ std::string subjectWords(const ViewerContext& studio, const ViewSubject& subject
     case ViewSubject::Kind::Beta:
       return "\u03b2 of " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Visibility:
-      return "Reach of " + lightTitle(studio, subject.index);
+      return "Visibility of " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Reflectance:
       return "Reflectance";
     case ViewSubject::Kind::Residual:
       return "Residual";
     case ViewSubject::Kind::Sigma:
-      return "\u03c3, the error";
+      return "Standard error (\u03c3)";
     case ViewSubject::Kind::Flags:
       return "Flags";
     case ViewSubject::Kind::Photograph:
@@ -92,10 +92,10 @@ std::string subjectWords(const ViewerContext& studio, const ViewSubject& subject
 std::string sideBWords(const ViewerContext& studio) {
   const CompareState& compare = studio.view.compare;
   if (compare.subject.kind != ViewSubject::Kind::Relit) return subjectWords(studio, compare.subject);
-  if (!compare.rig) return "All white";
+  if (!compare.rig) return "Unit white";
   for (const SavedLook& look : studio.document().looks)
     if (look.rig == compare.rig) return look.name;
-  return "Kept lighting";
+  return "Stored lighting";
 }
 
 }  // namespace swaplight

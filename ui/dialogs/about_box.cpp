@@ -34,13 +34,13 @@ void drawAboutBox(const std::string& engine, const ColorConfig& config, bool* op
     ImGui::PushFont(fonts().title);
     ImGui::TextUnformatted("Swaplight");
     ImGui::PopFont();
-    ImGui::TextWrapped("Light a photographed set again.");
+    ImGui::TextWrapped("Relight a photographed set.");
     ImGui::Dummy(ImVec2(0, px(8)));
     if (ImGui::BeginTable("##facts", 2)) {
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, px(130));
       ImGui::TableSetupColumn("value");
       row("Version", version());
-      row("Picture by", engine);
+      row("Render engine", engine);
       row("OpenGL", glInfo().renderer);
       row("Colour", config.name());
       row("Keys", (configFolder() / "keys.txt").string());
@@ -51,7 +51,7 @@ void drawAboutBox(const std::string& engine, const ColorConfig& config, bool* op
       ImGui::EndTable();
     }
     ImGui::Dummy(ImVec2(0, px(4)));
-    hint("Another engine: swaplight studio --engine graphics or --engine processor.");
+    hint("To change the engine, start with swaplight studio --engine graphics or --engine processor.");
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     markRect("about", low.x, low.y, low.x + size.x, low.y + size.y);
   }

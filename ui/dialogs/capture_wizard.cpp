@@ -24,7 +24,7 @@ constexpr const char* kUsualNames[kMostLights] = {"key",    "fill",   "back",   
                                                   "kicker", "light6", "light7", "light8"};
 constexpr float kFooterButton = 110, kFooterGap = 10;
 constexpr const char* kFooterWords =
-    "Writes capture.json beside the photographs, then tells the lights apart.";
+    "Writes capture.json next to the photographs, then separates the lights.";
 
 /// From the window's edge to the buttons below.
 float footerWidth() {
@@ -54,7 +54,7 @@ void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::p
         const CaptureDraft draft = draftOf(found.folder, {"light"});
         found.pixels = std::make_shared<const CapturePixels>(
             loadCapturePixels(*config, captureOf(draft), progress.part(0, 0.7F)));
-        progress.update(0.7F, "looking for what is wrong");
+        progress.update(0.7F, "checking the photographs");
         found.thumbnails = shotThumbnails(*found.pixels, kThumbnailWidth, kThumbnailHeight);
         found.warnings = found.folder.notes;
         for (std::string& warning : pictureWarnings(draft, *found.pixels))
@@ -112,7 +112,7 @@ std::string CaptureWizard::mistake() const {
     for (size_t k = 0; k < m_cells.size(); ++k)
       for (size_t i = 0; i < m_lights.size(); ++i) {
         if (m_cells[k][i].text.empty())
-          return fmt::format("Say which colour {} had in {}; \"unknown\" is an answer.", m_lights[i],
+          return fmt::format("Which colour had {} in {}? (\"unknown\" if you cannot tell.)", m_lights[i],
                              m_found->folder.shots[k].file);
         static_cast<void>(shotColorFromText(m_cells[k][i].text));
       }
@@ -152,9 +152,9 @@ void CaptureWizard::drawReading() {
 void CaptureWizard::drawLights() {
   const ShotFolder& folder = m_found->folder;
   hint(folder.folder.string());
-  hint(fmt::format("{} photographs of {} x {} pixels, in the order of {}", folder.shots.size(),
+  hint(fmt::format("{} photographs of {} x {} pixels, sorted by {}", folder.shots.size(),
                    m_found->pixels->width(), m_found->pixels->height(),
-                   folder.timed ? "the time they were taken at" : "their names"));
+                   folder.timed ? "capture time" : "file name"));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Lights");
   ImGui::SameLine(0, px(10));
@@ -171,12 +171,12 @@ void CaptureWizard::drawLights() {
   if (fewer) setLights(m_lights.size() - 1);
   if (more) setLights(m_lights.size() + 1);
   ImGui::SameLine(0, px(16));
-  hint("A colour: a gel's number, linear r/g/b, #rrggbb, 3200K, off, unknown, or picked from a white card.");
-  const float align = ImGui::CalcTextSize("Align the shots").x + 2 * side;
+  hint("A colour: gel number, linear r/g/b, #rrggbb, 3200K, off, unknown, or picked from a white card.");
+  const float align = ImGui::CalcTextSize("Align photographs").x + 2 * side;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - align);
-  ImGui::Checkbox("Align the shots", &m_solve.align);
+  ImGui::Checkbox("Align photographs", &m_solve.align);
   markItem("wizard.align");
-  tooltip("Where the camera moved between the shots: they are put onto the first before they are solved.");
+  tooltip("Use this if the camera moved: photographs are registered to the first one before solving.");
 }
 
 void CaptureWizard::drawGuess() {
@@ -188,19 +188,18 @@ void CaptureWizard::drawGuess() {
     }
   });
   ImGui::BeginDisabled(!first || m_guessing.running() || m_cells.size() < 2);
-  if (ImGui::Button(m_guessing.running() ? "Guessing …" : "Guess the other shots")) guess();
+  if (ImGui::Button(m_guessing.running() ? "Guessing …" : "Guess the others")) guess();
   ImGui::EndDisabled();
   markItem("wizard.guess");
   tooltip(
-      "How the first shot's colours moved on from light to light is found from the pictures. All of the "
-      "first "
-      "shot's colours have to be known.");
+      "Finds how the gels moved from light to light in the other photographs. The first photograph's colours "
+      "must be known.");
   ImGui::SameLine(0, px(10));
   ImGui::AlignTextToFramePadding();
   if (m_guess.empty())
-    ImGui::TextDisabled("Give the first shot's colours, and the pictures tell the others.");
+    ImGui::TextDisabled("Enter the first photograph's colours; the others can be guessed.");
   else
-    ImGui::TextUnformatted(("The other shots are " + m_guess).c_str());
+    ImGui::TextUnformatted(("Other photographs: " + m_guess).c_str());
   if (!m_guess.empty()) markState("wizard.guess_words", m_guess);
 }
 
@@ -213,7 +212,7 @@ std::vector<std::string> CaptureWizard::warnings() const {
 
 void CaptureWizard::drawWarnings(const std::vector<std::string>& warnings, float height) {
   ImGui::BeginChild("##warnings", ImVec2(0, height));
-  if (warnings.empty()) ImGui::TextDisabled("Nothing is wrong with the pictures.");
+  if (warnings.empty()) ImGui::TextDisabled("No problems found.");
   ImGui::PushTextWrapPos(0);
   for (const std::string& warning : warnings) {
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kChanged), "%s", kIconWarning);
@@ -230,7 +229,7 @@ void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, con
   const float button = px(kFooterButton);
   const float buttons = footerWidth();
   if (exists && wrong.empty()) {
-    ImGui::Checkbox("Replace the capture.json that is there", &m_replace);
+    ImGui::Checkbox("Replace the existing capture.json", &m_replace);
     markItem("wizard.replace");
   } else {
     ImGui::AlignTextToFramePadding();

@@ -59,11 +59,10 @@ void RecoveryDialog::draw(SessionController& session) {
   const std::string name = file.empty() ? "a session without a name" : file.string();
   const bool hasWork = !newest.session.empty();
   if (hasWork)
-    ImGui::TextWrapped(
-        "There is unsaved work from %s. It is at most a few seconds older than what you saw last.",
-        name.c_str());
+    ImGui::TextWrapped("Unsaved work from %s can be recovered. At most the last few seconds are lost.",
+                       name.c_str());
   else
-    ImGui::TextWrapped("It was opening %s. That may be what stopped it.", name.c_str());
+    ImGui::TextWrapped("It was opening %s, which may be the cause.", name.c_str());
   ImGui::Dummy(ImVec2(0, px(8)));
   bool done = false, opened = false;
   if (hasWork) {

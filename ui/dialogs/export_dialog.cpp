@@ -30,15 +30,15 @@ struct KindWords {
 constexpr std::array<KindWords, 5> kKinds = {
     {{"Frame", "frame", "The relit picture.", ""},
      {"Lights as layers", "layers",
-      "Every light as it shines now, a layer each, for Nuke, Resolve or Blender. They add up to the frame.",
+      "Every light at its current setting as a layer, for Nuke, Resolve or Blender. The layers add up to the "
+      "frame.",
       "_lights"},
-     {"Beta maps", "beta", "Each light's share of every pixel, to be edited in an image editor.", "_beta"},
+     {"Beta maps", "beta", "Each light's share of every pixel, for an image editor.", "_beta"},
      {"Look", "look",
-      "Only what is the same for every pixel: one gain a channel, and the view. What each light does on its "
-      "own "
-      "is in no table.",
+      "The part of the look that is the same for every pixel: one gain per channel, and the view. What a "
+      "single light does cannot be stored in a LUT.",
       "_look"},
-     {"Report", "report", "A page about the set and its lighting that prints.", "_report"}}};
+     {"Report", "report", "A printable page about the set and its lighting.", "_report"}}};
 
 struct Choice {
   const char* value;
@@ -117,12 +117,12 @@ void ExportDialog::take(const std::string& file) {
 std::string ExportDialog::mistake() const {
   const fs::path file = m_file;
   std::error_code error;
-  if (!file.has_filename()) return "Give the file a name.";
+  if (!file.has_filename()) return "Enter a file name.";
   if (!fs::is_directory(file.has_parent_path() ? file.parent_path() : fs::path("."), error))
     return "There is no folder " + file.parent_path().string();
   const std::vector<std::string>& known = formatsOf(m_choices.kind);
   if (std::find(known.begin(), known.end(), file.extension().string()) == known.end())
-    return "Its name has to end in " + fmt::format("{}", fmt::join(known, ", ")) + ".";
+    return "The name must end in " + fmt::format("{}", fmt::join(known, ", ")) + ".";
   return {};
 }
 
@@ -161,12 +161,12 @@ void ExportDialog::drawFormats() {
 }
 
 void ExportDialog::drawColorSpaces() {
-  static constexpr std::array<Choice, 4> kSpaces = {{{"", "as the set's"},
+  static constexpr std::array<Choice, 4> kSpaces = {{{"", "Same as the set"},
                                                      {"lin_rec709", "linear Rec.709"},
                                                      {"acescg", "ACEScg"},
                                                      {"aces2065_1", "ACES2065-1"}}};
-  list("Primaries", "space", kSpaces, m_choices.colorSpace,
-       "Scene-linear light in these primaries; white stays white (Bradford adaptation).");
+  list("Colour space", "space", kSpaces, m_choices.colorSpace,
+       "Scene-linear, in these primaries; white stays white (Bradford adaptation).");
 }
 
 void ExportDialog::drawFrame(const ColorConfig& config, const Document& document) {
@@ -174,9 +174,9 @@ void ExportDialog::drawFrame(const ColorConfig& config, const Document& document
   const std::string& format = m_choices.format();
   if (format == ".exr")
     check("32-bit float", "float", &m_choices.floatFrame,
-          "Instead of half float, which light up to 65504 fits into.");
+          "Instead of half float, which holds values up to 65504.");
   if (format == ".png" || format == ".tif")
-    check("16 bits", "sixteen", &m_choices.sixteenBits, "Instead of 8 a channel.");
+    check("16 bits", "sixteen", &m_choices.sixteenBits, "Instead of 8 bits per channel.");
   if (isSceneLinear("frame" + format)) {
     drawColorSpaces();
     return;
@@ -185,8 +185,8 @@ void ExportDialog::drawFrame(const ColorConfig& config, const Document& document
                                                     {"drago", "Drago: adaptive logarithm"},
                                                     {"mantiuk", "Mantiuk: contrast"},
                                                     {"reinhard", "Reinhard: as the eye adapts"}}};
-  list("Seen through", "tone", kTones, m_choices.tone,
-       "The display and view that the viewer shows, or a tone mapping of the whole picture (plain sRGB).");
+  list("View", "tone", kTones, m_choices.tone,
+       "The viewer's display and view, or a tone mapping of the whole picture (plain sRGB).");
   if (m_choices.tone.empty()) {
     const DisplayChoice seen = namedDisplay(config, displayWithin(config, document.display));
     ImGui::Dummy(ImVec2(0, 0));
@@ -196,22 +196,23 @@ void ExportDialog::drawFrame(const ColorConfig& config, const Document& document
 }
 
 void ExportDialog::drawLayers() {
-  static constexpr std::array<Choice, 3> kNaming = {
-      {{"one", "Layers in one part"}, {"multi", "A part a light"}, {"blender", "Blender's light groups"}}};
+  static constexpr std::array<Choice, 3> kNaming = {{{"one", "Single part"},
+                                                     {"multi", "Multi-part, one per light"},
+                                                     {"blender", "Blender's light groups"}}};
   static constexpr std::array<Choice, 6> kCompressions = {{{"zip", "ZIP, 16 lines"},
-                                                           {"zips", "ZIP, a line"},
+                                                           {"zips", "ZIPS (one line)"},
                                                            {"piz", "PIZ"},
                                                            {"dwaa", "DWAA (lossy)"},
                                                            {"dwab", "DWAB (lossy)"},
                                                            {"none", "none"}}};
   list("Written as", "naming", kNaming, m_choices.naming,
-       "One part is read by everything; a part a light is quicker where one light is read alone.");
-  list("Compression", "compression", kCompressions, m_choices.compression, "ZIP loses nothing.");
+       "Every program reads a single part; multi-part is faster when only one light is read.");
+  list("Compression", "compression", kCompressions, m_choices.compression, "ZIP is lossless.");
   drawColorSpaces();
   check("32-bit float", "float_layers", &m_choices.floatLayers,
-        "The layers then add up to the frame to the last bit, in half to half a step.");
-  check("Proportions too (beta)", "beta", &m_choices.beta, "Each light's share of the pixel, in float.");
-  check("Quality too", "quality", &m_choices.quality, "The solver's residual, standard error and flags.");
+        "Layers then add up to the frame exactly; in half float, to within rounding.");
+  check("Include beta maps", "beta", &m_choices.beta, "Each light's share of the pixel, as 32-bit float.");
+  check("Include quality", "quality", &m_choices.quality, "The solver's residual, standard error and flags.");
 }
 
 void ExportDialog::drawFile(const Answers& answers) {
@@ -229,7 +230,7 @@ void ExportDialog::drawFile(const Answers& answers) {
   ImGui::SameLine();
   if (ImGui::Button("\u2026", ImVec2(more, 0))) answers.choose();
   markItem("export.choose");
-  tooltip("Choose the folder and the name.");
+  tooltip("Choose folder and name.");
   if (entered && mistake().empty()) accept(answers);
 }
 
@@ -239,7 +240,7 @@ void ExportDialog::drawFooter(const Answers& answers) {
   const bool exists = wrong.empty() && fs::exists(m_file, error);
   ImGui::Dummy(ImVec2(0, px(4)));
   ImGui::AlignTextToFramePadding();
-  hint(!wrong.empty() ? wrong : exists ? "The file is there: it will be replaced." : "");
+  hint(!wrong.empty() ? wrong : exists ? "The file exists and will be replaced." : "");
   const float button = px(110);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
   ImGui::BeginDisabled(!wrong.empty());

@@ -62,14 +62,13 @@ void drawWelcomePanel(SessionController& session, const ActionTable& actions,
   ImGui::PopFont();
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
   ImGui::TextDisabled(
-      "Photograph a set while its lights change colour. Swaplight tells the lights apart, and you light the "
-      "set "
-      "again.");
+      "Photograph a set while its lights change colour. Swaplight separates the lights, and you relight the "
+      "set.");
   ImGui::PopTextWrapPos();
   ImGui::Dummy(ImVec2(0, px(12)));
   if (wideButton(kIconOpen, "Open a capture, a solved set or a session …", width)) actions.run("file.open");
   markItem("welcome.open");
-  if (wideButton(kIconPhoto, "Bring in photographs of your own …", width)) actions.run("file.new");
+  if (wideButton(kIconPhoto, "Import your own photographs …", width)) actions.run("file.new");
   markItem("welcome.new");
   for (const fs::path& sample : samples) {
     const std::string name = sample.parent_path().filename().string();
@@ -79,7 +78,7 @@ void drawWelcomePanel(SessionController& session, const ActionTable& actions,
     markItem({"welcome.sample.", name});
   }
   ImGui::Dummy(ImVec2(0, px(2)));
-  hint("Or drop a file or a folder onto this window.");
+  hint("Or drop a file or folder here.");
   recentList(session, width);
   ImGui::EndGroup();
 }

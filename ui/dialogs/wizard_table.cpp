@@ -93,11 +93,11 @@ void CaptureWizard::drawFrame() {
   if (ImGui::Combo("##scale", &scale, "full size\0half size\0a quarter\0an eighth\0"))
     m_frame.scale = kScales[scale];
   markItem("wizard.scale");
-  tooltip("Smaller pictures are solved faster; the photographs stay as they are.");
+  tooltip("Smaller pictures solve faster. The photographs are not changed.");
   ImGui::SameLine(0, px(10));
   const int across = m_found->pixels->width(), down = m_found->pixels->height();
   if (!m_frame.crop) {
-    ImGui::TextDisabled("of all of the photographs: drag over one of them to crop");
+    ImGui::TextDisabled("of each photograph. To crop, drag over one.");
     return;
   }
   int numbers[4] = {m_frame.crop->x, m_frame.crop->y, m_frame.crop->width, m_frame.crop->height};
@@ -108,7 +108,7 @@ void CaptureWizard::drawFrame() {
     if (!crop.empty()) m_frame.crop = crop;
   }
   markItem("wizard.crop");
-  tooltip("Left, top, width and height of what is used, in pixels of the photographs.");
+  tooltip("Crop in pixels of the photographs: left, top, width, height.");
   ImGui::SameLine(0, px(10));
   if (ImGui::Button("All of them")) m_frame.crop.reset();
   markItem("wizard.uncrop");
@@ -167,11 +167,11 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
     cell.guessed = false;
   if (wrong || cell.guessed) ImGui::PopStyleColor();
   markItem(mark);
-  tooltip(wrong ? reading.mistake.c_str() : cell.guessed ? "Guessed from the pictures" : nullptr);
+  tooltip(wrong ? reading.mistake.c_str() : cell.guessed ? "Guessed from the photographs" : nullptr);
   ImGui::SameLine(0, px(4));
   const bool picking = m_picking == std::pair(shot, light);
   if (toggleButton(kIconPicker, picking, kAccent, side,
-                   "Then click on a white card in this shot that only this light shines on"))
+                   "Then click a white card in this photograph that only this light reaches"))
     m_picking = picking ? std::nullopt : std::optional(std::pair(shot, light));
   markItem({mark, ".pick"});
   ImGui::SameLine(0, px(4));
@@ -219,7 +219,7 @@ void CaptureWizard::drawTable(float height) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  hint("The lights are called");
+  hint("Light names");
   for (size_t i = 0; i < m_lights.size(); ++i) {
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(i));

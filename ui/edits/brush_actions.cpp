@@ -19,34 +19,33 @@ void addBrushActions(ActionTable& actions, EditingContext& studio) {
   const auto hasLights = [&studio] { return studio.set() && !studio.document().rig.lights.empty(); };
   const auto painting = [&studio, hasLights] { return studio.tool == Tool::Brush && hasLights(); };
   BrushState& brush = studio.editing.brush;
-  actions.add({"edit.cancel_drag", "Take the drag back", "Escape",
-               "While the button is held: the stroke, stencil, handle or lasso as if it had never begun.",
+  actions.add({"edit.cancel_drag", "Cancel drag", "Escape",
+               "While dragging: cancel the stroke, stencil, handle or lasso.",
                [&studio] {
                  studio.editor.cancel();
                  studio.editing.endDrags();
                },
                [&studio] { return studio.editing.dragging(); }});
-  actions.add(
-      {"brush.take", "Paint with light", "Shift+B",
-       "Paint on the picture with the chosen light: more of it, less, softer; again: put the brush away.",
-       [&studio] { takeEditTool(studio, Tool::Brush); }, hasLights,
-       [&studio] { return studio.tool == Tool::Brush; }});
+  actions.add({"brush.take", "Paint with light", "Shift+B",
+               "Paint with the selected light: more, less or softer. Press again to leave the brush.",
+               [&studio] { takeEditTool(studio, Tool::Brush); }, hasLights,
+               [&studio] { return studio.tool == Tool::Brush; }});
   actions.add({"brush.new_light", "New light by painting", "",
-               "A light that is nowhere yet: it gets a row, and shines where you paint it.",
-               [&studio] { addPaintedLight(studio); }, hasLights});
+               "Adds a light that shines only where you paint it.", [&studio] { addPaintedLight(studio); },
+               hasLights});
   actions.add({"brush.smaller", "Smaller brush", "[", "Also Ctrl and the wheel.",
                [&studio] { setBrushRadius(studio, brushRadius(studio) / kSizeStep); }, painting});
   actions.add({"brush.larger", "Larger brush", "]", "Also Ctrl and the wheel.",
                [&studio] { setBrushRadius(studio, brushRadius(studio) * kSizeStep); }, painting});
-  actions.add({"brush.softer", "Softer rim of the brush", "Shift+[", "Its light falls off from further in.",
+  actions.add({"brush.softer", "Softer brush", "Shift+[", "Lower the brush's hardness.",
                [&brush] { brush.hardness = std::max(0.0F, brush.hardness - kHardnessStep); }, painting});
-  actions.add({"brush.harder", "Harder rim of the brush", "Shift+]", "Its light ends more sharply.",
+  actions.add({"brush.harder", "Harder brush", "Shift+]", "Raise the brush's hardness.",
                [&brush] { brush.hardness = std::min(1.0F, brush.hardness + kHardnessStep); }, painting});
-  actions.add({"brush.erase", "Take paint off", "X", "The brush takes off what it painted; again: it paints.",
+  actions.add({"brush.erase", "Erase", "X", "Erase what the brush has painted. Press again to paint.",
                [&brush] { brush.erase = !brush.erase; }, painting, [&brush] { return brush.erase; }});
   for (int tenth = 1; tenth <= 10; ++tenth)
     actions.add({fmt::format("brush.opacity_{}", 10 * tenth), fmt::format("Brush at {} %", 10 * tenth),
-                 std::to_string(tenth % 10), "How much a stroke can build up to.",
+                 std::to_string(tenth % 10), "The most a stroke can build up to.",
                  [&brush, tenth] { brush.opacity = 0.1F * static_cast<float>(tenth); }, painting});
 }
 

@@ -15,14 +15,14 @@ void drawBrushPanel(EditingContext& studio) {
   drawPaintModes(studio);
   float size = 2 * brushRadius(studio);
   if (labelledSlider("Size", "brush.size", &size, 2, 2000, "%.0f px",
-                     "Pixels of the picture.  ([ and ], Ctrl + wheel)", kLogarithmic))
+                     "Image pixels.  ([ and ], Ctrl + wheel)", kLogarithmic))
     setBrushRadius(studio, size / 2);
   percentSlider("Hardness", "brush.hardness", &brush.hardness, 100,
-                "How sharply the brush ends.  (Shift + [ and ])");
+                "Hardness of the brush's edge.  (Shift + [ and ])");
   percentSlider("Opacity", "brush.opacity", &brush.opacity, 100,
-                "What a stroke builds up to, however often it crosses itself.  (1 .. 9, 0 is 100 %)");
+                "The most a stroke builds up to, however often it crosses itself.  (1 to 9, 0 is 100 %)");
   percentSlider("Flow", "brush.flow", &brush.flow, 100, "How fast a stroke builds up to its opacity.");
-  actionTextButton(studio.actions, "brush.erase", "Take paint off", ImGui::GetContentRegionAvail().x);
+  actionTextButton(studio.actions, "brush.erase", "Erase", ImGui::GetContentRegionAvail().x);
   actionTextButton(studio.actions, "brush.new_light", "New light by painting",
                    ImGui::GetContentRegionAvail().x);
   hint("Shift + click: a straight line");

@@ -154,9 +154,8 @@ bool curveWidget(CurvePoints& points, CurveGrab& grab, std::span<const float> hi
   drawCurve(points, area, ImGui::IsItemActive() ? grab.held : under);
   if (!ImGui::IsItemActive())
     tooltip(
-        "Across: the light's part of the picture as it is; up: what it becomes. Click to add a point, drag "
-        "it, "
-        "double-click it or drag it out to remove it. Behind it: how much of the picture has which part.");
+        "Horizontal: beta, the light's share of the pixel; vertical: the new beta. Click to add a point, "
+        "drag to move it, double-click or drag it out to remove it. Behind: histogram of beta.");
   return changed;
 }
 

@@ -9,7 +9,7 @@ namespace {
 void askForBetaMap(const EditingContext& studio, FileChooser& chooser,
                    const std::function<void(const std::string&)>& answer) {
   FileChooser::Question question;
-  question.title = "A beta map of the picture's size: EXR or PNG";
+  question.title = "Choose a beta map of the picture's size (EXR or PNG)";
   question.button = "Use";
   question.extensions = {".exr", ".png"};
   question.folder = studio.document().source.parent_path();
@@ -28,19 +28,19 @@ void addEditActions(ActionTable& actions, EditingContext& studio, FileChooser& c
     return studio.layout.edits && studio.editing.focused && chosen();
   };
   const auto index = [&studio] { return static_cast<size_t>(studio.editing.chosen); };
-  actions.add({"edits.rename", "Rename the edit", "F2", "Give the chosen edit of the list another name.",
+  actions.add({"edits.rename", "Rename the edit", "F2", "Rename the selected edit.",
                [&studio, index] { renameEdit(studio, index()); }, focused});
-  actions.add({"edits.delete", "Delete the edit", "Delete", "Take the chosen edit out of the list.",
+  actions.add({"edits.delete", "Delete the edit", "Delete", "Delete the selected edit.",
                [&studio, index] { deleteEdit(studio, index()); }, focused});
-  actions.add({"edits.add_picture", "\u03b2 from a file \u2026", "",
-               "Add a beta map that was edited elsewhere as an edit of the chosen light.",
+  actions.add({"edits.add_picture", "\u03b2 map from a file \u2026", "",
+               "Add a beta map edited in another program to the selected light.",
                [&studio, &chooser] {
                  askForBetaMap(studio, chooser,
                                [&studio](const std::string& file) { addPictureEdit(studio, file); });
                },
                [&studio] { return studio.set() && !studio.document().rig.lights.empty(); }});
-  actions.add({"edits.choose_picture", "Another \u03b2 file \u2026", "",
-               "Choose another file for the edit of the list that takes its beta map from one.",
+  actions.add({"edits.choose_picture", "Replace \u03b2 map \u2026", "",
+               "Choose another file for the selected beta map edit.",
                [&studio, &chooser, index] {
                  askForBetaMap(studio, chooser, [&studio, at = index()](const std::string& file) {
                    setPictureOfEdit(studio, at, file);

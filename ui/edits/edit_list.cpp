@@ -24,7 +24,7 @@ constexpr const char* kDragged = "swaplight edit";
 std::string detailWords(const Edit& edit) {
   std::string words = edit.lights.empty() ? "all lights" : fmt::format("{}", fmt::join(edit.lights, ", "));
   words += "  ·  " + operationSummary(edit.operation);
-  if (edit.meaning == Meaning::Share) words += "  ·  shared";
+  if (edit.meaning == Meaning::Share) words += "  ·  keeps total";
   if (edit.opacity < 1) words += fmt::format("  ·  {:.0f} %", 100 * edit.opacity);
   return words;
 }
@@ -177,7 +177,7 @@ bool drawRow(EditingContext& studio, size_t index) {
   }
   const float side = px(26);
   ImGui::SetCursorPos(ImVec2(start.x + px(6), start.y + (size.y - side) / 2));
-  if (toggleButton(kIconVisible, edit->on, kAccent, side, "On or off")) {
+  if (toggleButton(kIconVisible, edit->on, kAccent, side, "Turn on or off")) {
     Edit changed = *edit;
     changed.on = !edit->on;
     editEdit(studio, index, nameOf(*edit) + (edit->on ? ": off" : ": on"), std::move(changed));
@@ -242,7 +242,7 @@ void drawEditList(EditingContext& studio) {
   if (studio.editing.chosen >= static_cast<int>(count)) studio.editing.chosen = -1;
   if (studio.editing.chosen < 0) studio.editing.settling = false;
   if (count == 0) {
-    hint("None yet: paint, change shadows,\nor add one.");
+    hint("No edits yet: paint, edit shadows,\nor add one.");
     return;
   }
   ImGui::BeginChild("##edits", ImVec2(0, std::max(ImGui::GetContentRegionAvail().y, px(kLeastHeight))));

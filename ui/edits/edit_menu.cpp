@@ -23,8 +23,7 @@ Edit newEdit(const EditingContext& studio, const std::string& what, const Operat
   edit.operation = operation;
   edit.mask = maskWithin({}, studio.document().selection);
   // With three lights somebody has to say which two change places.
-  if (swapsTwoLights(operation) && studio.document().rig.lights.size() == 2)
-    edit.lights.clear();
+  if (swapsTwoLights(operation) && studio.document().rig.lights.size() == 2) edit.lights.clear();
   return edit;
 }
 
@@ -46,7 +45,7 @@ EditedLights lightsOf(const EditingContext& studio) {
 void reading(EditingContext& studio, float width) {
   if (ImGui::Button("Stop", ImVec2(width, 0))) studio.edits.files().stop();
   markItem("edits.stop");
-  tooltip("A beta map is being read from a file.");
+  tooltip("Reading a beta map from a file.");
 }
 
 }  // namespace
@@ -55,7 +54,7 @@ void drawAddEdit(EditingContext& studio, float width) {
   if (studio.edits.files().choosing()) return reading(studio, width);
   if (ImGui::Button("Add \u2026", ImVec2(width, 0))) ImGui::OpenPopup("##add edit");
   markItem("edits.add");
-  tooltip("A new edit of the chosen light.");
+  tooltip("Add an edit to the selected light.");
   if (!ImGui::BeginPopup("##add edit")) return;
   forEachOperation([&]<typename T>(const T& operation) {
     if (!T::info.inMenu) return;
@@ -65,15 +64,15 @@ void drawAddEdit(EditingContext& studio, float width) {
     tooltip(T::info.tip);
   });
   ImGui::Separator();
-  if (ImGui::MenuItem("From a file \u2026")) studio.actions.run("edits.add_picture");
+  if (ImGui::MenuItem("Beta map from a file \u2026")) studio.actions.run("edits.add_picture");
   markItem("add.picture");
-  tooltip("The light's beta map, edited elsewhere: an EXR or PNG of the picture's size.");
-  if (ImGui::MenuItem("To a file \u2026")) studio.actions.run("file.export_beta");
+  tooltip("Use a beta map edited in another program: an EXR or PNG of the same size as the picture.");
+  if (ImGui::MenuItem("Beta maps to a file \u2026")) studio.actions.run("file.export_beta");
   markItem("add.export");
-  tooltip("Write the lights' beta maps as they are now, for an image editor.");
+  tooltip("Export the lights' current beta maps for an image editor.");
   if (ImGui::MenuItem("Shadows \u2026") && !studio.layout.shadows) studio.actions.run("view.shadows");
   markItem("add.shadows");
-  tooltip("Find the light's shadows and change them.");
+  tooltip("Find and edit the light's shadows.");
   ImGui::EndPopup();
 }
 

@@ -69,7 +69,7 @@ void lights(const Parameters& of) {
       of.edit.lights.empty() ? "all lights" : fmt::format("{}", fmt::join(of.edit.lights, ", "));
   const bool open = ImGui::BeginCombo("##lights", shown.c_str());
   markItem("parameters.lights");
-  if (!open) return tooltip("Whose light is changed.");
+  if (!open) return tooltip("The lights that the edit changes.");
   if (ImGui::Selectable("all lights", of.edit.lights.empty())) {
     Edit next = of.edit;
     next.lights.clear();
@@ -94,22 +94,21 @@ void lights(const Parameters& of) {
 
 /// What happens to the other lights.
 void meaning(const Parameters& of) {
-  label("Others");
+  label("Mode");
   const float width = std::floor((ImGui::GetContentRegionAvail().x - px(10)) / 2);
   const auto button = [&](const char* words, Meaning meaning, const char* mark, const char* tip) {
     if (choiceButton(words, of.edit.meaning == meaning, width, mark, tip) && of.edit.meaning != meaning) {
       Edit next = of.edit;
       next.meaning = meaning;
-      of.change(std::string("The other lights ") + words, std::move(next));
+      of.change(std::string("Mode: ") + words, std::move(next));
     }
   };
-  button("give way", Meaning::Share, "parameters.share",
-         "Share: what the light gets, the other lights lose, and the other way round. Under white lights the "
-         "picture stays.");
+  button("Keep total", Meaning::Share, "parameters.share",
+         "What the light gains, the other lights lose, and vice versa. With every light at unit white the "
+         "picture does not change.");
   ImGui::SameLine(0, px(4));
-  button("stay", Meaning::Add, "parameters.add",
-         "Add: light is added or taken away; the other lights stay as they are. The picture gets brighter or "
-         "darker.");
+  button("Add light", Meaning::Add, "parameters.add",
+         "Adds or removes light; the other lights do not change. The picture gets brighter or darker.");
 }
 
 /// Of the first light that the edit is for.
@@ -121,8 +120,8 @@ std::span<const float> histogramFor(const Parameters& of) {
   return kept[light];
 }
 
-// A control for one value of an edit, as its field describes it. True where it was changed; steps of their own
-// (a reset, a choice) are taken at once.
+// A control for one value of an edit, as its field describes it. True where it was changed; steps of their
+// own (a reset, a choice) are taken at once.
 
 std::string markOf(const char* key) {
   return std::string("parameters.") + key;
@@ -189,8 +188,8 @@ template <typename Owner>
 bool control(const Parameters& /*of*/, const Field<Owner, Rgb>& field, Rgb& color) {
   label(field.label);
   Rgb codes = srgbFromLinear(color);
-  const bool changed = ImGui::ColorEdit3("##colour", &codes.x,
-                                         ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+  const bool changed =
+      ImGui::ColorEdit3("##colour", &codes.x, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
   if (changed) color = linearFromSrgb(codes);
   markItem({"parameters.", field.key});
   tooltip(field.tip);
@@ -198,7 +197,7 @@ bool control(const Parameters& /*of*/, const Field<Owner, Rgb>& field, Rgb& colo
 }
 
 template <typename Owner, typename Choice>
-  requires std::is_enum_v<Choice>
+requires std::is_enum_v<Choice>
 bool control(const Parameters& of, const Field<Owner, Choice>& field, Choice& choice) {
   label(field.label);
   const bool open = ImGui::BeginCombo("##choice", field.titles[static_cast<size_t>(choice)]);
@@ -237,7 +236,7 @@ void drawEditParameters(EditingContext& studio, size_t index, bool all) {
   const Parameters parameters{studio, index, *edit};
   ImGui::PushID("parameters");
   float opacity = edit->opacity;
-  if (percent("Opacity", "edits.opacity", &opacity, 0, 1, "How much of the edit is seen.")) {
+  if (percent("Opacity", "edits.opacity", &opacity, 0, 1, "Strength of the edit.")) {
     Edit next = *edit;
     next.opacity = std::clamp(opacity, 0.F, 1.F);
     parameters.preview("opacity", std::move(next));

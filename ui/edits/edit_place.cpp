@@ -49,7 +49,7 @@ void placeCombo(EditingContext& studio, size_t index) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - px(6));
   const bool open = ImGui::BeginCombo("##where", placeWords(edit->mask).c_str());
   markItem("place");
-  if (!open) return tooltip("The part of the picture in which the edit acts.");
+  if (!open) return tooltip("Where the edit acts.");
   if (ImGui::Selectable("everywhere", edit->mask.empty())) setPlace(studio, index, {});
   markItem("place.everywhere");
   if (ImGui::Selectable("rectangle")) setPlace(studio, index, {{firstRectangle(studio), false}});
@@ -63,7 +63,7 @@ void placeCombo(EditingContext& studio, size_t index) {
   if (!selection.empty() && ImGui::Selectable("the selection"))
     setPlace(studio, index, maskWithin({}, selection));
   const ShadowState& shadow = studio.editing.shadow;
-  if (shadow.chosen && ImGui::Selectable("the chosen shadow"))
+  if (shadow.chosen && ImGui::Selectable("the selected shadow"))
     setPlace(studio, index, {{ShadowShape{shadow.light, true, shadow.chosen->x, shadow.chosen->y}, false}});
   ImGui::EndCombo();
 }
@@ -97,7 +97,7 @@ void rectangle(EditingContext& studio, size_t index) {
                                 ImGuiSliderFlags_AlwaysClamp);
     ImGui::PopID();
     markItem(number.mark);
-    tooltip("Pixels of the picture. Drag, or double-click and type.");
+    tooltip("Image pixels. Drag, or double-click to type.");
   }
   if (!changed) return;
   Edit moved = *edit;
@@ -114,7 +114,7 @@ void drawEditPlace(EditingContext& studio, size_t index) {
   const std::shared_ptr<const Edit> edit = studio.document().edits.edits[index];
   if (edit->mask.size() != 1) return;
   bool outside = edit->mask.front().invert;
-  if (ImGui::Checkbox("outside of it", &outside)) {
+  if (ImGui::Checkbox("invert", &outside)) {
     Mask mask = edit->mask;
     mask.front().invert = outside;
     setPlace(studio, index, std::move(mask));

@@ -51,7 +51,7 @@ void drawEditsPanel(EditingContext& studio) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Edits");
   ImGui::PopFont();
-  tooltip("What is done to the lights before they are mixed, from the bottom up.");
+  tooltip("Light edits, applied from the bottom up before the lights are mixed.");
   if (studio.edits.files().reading()) {
     ImGui::SameLine();
     hint(fmt::format("reading {:.0f} %", 100 * studio.edits.files().fraction()));

@@ -24,12 +24,10 @@ void modes(BrushState& brush) {
     const char* tip;
   };
   constexpr std::array<Choice, 4> kChoices{
-      {{Mode::Add, "More light", "brush.add",
-        "The light comes to where you paint, even where it did not reach."},
-       {Mode::Remove, "Less light", "brush.remove", "The light goes away from where you paint."},
-       {Mode::Soften, "Soften", "brush.soften", "The edges of the light and of its shadows become softer."},
-       {Mode::SetTo, "Set to", "brush.set",
-        "The light becomes this strong where you paint, whatever it was."}}};
+      {{Mode::Add, "More light", "brush.add", "Adds light where you paint, even where it did not reach."},
+       {Mode::Remove, "Less light", "brush.remove", "Removes light where you paint."},
+       {Mode::Soften, "Soften", "brush.soften", "Softens the light's edges and shadows."},
+       {Mode::SetTo, "Set to", "brush.set", "Sets the light to this level where you paint."}}};
   const float gap = px(4);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
   for (size_t i = 0; i < kChoices.size(); ++i) {
@@ -42,18 +40,16 @@ void modes(BrushState& brush) {
 void meaning(BrushState& brush, const std::string& light) {
   const float gap = px(4);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
-  hint("The other lights");
   if (choiceButton(
-          "stay", brush.meaning == Meaning::Add, width, "brush.meaning.add",
-          "Light is added or taken away; the other lights stay as they are. The picture gets brighter or "
-          "darker."))
+          "Add light", brush.meaning == Meaning::Add, width, "brush.meaning.add",
+          "Adds or removes light; the other lights do not change. The picture gets brighter or darker."))
     brush.meaning = Meaning::Add;
   ImGui::SameLine(0, gap);
-  if (choiceButton(
-          "give way", brush.meaning == Meaning::Share, width, "brush.meaning.share",
-          ("What " + light +
-           " gets, the other lights lose, and the other way round. Under white lights the picture stays.")
-              .c_str()))
+  if (choiceButton("Keep total", brush.meaning == Meaning::Share, width, "brush.meaning.share",
+                   ("What " + light +
+                    " gains, the other lights lose, and vice versa. With every light at unit white the "
+                    "picture does not change.")
+                       .c_str()))
     brush.meaning = Meaning::Share;
 }
 
@@ -61,20 +57,20 @@ void amount(BrushState& brush) {
   switch (brush.mode) {
     case Mode::Add:
       percentSlider("Light", "brush.light", &brush.light, 200,
-                    "How much comes: 100 % is as much as all lights together give there.");
+                    "How much light is added: 100 % equals all lights together at unit white.");
       break;
     case Mode::Remove:
       break;
     case Mode::Soften: {
       float pixels = static_cast<float>(brush.softness);
-      if (labelledSlider("Over", "brush.softness", &pixels, 1, 256, "%.0f px",
-                         "Over how many pixels of the picture.", kLogarithmic))
+      if (labelledSlider("Radius", "brush.softness", &pixels, 1, 256, "%.0f px",
+                         "How far it spreads, in image pixels.", kLogarithmic))
         brush.softness = static_cast<int>(pixels);
       break;
     }
     case Mode::SetTo:
       percentSlider("Light", "brush.level", &brush.level, 200,
-                    "How strong it becomes: 100 % is as much as all lights together give there.");
+                    "The level to set: 100 % equals all lights together at unit white.");
       break;
   }
 }
@@ -87,7 +83,7 @@ void drawPaintModes(EditingContext& studio) {
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted(("Paint with " + light).c_str());
   ImGui::PopFont();
-  tooltip("Another light: choose it in the list at the right.");
+  tooltip("To paint with another light, select it in the mixer.");
   modes(brush);
   amount(brush);
   meaning(brush, light);

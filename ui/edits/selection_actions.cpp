@@ -7,7 +7,7 @@ namespace swaplight {
 namespace {
 
 void askForStencilPicture(EditingContext& studio, FileChooser& chooser) {
-  chooser.ask({"A picture as a stencil",
+  chooser.ask({"Choose an image for the gobo",
                "Use",
                {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr"},
                false,
@@ -25,23 +25,24 @@ void askForStencilPicture(EditingContext& studio, FileChooser& chooser) {
 void addSelectionActions(ActionTable& actions, EditingContext& studio, FileChooser& chooser) {
   const auto hasLights = [&studio] { return studio.set() && !studio.document().rig.lights.empty(); };
   const auto selected = [&studio] { return studio.set() && !studio.document().selection.empty(); };
-  actions.add({"select.take", "Select a part of the picture", "Shift+L",
-               "Select by lasso, rectangle, ellipse, likeness or shadow: edits then stay inside of it.",
-               [&studio] { takeEditTool(studio, Tool::Select); }, hasLights,
-               [&studio] { return studio.tool == Tool::Select; }});
+  actions.add(
+      {"select.take", "Select", "Shift+L",
+       "Select by lasso, rectangle, ellipse, similar pixels or shadow. Edits stay inside the selection.",
+       [&studio] { takeEditTool(studio, Tool::Select); }, hasLights,
+       [&studio] { return studio.tool == Tool::Select; }});
   actions.add({"stencil.take", "Stencils and gradients", "Shift+T",
-               "Lay light on through words, shapes, a picture, or as a gradient, by dragging.",
+               "Project light through text, a shape or a gobo image, or as a gradient, by dragging.",
                [&studio] { takeEditTool(studio, Tool::Stencil); }, hasLights,
                [&studio] { return studio.tool == Tool::Stencil; }});
-  actions.add({"stencil.choose_picture", "Picture as a stencil \u2026", "",
-               "The picture whose brightness lets the light through.",
+  actions.add({"stencil.choose_picture", "Gobo from image \u2026", "",
+               "Choose an image: bright parts let the light through.",
                [&studio, &chooser] { askForStencilPicture(studio, chooser); }, hasLights});
-  actions.add({"select.clear", "Select nothing", "Ctrl+D", "Edits reach everywhere again.",
-               [&studio] { changeSelection(studio, "Select nothing", {}); }, selected});
-  actions.add({"select.invert", "Invert the selection", "Ctrl+Shift+I", "Select what was not selected.",
+  actions.add({"select.clear", "Deselect", "Ctrl+D", "Clear the selection; edits reach everywhere again.",
+               [&studio] { changeSelection(studio, "Deselect", {}); }, selected});
+  actions.add({"select.invert", "Invert selection", "Ctrl+Shift+I",
+               "Select everything that was not selected.",
                [&studio] {
-                 changeSelection(studio, "Invert the selection",
-                                 invertedSelection(studio.document().selection));
+                 changeSelection(studio, "Invert selection", invertedSelection(studio.document().selection));
                },
                selected});
 }

@@ -28,10 +28,11 @@ void kinds(SelectionState& state, const std::string& light) {
     std::string tip;
   };
   const Choice choices[] = {
-      {Kind::Lasso, "Lasso", "select.lasso", "Draw around it."},
+      {Kind::Lasso, "Lasso", "select.lasso", "Draw around an area."},
       {Kind::Rectangle, "Rectangle", "select.rectangle", "Drag from corner to corner."},
-      {Kind::Ellipse, "Ellipse", "select.ellipse", "Drag from corner to corner of its box."},
-      {Kind::Similar, "Alike", "select.similar", "Click: what looks like the place under the mouse."},
+      {Kind::Ellipse, "Ellipse", "select.ellipse", "Drag across its bounding box."},
+      {Kind::Similar, "Similar", "select.similar",
+       "Click to select pixels similar to the one under the pointer."},
       {Kind::Shadow, "Shadow", "select.shadow", "Click into a shadow of " + light + ": this shadow."}};
   const float gap = px(4);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
@@ -47,15 +48,15 @@ void similar(SelectionState& state) {
   using By = SimilarShape::By;
   const float gap = px(4);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
-  if (choiceButton("in colour", state.by == By::Color, width, "select.by_color",
-                   "Alike in the picture as it is under white lights."))
+  if (choiceButton("by colour", state.by == By::Color, width, "select.by_color",
+                   "Similar in colour with every light at unit white."))
     state.by = By::Color;
   ImGui::SameLine(0, gap);
-  if (choiceButton("in lighting", state.by == By::Share, width, "select.by_share",
-                   "Alike in how much of its light comes from each lamp, whatever its colour."))
+  if (choiceButton("by lighting", state.by == By::Share, width, "select.by_share",
+                   "Similar in each light's share, whatever the colour."))
     state.by = By::Share;
-  percentSlider("Tolerance", "select.tolerance", &state.tolerance, 60, "How much it may differ.");
-  ImGui::Checkbox("Only what is connected", &state.connected);
+  percentSlider("Tolerance", "select.tolerance", &state.tolerance, 60, "How different pixels may be.");
+  ImGui::Checkbox("Contiguous", &state.connected);
   markItem("select.connected");
 }
 
@@ -67,7 +68,7 @@ void drawSelectionPanel(EditingContext& studio) {
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Select");
   ImGui::PopFont();
-  tooltip("What is selected restricts the brush, stencils and gradients, and every new edit.");
+  tooltip("The brush, stencils, gradients and new edits stay inside the selection.");
   kinds(state, light.title());
   if (state.kind == Kind::Similar) similar(state);
   if (state.kind == Kind::Shadow) {
@@ -75,21 +76,21 @@ void drawSelectionPanel(EditingContext& studio) {
                       ImVec2(ImGui::GetContentRegionAvail().x, 0)))
       selectShadows(studio, light.light);
     markItem("select.all_shadows");
-    if (studio.edits.findingShadows()) hint("Looking for the shadows \u2026");
+    if (studio.edits.findingShadows()) hint("Finding shadows \u2026");
   }
-  hint("Shift adds, Alt takes away");
+  hint("Shift adds, Alt subtracts");
 }
 
 void drawSelectionBar(EditingContext& studio) {
   const Mask& selection = studio.document().selection;
   if (selection.empty()) return;
-  hint("Only inside the selection");
+  hint("Edits stay inside the selection");
   float feather = featherOf(selection);
   if (labelledSlider("Soft edge", "select.feather", &feather, 0, kMostFeather, "%.0f px",
-                     "Over how many pixels of the picture it falls off.", kLogarithmic)) {
+                     "Width of the soft edge, in image pixels.", kLogarithmic)) {
     Document next = studio.document();
     next.selection = featheredSelection(selection, std::round(feather));
-    studio.editor.preview("Soft edge of the selection", std::move(next));
+    studio.editor.preview("Feather the selection", std::move(next));
   }
   const float gap = px(4);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
@@ -101,10 +102,10 @@ void drawSelectionBar(EditingContext& studio) {
   if (chosen < 0 || chosen >= static_cast<int>(edits.size())) return;
   const Edit& edit = *edits[static_cast<size_t>(chosen)];
   if (selectionOf(edit.mask) == studio.document().selection) return;
-  if (ImGui::Button("Restrict the chosen edit to it", ImVec2(ImGui::GetContentRegionAvail().x, 0))) {
+  if (ImGui::Button("Limit the selected edit to it", ImVec2(ImGui::GetContentRegionAvail().x, 0))) {
     Edit restricted = edit;
     restricted.mask = maskWithin(edit.mask, studio.document().selection);
-    editEdit(studio, static_cast<size_t>(chosen), "Restrict to the selection", std::move(restricted));
+    editEdit(studio, static_cast<size_t>(chosen), "Limit to the selection", std::move(restricted));
   }
   markItem("select.restrict");
 }

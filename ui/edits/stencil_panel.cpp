@@ -54,8 +54,8 @@ bool ownValues(EditingContext& studio) {
     markItem("stencil.which_pattern");
     stencil.pattern = static_cast<PatternShape::Kind>(pattern);
   }
-  if (kind.feather && labelledSlider("Feather", "stencil.feather", &stencil.feather, 0, kMostFeather, "%.0f px",
-                                     "Width of the soft edge, in image pixels.", kLogarithmic))
+  if (kind.feather && labelledSlider("Feather", "stencil.feather", &stencil.feather, 0, kMostFeather,
+                                     "%.0f px", "Width of the soft edge, in image pixels.", kLogarithmic))
     changed = true;
   return changed;
 }
@@ -65,12 +65,12 @@ bool ownValues(EditingContext& studio) {
 void drawStencilPanel(EditingContext& studio) {
   StencilState& state = studio.editing.stencil;
   drawPaintModes(studio);
-  hint("Through");
+  hint("Project light through");
   kinds(state);
   bool changed = ownValues(studio);
-  if (ImGui::Checkbox("Around it instead", &state.invert)) changed = true;
+  if (ImGui::Checkbox("Invert", &state.invert)) changed = true;
   markItem("stencil.invert");
-  tooltip("Everywhere but in the shape.");
+  tooltip("Light everywhere except inside the shape.");
   if (const Edit* chosen = chosenStencil(studio); changed && chosen && !state.going) {
     Edit edit = *chosen;
     edit.mask.front() = withStencil(edit.mask.front(), state.stencil);
@@ -80,7 +80,7 @@ void drawStencilPanel(EditingContext& studio) {
   }
   const Edit* placed = chosenStencil(studio);
   const bool movable = placed && !handlesOf(placed->mask.front()).empty();
-  hint(movable ? "Drag it or its handles, or place another" : "Drag in the picture to place it");
+  hint(movable ? "Drag it or its handles, or drag elsewhere for another" : "Drag in the picture to place it");
 }
 
 }  // namespace swaplight

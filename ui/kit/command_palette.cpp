@@ -48,7 +48,7 @@ void CommandPalette::draw(const ActionTable& actions) {
   if (!m_open) return;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##filter", "What to do", &m_filter)) m_chosen = 0;
+  if (ImGui::InputTextWithHint("##filter", "Find an action", &m_filter)) m_chosen = 0;
   markItem("palette.filter");
 
   // What is called so comes before what only speaks of it.
@@ -69,7 +69,7 @@ void CommandPalette::draw(const ActionTable& actions) {
   ImGui::BeginChild("##found", ImVec2(0, kRows * ImGui::GetTextLineHeightWithSpacing()));
   for (int i = 0; i <= last; ++i)
     if (line(*found[static_cast<size_t>(i)], i == m_chosen)) run = found[static_cast<size_t>(i)];
-  if (found.empty()) hint("Nothing of that name.");
+  if (found.empty()) hint("No matching action.");
   ImGui::EndChild();
   if (run && run->isEnabled()) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

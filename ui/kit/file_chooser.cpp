@@ -57,7 +57,7 @@ void FileChooser::goTo(const fs::path& folder) {
     if (name.starts_with(".") || (!isFolder && !listed(entry.path(), m_question->extensions))) continue;
     m_entries.push_back({name, isFolder, isFolder ? 0 : entry.file_size(ignored)});
   }
-  if (error) m_error = "This folder cannot be read: " + error.message();
+  if (error) m_error = "Cannot read this folder: " + error.message();
   std::sort(m_entries.begin(), m_entries.end(), [](const Entry& a, const Entry& b) {
     return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
   });
@@ -101,7 +101,7 @@ bool FileChooser::drawEntries(float height) {
   fs::path enter;
   ImGui::BeginChild("##entries", ImVec2(0, height), true);
   if (!m_error.empty()) ImGui::TextWrapped("%s", m_error.c_str());
-  if (m_error.empty() && m_entries.empty()) ImGui::TextDisabled("Nothing here that can be opened.");
+  if (m_error.empty() && m_entries.empty()) ImGui::TextDisabled("No files here that can be opened.");
   for (const Entry& entry : m_entries) {
     const std::string label = fmt::format("{}  {}", entry.folder ? kIconFolder : kIconFile, entry.name);
     if (ImGui::Selectable(label.c_str(), !entry.folder && entry.name == m_name,
@@ -126,7 +126,7 @@ bool FileChooser::drawEntries(float height) {
 }
 
 const char* FileChooser::fieldHint(const Question& question) {
-  if (question.forFolder) return "The folder above, or type another";
+  if (question.forFolder) return "Folder shown above; type a path to change it";
   return question.saving ? "File name" : "File name or path";
 }
 
@@ -175,7 +175,7 @@ void FileChooser::draw() {
   bool done = drawEntries(ImGui::GetContentRegionAvail().y - footer);
   if (!m_confirm.empty())
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kChanged),
-                       "%s is there already. Press %s again to replace it.",
+                       "%s already exists. Press %s again to replace it.",
                        fs::path(m_confirm).filename().c_str(), m_question->button.c_str());
   const float button = px(110);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button + ImGui::GetStyle().ItemSpacing.x));

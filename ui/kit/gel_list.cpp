@@ -56,7 +56,7 @@ std::optional<std::string> gelChoices(const std::string& current, std::string& f
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(px(330));
-  const bool entered = ImGui::InputTextWithHint("##filter", "Maker's letter and number, or name", &filter,
+  const bool entered = ImGui::InputTextWithHint("##filter", "Maker and number, or name", &filter,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   markItem("gel.filter");
   try {

@@ -18,7 +18,7 @@ struct Group {
   const char* prefix;
   const char* title;
 };
-constexpr Group kGroups[] = {{"file.", "File"},        {"edit.", "Edit"},     {"light.", "Chosen light"},
+constexpr Group kGroups[] = {{"file.", "File"},        {"edit.", "Edit"},     {"light.", "Selected light"},
                              {"mixer.", "All lights"}, {"view.", "View"},     {"channel.", "Channels"},
                              {"compare.", "Compare"},  {"scopes.", "Scopes"}, {"looks.", "Looks"},
                              {"window.", "Window"},    {"help.", "Help"}};
@@ -29,10 +29,10 @@ void mouseHelp() {
   ImGui::TextUnformatted("Mouse");
   ImGui::PopFont();
   for (const char* text :
-       {"Wheel: zoom at the pointer", "Drag: move the picture", "Alt + click: pick a colour for the light",
-        "E held + drag: the viewer's exposure", "Double-click a slider: back to the capture",
-        "Ctrl + click a slider: type a number", "Ctrl or Shift + click a light: choose several",
-        "Right-click a light: its menu"})
+       {"Wheel: zoom at the pointer", "Drag: pan", "Alt + click: match the light to a pixel",
+        "Hold E + drag: viewer exposure", "Double-click a slider: reset to the capture",
+        "Ctrl + click a slider: type a value", "Ctrl or Shift + click lights: select several",
+        "Right-click a light: context menu"})
     hint(text);
 }
 
@@ -58,15 +58,15 @@ void KeysWindow::drawGroup(ActionTable& actions, const std::string& group) {
     if (waiting) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
     const bool changed = action.keys != action.ownKeys;
     if (changed) ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
-    if (ImGui::Button(waiting ? "press keys \u2026" : (action.firstKeys() + "##keys").c_str(),
+    if (ImGui::Button(waiting ? "press a shortcut \u2026" : (action.firstKeys() + "##keys").c_str(),
                       ImVec2(width, 0)))
       m_waiting = waiting ? "" : action.id;
     if (changed) ImGui::PopStyleColor();
     if (waiting) ImGui::PopStyleColor();
     markItem({"keys.", action.id});
     tooltip(
-        "Click, then press the new keys. Backspace takes them away, Escape leaves them, right-click brings "
-        "back the first ones.");
+        "Click, then press the new shortcut. Backspace clears it, Escape cancels, right-click restores the "
+        "default.");
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
       actions.setKeys(action.id, action.ownKeys);
       writeKeyFile(actions, m_file);
@@ -82,7 +82,7 @@ void KeysWindow::takeKeys(ActionTable& actions, const Keyboard& keyboard, Messag
       const std::string keys = press.key == "Backspace" ? "" : keysName(press);
       for (const Action& other : actions.actions())
         if (!keys.empty() && other.id != m_waiting && other.firstKeys() == keys) {
-          messages.info(keys + " was \u201c" + other.name + "\u201d, which now has no key.");
+          messages.info(keys + " was \u201c" + other.name + "\u201d, which now has no shortcut.");
           actions.setKeys(other.id, "");
         }
       actions.setKeys(m_waiting, keys);
@@ -108,7 +108,7 @@ void KeysWindow::draw(ActionTable& actions, const Keyboard& keyboard, Messages& 
     ImGui::InputTextWithHint("##filter", "Search", &m_filter);
     markItem("keys.filter");
     ImGui::SameLine();
-    hint("Click on keys to change them. Kept in " + m_file.string());
+    hint("Click a shortcut to change it. Saved in " + m_file.string());
     ImGui::BeginChild("##groups");
     const int columns = std::clamp(static_cast<int>(ImGui::GetContentRegionAvail().x / px(330)), 1, 3);
     if (ImGui::BeginTable("##columns", columns)) {

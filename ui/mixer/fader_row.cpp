@@ -33,9 +33,9 @@ void groupName(LightsContext& studio, const LightGroup& group, const MixerCard& 
   ImGui::PopFont();
   ImGui::PopClipRect();
   markItem({"mixer.group.", group.name});
-  tooltip("A group of lights. Right-click: dissolve it.");
+  tooltip("A group of lights. Right-click to ungroup.");
   if (!ImGui::BeginPopupContextItem("##group menu")) return;
-  if (ImGui::MenuItem("Dissolve the group"))
+  if (ImGui::MenuItem("Ungroup"))
     editRig(studio, group.name + ": dissolve", withoutGroup(studio.document().rig, group.name));
   markItem("group_menu.dissolve");
   ImGui::EndPopup();
@@ -66,11 +66,11 @@ void drawGroupRow(LightsContext& studio, size_t index) {
     studio.editor.preview(group.name + ": fader", std::move(next));
   }
   ImGui::SameLine(0, gap);
-  if (toggleButton(kIconPower, group.on, kLitPower, side, "The whole group on or off"))
+  if (toggleButton(kIconPower, group.on, kLitPower, side, "Turn the whole group on or off"))
     editGroup(studio, index, group.on ? "off" : "on", group.stops, !group.on);
   markItem({mark, ".on"});
   ImGui::SameLine(0, gap);
-  if (changedDot("##reset", group.stops != 0 || !group.on, "Differs from the capture. Click to reset."))
+  if (changedDot("##reset", group.stops != 0 || !group.on, "Changed from the capture. Click to reset."))
     editGroup(studio, index, "reset", 0, true);
   markItem({mark, ".reset"});
   ImGui::PopID();
@@ -87,7 +87,7 @@ void drawAmbientRow(LightsContext& studio) {
   const MixerCard card(kHeight);
   card.toMiddleLine();
   ImGui::TextUnformatted("Ambient");
-  tooltip("The light that no lamp of the capture explains.");
+  tooltip("Ambient light: what no controlled light explains.");
   ImGui::SameLine(card.at(px(kNameWidth), 0).x);
   float percent = 100 * ambient;
   ImGui::SetNextItemWidth(card.innerWidth() - px(kNameWidth) - px(kDotWidth) - px(kGap));
@@ -95,7 +95,7 @@ void drawAmbientRow(LightsContext& studio) {
     studio.editor.preview("Ambient", withAmbient(std::max(0.0F, percent / 100)));
   markItem("mixer.ambient");
   ImGui::SameLine(0, px(kGap));
-  if (changedDot("##reset ambient", ambient != 1, "Differs from the capture. Click to reset."))
+  if (changedDot("##reset ambient", ambient != 1, "Changed from the capture. Click to reset."))
     studio.editor.edit("Ambient: reset", withAmbient(1));
   markItem("mixer.ambient.reset");
   card.end();

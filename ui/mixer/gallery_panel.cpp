@@ -62,11 +62,11 @@ void lookMenu(LightsContext& studio, size_t index) {
   }
   markItem("gallery.note");
   ImGui::Separator();
-  if (ImGui::MenuItem("Replace by the lighting of now"))
+  if (ImGui::MenuItem("Update with current lighting"))
     changed("replace", [&](SavedLook& look) { look.rig = studio.document().rig; });
   markItem("gallery.replace");
-  if (ImGui::MenuItem("A of the crossfade")) state.sideA = index;
-  if (ImGui::MenuItem("B of the crossfade")) state.sideB = index;
+  if (ImGui::MenuItem("Use as A")) state.sideA = index;
+  if (ImGui::MenuItem("Use as B")) state.sideB = index;
   ImGui::Separator();
   if (ImGui::MenuItem("Remove")) {
     std::vector<SavedLook> next = looks;
@@ -97,7 +97,7 @@ void crossfade(LightsContext& studio) {
   LookState& state = studio.looks;
   if (looks.size() < 2) {
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + px(kFaderWidth) - px(10));
-    ImGui::TextDisabled("With two looks and more, a bar here fades from one to the other.");
+    ImGui::TextDisabled("With two or more looks, a crossfader appears here.");
     ImGui::PopTextWrapPos();
     return;
   }
@@ -113,7 +113,7 @@ void crossfade(LightsContext& studio) {
     previewCrossfade(studio, looks[state.sideA], looks[state.sideB], state.fader);
   }
   markItem("gallery.fader");
-  tooltip("From A to B as dimmers do it. Undone in one step.");
+  tooltip("Fades from A to B as dimmers do. One undo step.");
   sideCombo(studio, "B", &state.sideB, width);
 }
 
@@ -162,7 +162,7 @@ void GalleryPanel::drawLook(LightsContext& studio, size_t index, float height) {
   if (ImGui::InvisibleButton("##look", size)) recallLook(studio, look);
   markItem(mark);
   tooltip((look.name + (look.note.empty() ? "" : "\n" + look.note) +
-           "\nClick: light the set so. Edits stay as they are.")
+           "\nClick to apply this lighting. Light edits are not changed.")
               .c_str());
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 high(at.x + size.x, at.y + size.y);
@@ -181,7 +181,7 @@ void GalleryPanel::drawLook(LightsContext& studio, size_t index, float height) {
   ImGui::SetCursorScreenPos(ImVec2(clip.x + size.x - 2 * side - px(2), clip.y));
   const CompareState& compare = studio.view.compare;
   const bool wiping = compare.mode == CompareState::Mode::Wipe && compare.rig == look.rig;
-  if (toggleButton(kIconCompare, wiping, kAccent, side, "Wipe against this look; again: not.")) {
+  if (toggleButton(kIconCompare, wiping, kAccent, side, "Wipe against this look. Click again to stop.")) {
     if (wiping)
       studio.view.compare.mode = CompareState::Mode::Off;
     else
@@ -208,7 +208,8 @@ void GalleryPanel::draw(LightsContext& studio) {
   if (ImGui::Button(kIconAdd, ImVec2(button, room.y))) studio.actions.run("looks.keep");
   markItem("gallery.keep");
   tooltip(
-      "Keep the lighting of now as a look: colours, dimmers and switches. Edits (F4) are not in it.  "
+      "Save the current lighting as a look: colours, levels and switches. Light edits (F4) are not included. "
+      " "
       "(Shift+K)");
   ImGui::SameLine(0, px(kGap));
   ImGui::BeginChild("##looks", ImVec2(room.x - button - px(kFaderWidth) - 2 * px(kGap), room.y), false,
@@ -216,7 +217,8 @@ void GalleryPanel::draw(LightsContext& studio) {
   const size_t count = studio.document().looks.size();
   if (count == 0) {
     ImGui::TextDisabled(
-        "No looks yet. The plus keeps the lighting of now: colours, dimmers and switches, not the edits.");
+        "No looks yet. Click + to save the current lighting: colours, levels and switches, but not light "
+        "edits.");
   }
   // Pictures as high as there is room, less a bar where they do not fit side by side.
   float height = room.y - px(kNameHeight) - ImGui::GetStyle().ItemSpacing.y;

@@ -35,13 +35,14 @@ void addLightActions(ActionTable& actions, LightsContext& studio, FileChooser& c
   const auto hasSet = [&studio] { return studio.set() != nullptr; };
   const auto light = [&studio] { return shownLight(studio); };
   actions.add(
-      {"light.solo", "Solo", "S", "Only the chosen light.",
+      {"light.solo", "Solo", "S", "Solo the selected light.",
        [&studio, light] { toggleSolo(studio, light(), false); }, hasLights,
        [&studio, light, hasLights] { return hasLights() && studio.document().rig.lights[light()].solo; }});
-  actions.add({"light.solo_alone", "Solo alone", "Alt+S", "Only the chosen light, whatever else was solo.",
+  actions.add({"light.solo_alone", "Solo alone", "Alt+S",
+               "Solo the selected light and clear every other solo.",
                [&studio, light] { toggleSolo(studio, light(), true); }, hasLights});
   actions.add(
-      {"light.mute", "Mute", "M", "Not the chosen light.",
+      {"light.mute", "Mute", "M", "Mute the selected light.",
        [&studio, light] {
          const bool mute = !studio.document().rig.lights[light()].mute;
          editLights(studio, light(), mute ? "mute" : "unmute",
@@ -49,45 +50,47 @@ void addLightActions(ActionTable& actions, LightsContext& studio, FileChooser& c
        },
        hasLights,
        [&studio, light, hasLights] { return hasLights() && studio.document().rig.lights[light()].mute; }});
-  actions.add({"light.rename", "Rename", "F2", "Give the chosen light another name in the studio.",
+  actions.add({"light.rename", "Rename", "F2", "Rename the selected light in the studio.",
                [&studio, light] { beginRename(studio, light()); }, hasLights});
-  actions.add({"light.copy", "Copy light", "Ctrl+C", "Remember the chosen light's colour and intensity.",
+  actions.add({"light.copy", "Copy light", "Ctrl+C", "Copy the selected light's colour and level.",
                [&studio, light] { studio.mixer.copied = studio.document().rig.lights[light()]; }, hasLights});
   actions.add({"light.paste", "Paste light", "Ctrl+V",
-               "Give the chosen lights the remembered colour and intensity.",
+               "Paste the copied colour and level onto the selected lights.",
                [&studio, light] {
                  editLights(studio, light(), "paste", [&studio](LightSetting& setting) {
                    setting = pastedLight(setting, *studio.mixer.copied);
                  });
                },
                [&studio, hasLights] { return hasLights() && studio.mixer.copied; }});
-  actions.add({"light.reset", "Reset light", "", "The chosen lights white, without stops, on.",
+  actions.add({"light.reset", "Reset light", "",
+               "Reset colour and level of the selected lights: on, unit white, 0 stops.",
                [&studio, light] {
                  editLights(studio, light(), "reset",
                             [](LightSetting& setting) { setting = resetLight(setting); });
                },
                hasLights});
-  actions.add({"light.neutral", "Make a pixel neutral", "N",
-               "Click into the picture: the chosen lights take the colour in which that pixel is grey.",
+  actions.add({"light.neutral", "Neutralise a pixel", "N",
+               "Click in the picture: the selected lights change colour until that pixel is grey.",
                [&studio] { studio.tool = studio.tool == Tool::Neutral ? Tool::Look : Tool::Neutral; }, hasSet,
                [&studio] { return studio.tool == Tool::Neutral; }});
   actions.add({"light.match", "Match a pixel's colour", "",
-               "Click into the picture: the chosen lights take that pixel's colour. Also Alt + click.",
+               "Click in the picture: the selected lights take that pixel's colour. Also Alt + click.",
                [&studio] { studio.tool = studio.tool == Tool::Match ? Tool::Look : Tool::Match; }, hasSet,
                [&studio] { return studio.tool == Tool::Match; }});
-  actions.add({"mixer.as_captured", "As captured", "", "Every light as in the first shot.",
+  actions.add({"mixer.as_captured", "As captured", "", "Set every light as it was in the first photograph.",
                [&studio] {
                  editRig(
                      studio, "As captured",
                      rigOfShot(*studio.colors.config(), studio.document().rig, studio.set()->solved(), 0));
                },
                [&studio] { return studio.set() && !studio.set()->solved().capture.shots.empty(); }});
-  actions.add({"mixer.all_white", "All white", "", "Every light on, white, without stops.",
-               [&studio] { editRig(studio, "All white", allWhiteRig(studio.document().rig)); }, hasLights});
-  actions.add({"mixer.all_off", "All off", "", "Every light off.",
+  actions.add({"mixer.all_white", "Reset all lights", "", "Turn every light on at unit white, 0 stops.",
+               [&studio] { editRig(studio, "Reset all lights", allWhiteRig(studio.document().rig)); },
+               hasLights});
+  actions.add({"mixer.all_off", "All off", "", "Turn every light off.",
                [&studio] { editRig(studio, "All off", allOffRig(studio.document().rig)); }, hasLights});
   actions.add({"mixer.import_gels", "Import gels …", "",
-               "Take a table of gels (CSV: brand, number, name, x, y, T) into the list.",
+               "Add a table of gels to the list (CSV: brand, number, name, x, y, T).",
                [&studio, &chooser] { askForGels(studio, chooser); }});
 }
 

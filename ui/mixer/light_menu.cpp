@@ -86,7 +86,7 @@ void shotMenu(LightsContext& studio) {
 }
 
 void unitMenu(LightsContext& studio) {
-  if (!ImGui::BeginMenu("Intensity in")) return;
+  if (!ImGui::BeginMenu("Show levels in")) return;
   using Unit = MixerState::Unit;
   for (const auto& [unit, name] :
        {std::pair{Unit::Stops, "stops"}, {Unit::Percent, "percent"}, {Unit::Multiplier, "multiplier"}})

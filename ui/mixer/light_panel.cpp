@@ -109,7 +109,7 @@ void settingField(const ColorEditor& edit) {
     }
   }
   markItem("light.hex");
-  tooltip("The colour as sRGB codes, or any setting: 3200K, rgb:1/0.5/0.2, gel:L201, +1st.");
+  tooltip("Type an sRGB hex code or any setting: 3200K, rgb:1/0.5/0.2, gel:L201, +1st.");
 }
 
 void pickers(const ColorEditor& edit) {
@@ -152,7 +152,7 @@ void temperature(const ColorEditor& edit) {
   if (ImGui::DragFloat("##kelvin number", &kelvin, 20, 1000, 25000, "%.0f K")) show(kelvin);
   if (!isKelvin) ImGui::PopStyleColor();
   markItem("light.kelvin.number");
-  tooltip("Drag, or double-click and type.");
+  tooltip("Drag, or double-click to type.");
   ImGui::SameLine(0, gap);
   const bool open = ImGui::BeginCombo("##whites", "", ImGuiComboFlags_NoPreview);
   if (open) {
@@ -178,7 +178,7 @@ void green(const ColorEditor& edit) {
   ImGui::SameLine(label);
   const auto [kelvin, duv] = correlatedTemperature(xyFromRec709(colorFactor(edit.color)));
   const std::string words =
-      std::abs(duv) > 0.05 ? "no white" : fmt::format("{:.0f} K  Duv {:+.4f}", kelvin, duv);
+      std::abs(duv) > 0.05 ? "off the Planckian locus" : fmt::format("{:.0f} K  Duv {:+.4f}", kelvin, duv);
   const float wordsWidth = px(150);
   float amount = edit.color.green;
   if (greenSlider("##green", &amount, room - label - wordsWidth - px(6))) {
@@ -188,11 +188,14 @@ void green(const ColorEditor& edit) {
   }
   markItem("light.green");
   tooltip(
-      "Plus green to the right, minus green (magenta) to the left; 1 is a full gel. Double-click resets.");
+      "Plus green to the right, minus green (magenta) to the left; 1 is a full correction gel. Double-click "
+      "resets.");
   ImGui::SameLine(0, px(6));
   ImGui::AlignTextToFramePadding();
   hint(words);
-  tooltip("The nearest black body (CIE 1960 u, v) and the distance from it: positive is greener.");
+  tooltip(
+      "Correlated colour temperature and Duv, the distance from the Planckian locus (CIE 1960): positive is "
+      "greener.");
 }
 
 void gel(const ColorEditor& edit) {

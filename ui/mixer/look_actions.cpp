@@ -5,8 +5,8 @@
 namespace swaplight {
 
 void addLookActions(ActionTable& actions, LightsContext& studio) {
-  actions.add({"looks.keep", "Keep the lighting as a look", "Shift+K",
-               "Put the lighting of now into the gallery.",
+  actions.add({"looks.keep", "Save lighting as a look", "Shift+K",
+               "Adds the current lighting to the gallery.",
                [&studio] {
                  keepLook(studio);
                  studio.layout.gallery = true;

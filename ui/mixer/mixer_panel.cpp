@@ -32,11 +32,11 @@ void header(LightsContext& studio) {
   actionTextButton(studio.actions, "view.three_point", "Three-point", px(104));
   ImGui::SameLine(ImGui::GetContentRegionMax().x - side - px(20));
   if (changedDot("##reset all", rig != allWhiteRig(rig),
-                 "Something differs from all white. Click to reset all."))
+                 "Some lights differ from unit white. Click to reset all."))
     studio.actions.run("mixer.all_white");
   markItem("mixer.reset_all");
   ImGui::SameLine(0, px(6));
-  if (toggleButton(kIconMore, false, kAccent, side, "What can be done to all lights"))
+  if (toggleButton(kIconMore, false, kAccent, side, "Commands for all lights"))
     ImGui::OpenPopup("##mixer menu");
   markItem("mixer.menu");
   if (ImGui::BeginPopup("##mixer menu")) {

@@ -114,11 +114,11 @@ void switches(LightsContext& studio, size_t light, const LightSetting& setting) 
   markItem({mark, ".mute"});
   ImGui::SameLine(0, gap);
   if (toggleButton("S", setting.solo, kSolo, side,
-                   "Solo: the others are dark  (S). With Alt: this one alone."))
+                   "Solo: all other lights off  (S). Alt-click: this light only."))
     toggleSolo(studio, light, ImGui::GetIO().KeyAlt);
   markItem({mark, ".solo"});
   ImGui::SameLine(0, gap);
-  if (toggleButton(kIconPower, setting.on, kLitPower, side, "On or off")) {
+  if (toggleButton(kIconPower, setting.on, kLitPower, side, "Turn on or off")) {
     const bool on = !setting.on;
     editLights(studio, light, on ? "on" : "off", [&](LightSetting& changed) { changed.on = on; });
   }
@@ -147,15 +147,15 @@ void intensity(LightsContext& studio, size_t light, const LightSetting& setting,
   bool changed =
       stopsSlider("##stops", &stops, kStopsRange, width - px(kDotWidth) - px(kNumberWidth) - 2 * gap);
   markItem({mark, ".stops"});
-  tooltip("Intensity in stops over the capture. Double-click resets.");
+  tooltip("Level in stops relative to the capture. Double-click resets.");
   ImGui::SameLine(0, gap);
   changed |= intensityNumber(studio, setting, &stops);
   markItem({mark, ".number"});
-  tooltip("Drag, or double-click and type. Stops, percent or multiplier: choose in the mixer's menu.");
+  tooltip("Drag, or double-click to type. The mixer's menu sets the unit: stops, percent or multiplier.");
   if (changed) previewStops(studio, light, stops - setting.stops);
   ImGui::SameLine(0, gap);
   const bool differs = setting.stops != 0 || setting.multiplier != 1;
-  if (changedDot("##reset stops", differs, "Differs from the capture. Click to reset."))
+  if (changedDot("##reset stops", differs, "Changed from the capture. Click to reset."))
     editLights(studio, light, "reset intensity", [](LightSetting& reset) {
       reset.stops = 0;
       reset.multiplier = 1;
@@ -197,7 +197,7 @@ void drawLightRow(LightsContext& studio, size_t light) {
 
   ImGui::SetCursorPos(card.at(0, 0));
   if (colorChip("##chip", chipColor(setting.color), ImVec2(px(kChipSide), px(kChipSide)),
-                "Choose this light"))
+                "Select this light"))
     choose(studio, light);
   markItem({mark, ".chip"});
   name(studio, light, setting, card.at(nameAt, 0), nameWidth);

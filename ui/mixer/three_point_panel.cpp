@@ -51,7 +51,8 @@ void roleCombo(LightsContext& studio, Role role, float width) {
     ImGui::EndCombo();
   }
   markItem(mark);
-  tooltip(("Which light is the " + roleName(role) + "; several get their roles by their own menus.").c_str());
+  tooltip(("Which light is the " + roleName(role) + "; to give several lights a role, use their own menus.")
+              .c_str());
 }
 
 /// A slider between what it is and, in words, how it stands.
@@ -100,8 +101,8 @@ void keyToFill(LightsContext& studio) {
     previewRig(studio, "Key : fill", withStopsOverRole(rig, ratios, Role::Fill, Role::Key, -stops));
   markItem("three_point.ratio");
   tooltip(
-      "The lighting ratio where both reach, as a meter on the set reads it: the fill is dimmed to it. "
-      "Ctrl-click types stops.");
+      "Lighting ratio where both lights reach, as a meter on set reads it. Dims the fill to match. "
+      "Ctrl-click to type stops.");
   wordsBeside(
       levelWords(rig, Role::Fill, Role::Key, fmt::format("{}   {:+.1f} st", ratioWords(stops), stops)));
   ImGui::Dummy(ImVec2(0, 0));
@@ -127,7 +128,7 @@ void backLevel(LightsContext& studio) {
   if (labelledSlider("Back", &stops, -kMostBack, kMostBack))
     previewRig(studio, "Back level", withStopsOverRole(rig, ratios, Role::Back, Role::Key, stops));
   markItem("three_point.back");
-  tooltip("How much brighter the back light is than the key where both reach. Ctrl-click types stops.");
+  tooltip("How much brighter the back light is than the key, where both reach. Ctrl-click to type stops.");
   wordsBeside(levelWords(rig, Role::Back, Role::Key, fmt::format("{:+.1f} st over key", stops)));
   ImGui::EndDisabled();
 }
@@ -147,7 +148,7 @@ void warmCool(LightsContext& studio) {
   if (labelledSlider("Warm / cool", &mired, -kMostSplit, kMostSplit))
     previewRig(studio, "Warm / cool", withWarmCoolSplit(rig, std::abs(mired) < 8 ? 0 : mired));
   markItem("three_point.split");
-  tooltip("To the right the key is warm and the fill is cool; to the left the other way round.");
+  tooltip("Right: warm key, cool fill. Left: cool key, warm fill.");
   wordsBeside(words);
   ImGui::EndDisabled();
 }
@@ -178,7 +179,7 @@ void presets(LightsContext& studio) {
   ImGui::BeginDisabled(!blend);
   float percent = blend ? 100 * blend->amount : 100;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  if (ImGui::SliderFloat("##amount", &percent, 0, 100, blend ? "%.0f %% of it" : "amount of a look",
+  if (ImGui::SliderFloat("##amount", &percent, 0, 100, blend ? "%.0f %% of it" : "strength of a look",
                          ImGuiSliderFlags_AlwaysClamp))
     previewBlend(studio, percent / 100);
   markItem("three_point.amount");

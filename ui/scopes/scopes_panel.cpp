@@ -53,8 +53,8 @@ void header(const ChosenLights& chosen, ScopeOptions& options, const ActionTable
   const std::vector<LightSetting>& lights = chosen.document().rig.lights;
   const auto light = static_cast<size_t>(std::max(0, chosen.view.selectedLight));
   choice<Of>("##of", &options.of,
-             {{Of::Frame, "of the frame"},
-              {Of::Region, "of a region"},
+             {{Of::Frame, "Whole picture"},
+              {Of::Region, "Region"},
               {Of::Light, "of " + (light < lights.size() ? lights[light].title() : "a light")}},
              118);
   if (options.of == Of::Region) {
@@ -62,11 +62,10 @@ void header(const ChosenLights& chosen, ScopeOptions& options, const ActionTable
     ImGui::SameLine(0, px(4));
   }
   if (options.histogram) {
-    choice<Axis>("##axis", &options.histogramAxis,
-                 {{Axis::Codes, "codes, after the view"},
-                  {Axis::Stops, "stops from grey"},
-                  {Axis::Linear, "linear light"}},
-                 160);
+    choice<Axis>(
+        "##axis", &options.histogramAxis,
+        {{Axis::Codes, "Display values"}, {Axis::Stops, "Stops from grey"}, {Axis::Linear, "Linear light"}},
+        160);
     toggle("log", &options.logCounts);
   }
   ImGui::PopFont();

@@ -5,8 +5,8 @@
 namespace swaplight {
 
 void addShadowActions(ActionTable& actions, EditingContext& studio) {
-  actions.add({"view.shadows", "Shadows and \u03b2", "F3",
-               "Each light's shadows: where they begin, their outlines, and what to do about them.",
+  actions.add({"view.shadows", "Shadows", "F3",
+               "Find each light's shadows, see their outlines and edit them.",
                [&studio] {
                  studio.layout.shadows = !shadowsShown(studio);
                  if (!studio.layout.shadows) return;
@@ -15,13 +15,13 @@ void addShadowActions(ActionTable& actions, EditingContext& studio) {
                },
                [&studio] { return studio.set() && !studio.document().rig.lights.empty(); },
                [&studio] { return shadowsShown(studio); }});
-  actions.add({"shadows.outlines", "Outlines of shadows", "Shift+F3",
-               "Draw the borders of the chosen light's shadows over the picture.",
+  actions.add({"shadows.outlines", "Shadow outlines", "Shift+F3",
+               "Outline the selected light's shadows in the picture.",
                [&studio] { studio.editing.shadow.outlines = !studio.editing.shadow.outlines; },
                [&studio] { return shadowsShown(studio); },
                [&studio] { return studio.editing.shadow.outlines; }});
-  actions.add({"shadows.choose_all", "All shadows of the light", "Escape",
-               "What is done to shadows is done to all of the light's, not to the one that was clicked.",
+  actions.add({"shadows.choose_all", "All of the light's shadows", "Escape",
+               "Edit all of the light's shadows instead of the one that was clicked.",
                [&studio] { studio.shadows.chooseAll(); },
                [&studio] {
                  return shadowsShown(studio) && studio.editing.shadow.chosen && studio.tool == Tool::Look;

@@ -88,9 +88,8 @@ std::optional<float> shadowHistogram(const ShadowHistogram& histogram, float thr
   ImGui::PopFont();
   markRect("shadows.threshold", plot.x(stops) - px(4), plot.low.y, plot.x(stops) + px(4), plot.high.y);
   tooltip(
-      "How bright the light shows, in stops from what is fully lit, the surfaces' own brightness mostly "
-      "taken "
-      "out. Left of the line begins shadow: drag it. Between the colours the shadows' edges decide.");
+      "Histogram of the light in stops below fully lit, with surface brightness mostly removed. Drag the "
+      "line to set where shadow begins; in between, the shadows' edges decide.");
   if (!held) return std::nullopt;
   const float moved = std::clamp(plot.stopsAt(ImGui::GetIO().MousePos.x), kLow + 0.1F, -0.05F);
   return std::abs(moved - stops) < 1e-4F ? std::nullopt : std::optional(thresholdFromStops(moved));

@@ -73,7 +73,7 @@ void drawLegend(bool chosen, ImVec2 origin, ImVec2 size) {
   };
   const std::array<Line, 3> lines{{{kUmbraInk, 2, "umbra: none of the light"},
                                    {kPenumbraInk, 1.5F, "penumbra: part of it"},
-                                   {kChosenInk, 3, "the chosen shadow"}}};
+                                   {kChosenInk, 3, "the selected shadow"}}};
   const size_t count = chosen ? 3 : 2;
   ImGui::PushFont(fonts().small);
   const float row = ImGui::GetTextLineHeight() + px(4);

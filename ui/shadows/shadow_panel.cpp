@@ -30,7 +30,7 @@ void lightCombo(EditingContext& studio) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   const bool open = ImGui::BeginCombo("##light", lights[shown].title().c_str());
   markItem("shadows.light");
-  if (!open) return tooltip("Whose shadows. Also by a click on the light at the right.");
+  if (!open) return tooltip("The light whose shadows are shown. You can also select it in the mixer.");
   for (size_t i = 0; i < lights.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::Selectable(lights[i].title().c_str(), i == shown)) {
@@ -56,12 +56,12 @@ void views(EditingContext& studio) {
     const char* tip;
   };
   constexpr std::array<View, 4> kViews{
-      {{Kind::Relit, "Picture", "shadows.view.picture", "The picture under all lights."},
+      {{Kind::Relit, "Picture", "shadows.view.picture", "The picture with all lights."},
        {Kind::Beta, "\u03b2", "shadows.view.beta",
-        "\u03b2, the light's part of the picture under white lights: black none of it, white all of it."},
-       {Kind::Contribution, "Light", "shadows.view.light", "The picture under this light alone."},
-       {Kind::Visibility, "Reach", "shadows.view.reach",
-        "How much of the light a place sees: black is its umbra, grey penumbra, white is lit."}}};
+        "\u03b2, the light's share of each pixel at unit white: black is none, white is all."},
+       {Kind::Contribution, "Light", "shadows.view.light", "This light only."},
+       {Kind::Visibility, "Visibility", "shadows.view.reach",
+        "How much of the light reaches a place: black is umbra, grey penumbra, white fully lit."}}};
   const float width = std::floor((ImGui::GetContentRegionAvail().x - 3 * px(kGap)) / 4);
   const int light = static_cast<int>(shownLight(studio));
   for (size_t i = 0; i < kViews.size(); ++i) {
@@ -91,8 +91,8 @@ void searchLine(EditingContext& studio) {
   }
   if (edits.stoppedFindingShadows() && !edits.shadowsCurrent()) {
     ImGui::AlignTextToFramePadding();
-    hint("a quick look only");
-    tooltip("The search was stopped: the outlines are those of a small picture, and edits of shadows wait.");
+    hint("preview only");
+    tooltip("The search was stopped: outlines come from a small preview, and shadow edits wait.");
     ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
     if (ImGui::Button("Find", ImVec2(button, 0))) edits.findShadowsAgain();
     markItem("shadows.find");
@@ -117,7 +117,7 @@ void threshold(EditingContext& studio, const std::string& light, int index) {
   const bool reset = ImGui::Button("Auto", ImVec2(button, 0));
   if (!given) ImGui::PopStyleColor();
   markItem("shadows.auto");
-  tooltip("The threshold that suits this light best: where its shadows' edges are.");
+  tooltip("Find this light's threshold automatically, from its shadows' edges.");
   if (reset && given) resetShadowThreshold(studio, light);
 }
 
@@ -129,14 +129,14 @@ void drawShadowPanel(EditingContext& studio) {
   views(studio);
   const int index = shadowLight(studio, *studio.set());
   if (index < 0) {
-    hint("Light that edits have added has no\nshadows of its own.");
+    hint("Lights added by edits\nhave no shadows.");
     return;
   }
   const std::string light = studio.set()->original->capture.lights[static_cast<size_t>(index)].name;
   if (studio.shadows.preview())
     threshold(studio, light, index);
   else
-    hint("looking at the light …");
+    hint("analysing the light …");
   searchLine(studio);
   drawShadowSliders(studio, light);
 }

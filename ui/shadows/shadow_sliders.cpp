@@ -36,11 +36,10 @@ void target(const ShadowSliders& sliders) {
   const bool one = state.chosen && state.light == sliders.light;
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted(one ? "The chosen shadow" : "All shadows");
+  ImGui::TextUnformatted(one ? "Selected shadow" : "All shadows");
   ImGui::PopFont();
-  tooltip(
-      one ? "What follows changes this shadow only. Escape: all of the light's shadows."
-          : "What follows changes all shadows of the light. Click one in the picture to change it alone.");
+  tooltip(one ? "Changes this shadow only. Escape: all of the light's shadows."
+              : "Changes all of the light's shadows. Click one in the picture to change only that one.");
   if (!one) return;
   const float button = px(44);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
@@ -54,8 +53,7 @@ void lightInIt(const ShadowSliders& sliders) {
   float percent = (operation.kind == Kind::Deepen ? -100 : 100) * operation.amount;
   if (!labelledSlider(
           "Light", "shadows.lighten", &percent, -100, 100, "%+.0f %%",
-          "Right: the light comes back into its shadow; at 100 % the shadow is gone. Left: what light is "
-          "left in it goes, too."))
+          "Right: fills the shadow; at 100 % it is gone. Left: removes the light that is left in it."))
     return;
   operation.kind = percent < 0 ? Kind::Deepen : Kind::Lighten;
   operation.amount = std::abs(std::round(percent)) / 100;
@@ -66,8 +64,7 @@ void soften(const ShadowSliders& sliders) {
   ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, {Kind::Soften});
   float pixels = operation.amount > 0 ? static_cast<float>(operation.radius) : 0;
   if (!labelledSlider("Soften", "shadows.soften", &pixels, 0, kMostSoft, "%.0f px",
-                      "The shadow's edge spreads over so many pixels of the picture, as of a larger lamp.",
-                      kLogarithmic))
+                      "Softens the shadow's edge, as a larger source does. In image pixels.", kLogarithmic))
     return;
   operation.radius = std::max(1, static_cast<int>(std::round(pixels)));
   operation.amount = pixels >= 1 ? 1 : 0;
@@ -78,7 +75,7 @@ void sharpen(const ShadowSliders& sliders) {
   ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, {Kind::Sharpen});
   float percent = 100 * operation.amount;
   if (!labelledSlider("Sharpen", "shadows.sharpen", &percent, 0, 100, "%.0f %%",
-                      "The shadow's edge becomes hard, as of a small lamp."))
+                      "Hardens the shadow's edge, as a small source does."))
     return;
   operation.amount = std::round(percent) / 100;
   sliders.preview("sharpen", {Kind::Sharpen}, operation);
@@ -101,7 +98,7 @@ void recolor(const ShadowSliders& sliders) {
     sliders.preview("colour", kinds, operation);
   }
   markItem("shadows.colour");
-  tooltip("The colour of the light that fills the shadow.");
+  tooltip("Colour of the light that fills the shadow.");
   ImGui::SameLine(0, px(4));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   float percent = 100 * operation.amount;
@@ -110,7 +107,7 @@ void recolor(const ShadowSliders& sliders) {
     sliders.preview("colour", kinds, operation);
   }
   markItem("shadows.recolor");
-  tooltip("How much of that light there is in the shadow.");
+  tooltip("How much of that light fills the shadow.");
 }
 
 void removeButton(const ShadowSliders& sliders) {
@@ -125,9 +122,8 @@ void removeButton(const ShadowSliders& sliders) {
   }
   markItem("shadows.remove");
   tooltip(
-      "Fills the shadow with what the light would give there: its ratio to the other lights is continued "
-      "from "
-      "what is lit around. A guess.");
+      "Fills the shadow with an estimate of the missing light, from its ratio to the other lights around the "
+      "shadow.");
 }
 
 }  // namespace

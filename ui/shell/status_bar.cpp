@@ -13,7 +13,7 @@ namespace {
 
 std::string setText(const SessionController& session) {
   const OpenSet* set = session.set();
-  if (!set) return session.hasDocument() ? "The pictures are not loaded." : "";
+  if (!set) return session.hasDocument() ? "Pictures not loaded." : "";
   return fmt::format("{}   {} × {}   {} lights", set->solved().capture.name, set->pictures().width(),
                      set->pictures().height(), set->solved().lightCount());
 }
@@ -29,8 +29,7 @@ void drawColors(const ColorChoice& colors, float right) {
   ImGui::TextUnformatted(words.c_str());
   if (!trouble.empty()) ImGui::PopStyleColor();
   markItem(trouble.empty() ? "status.colors" : "status.colors_trouble");
-  tooltip(trouble.empty() ? "The OpenColorIO configuration: what displays and views there are"
-                          : trouble.c_str());
+  tooltip(trouble.empty() ? "OpenColorIO configuration in use" : trouble.c_str());
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void StudioWindow::addFileActions() {
   const auto hasDocument = [this] { return m_session.hasDocument(); };
   const auto canExport = [this] { return m_session.set() && !m_exports.busy() && !m_sets.busy(); };
   m_actions.add({"file.new", "New from photographs \u2026", "Ctrl+N",
-                 "Bring in a folder of photographs: say what the lights were, and solve it.",
+                 "Start from a folder of photographs: describe the lights, then solve.",
                  [this] { whenSaved([this] { askForPhotographs(); }); }});
   m_actions.add({"file.open", "Open …", "Ctrl+O", "Open a capture, a solved set or a session.",
                  [this] { whenSaved([this] { askForFile(); }); }});
@@ -40,17 +40,17 @@ void StudioWindow::addFileActions() {
   m_actions.add({"file.save_as", "Save as …", "Ctrl+Shift+S", "Save the session under another name.",
                  [this] { askForSaveName([] {}); }, hasDocument});
   m_actions.add({"file.export", "Export …", "Ctrl+E",
-                 "Write the relit picture, the lights as layers, beta maps, a look or a report.",
+                 "Export the relit frame, the lights as layers, beta maps, a look or a report.",
                  [this] { askForExport(); }, canExport});
   m_actions.add({"file.export_beta", "Export \u03b2 maps \u2026", "",
-                 "Write each light's share of every pixel, to be edited in an image editor.",
+                 "Export each light's beta map (its share of every pixel) for an image editor.",
                  [this] { askForExport(ExportKind::Beta); }, canExport});
   m_actions.add({"file.close", "Close", "Ctrl+W", "Close the session.",
                  [this] { whenSaved([this] { m_session.close(); }); }, hasDocument});
-  m_actions.add({"file.quit", "Quit", "Ctrl+Q", "Leave Swaplight.", [this] { askToQuit(); }});
-  m_actions.add({"edit.undo", "Undo", "Ctrl+Z", "Take back the last step.", [this] { m_editor.undo(); },
+  m_actions.add({"file.quit", "Quit", "Ctrl+Q", "Quit Swaplight.", [this] { askToQuit(); }});
+  m_actions.add({"edit.undo", "Undo", "Ctrl+Z", "Undo the last step.", [this] { m_editor.undo(); },
                  [this] { return m_editor.inGesture() || m_editor.history().canUndo(); }});
-  m_actions.add({"edit.redo", "Redo", "Ctrl+Shift+Z Ctrl+Y", "Do again what was taken back.",
+  m_actions.add({"edit.redo", "Redo", "Ctrl+Shift+Z Ctrl+Y", "Redo the step that was undone.",
                  [this] { m_editor.redo(); }, [this] { return m_editor.history().canRedo(); }});
 }
 

@@ -128,7 +128,7 @@ void StudioWindow::askForFile() {
 
 void StudioWindow::askForPhotographs() {
   FileChooser::Question question;
-  question.title = "The folder with the photographs of a set";
+  question.title = "Choose the folder of photographs";
   question.button = "Use folder";
   question.extensions = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".hdr", ".dng", ".cr2",
                          ".cr3", ".nef", ".arw", ".raf",  ".orf", ".rw2",  ".pef", ".x3f"};

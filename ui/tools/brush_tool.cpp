@@ -92,7 +92,7 @@ void beginStroke(EditingContext& studio, const StrokePoint& at) {
   const int place = placeOfStroke(studio, wanted);
   if (place < 0) {
     studio.messages.info(studio.document().selection.empty()
-                             ? "There is no paint on this light to take off."
+                             ? "There is no paint on this light to erase."
                              : "Nothing was painted inside this selection. Ctrl+D clears it.");
     return;
   }

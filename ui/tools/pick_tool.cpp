@@ -23,7 +23,7 @@ void pickPixel(EditingContext& studio, Tool tool, int x, int y) {
   const ColorConfig& config = *studio.colors.config();
   if (tool == Tool::Neutral) {
     if (const auto neutral = neutralizePixel(config, rig, shares, lightsFor(studio, light), colorSpace))
-      editRig(studio, "Make a pixel neutral", *neutral);
+      editRig(studio, "Neutralise a pixel", *neutral);
     else
       studio.messages.warn(rig.lights[light].title() + " does not reach this pixel.");
   } else if (tool == Tool::Match) {

@@ -54,8 +54,8 @@ MaskShape clickedShape(const EditingContext& studio, const Point& at) {
 }
 
 void addPart(EditingContext& studio, MaskShape part, SelectHow how) {
-  constexpr const char* kSteps[] = {"Select", "Add to the selection", "Take from the selection",
-                                    "Select within the selection"};
+  constexpr const char* kSteps[] = {"Select", "Add to selection", "Subtract from selection",
+                                    "Intersect with selection"};
   changeSelection(studio, kSteps[static_cast<size_t>(how)],
                   selectionWith(studio.document().selection, std::move(part), how));
 }
@@ -71,10 +71,10 @@ void click(EditingContext& studio, const Point& at, SelectHow how) {
     if (studio.editing.selection.kind == Kind::Similar || studio.edits.raster(part))
       addPart(studio, std::move(part), how);
     else
-      studio.messages.info("The shadows are being looked for. Click again in a moment.");
+      studio.messages.info("Still finding the shadows. Click again in a moment.");
   } catch (const InputError&) {
     studio.messages.info("There is no shadow of " + studio.document().rig.lights[shownLight(studio)].title() +
-                         " here. Another light: choose it at the right.");
+                         " here. To use another light, select it in the mixer.");
   }
 }
 
@@ -88,7 +88,7 @@ void finish(EditingContext& studio, const ViewWindow& window) {
   if (far * static_cast<float>(window.zoom) >= kLeastDrag)
     addPart(studio, drawnShape(state.kind, going.points), going.how);
   else if (going.how == SelectHow::Replace && !studio.document().selection.empty())
-    changeSelection(studio, "Select nothing", {});
+    changeSelection(studio, "Deselect", {});
 }
 
 /// Makes the outline of what is selected, where that is not the one that is there.

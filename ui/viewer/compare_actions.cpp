@@ -14,29 +14,30 @@ void addCompareActions(ActionTable& actions, ViewerContext& studio) {
                  hasSet, [&studio, mode] { return studio.view.compare.mode == mode; }});
   };
   compare("compare.wipe", "Wipe", "W",
-          "A on one side of a line, B on the other. Drag the line; its end turns it.", Mode::Wipe);
+          "A on one side of a line, B on the other. Drag the line to move it, its end to rotate it.",
+          Mode::Wipe);
   compare("compare.split", "Split", "Shift+W", "A and B side by side.", Mode::Split);
-  compare("compare.difference", "Difference", "D", "The size of A minus B, in linear light.",
+  compare("compare.difference", "Difference", "D", "Absolute difference of A and B, in linear light.",
           Mode::Difference);
-  compare("compare.toggle", "Only B", "T", "Show B instead of A; again: A.", Mode::OnlyB);
-  actions.add({"compare.off", "Only A", "", "No comparison.",
+  compare("compare.toggle", "Show B", "T", "Show B instead of A. Press again for A.", Mode::OnlyB);
+  actions.add({"compare.off", "Show A only", "", "Turn the comparison off.",
                [&studio] { studio.view.compare.mode = Mode::Off; }, hasSet,
                [&studio] { return studio.view.compare.mode == Mode::Off; }});
-  actions.add({"compare.keep", "Keep this lighting as B", "K",
-               "Compare what you change from here on with the lighting of now.",
+  actions.add({"compare.keep", "Use current lighting as B", "K",
+               "Stores the current lighting as B, to compare your changes with.",
                [&studio] {
                  studio.view.compare.subject = {};
                  studio.view.compare.rig = studio.document().rig;
-                 studio.messages.info("B is the lighting of now. W wipes, T toggles.");
+                 studio.messages.info("B is the current lighting. W wipes, T toggles.");
                },
                hasSet});
-  actions.add({"compare.center_line", "Centre the wipe's line", "", "Upright, in the middle of the picture.",
+  actions.add({"compare.center_line", "Centre the wipe", "", "Vertical, in the middle of the picture.",
                [&studio] {
                  studio.view.compare.x = studio.view.compare.y = 0.5, studio.view.compare.angleDegrees = 0;
                },
                hasSet});
   actions.add({"view.photograph", "Original photograph", "O",
-               "Show the first photograph as it was taken; again: the relit picture.",
+               "Show the first photograph as taken. Press again for the relit picture.",
                [&studio] {
                  using Kind = ViewSubject::Kind;
                  const bool shown = studio.view.subject.kind == Kind::Photograph;

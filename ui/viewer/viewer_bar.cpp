@@ -117,12 +117,12 @@ void drawLooks(ViewerContext& studio, const DisplayChoice& shown) {
     if (!tip.empty()) tooltip(tip.c_str());
   };
   ImGui::Separator();
-  ImGui::TextDisabled("Look of the view");
+  ImGui::TextDisabled("Look");
   const std::string own = config.viewLook(shown.display, shown.view);
-  line("As the view says: " + (own.empty() ? "none" : own), "own", std::nullopt,
-       "A view may bring a look along. A look changes the colours before the view, on the monitor and in "
-       "exported PNG, TIFF and JPEG; never in EXR.");
-  line("None", "none", "", "The view without any look, also without its own");
+  line("From the view: " + (own.empty() ? "none" : own), "own", std::nullopt,
+       "A view may include a look. Looks grade the picture before the view, on the monitor and in exported "
+       "PNG, TIFF and JPEG, never in EXR.");
+  line("None", "none", "", "Apply the view without any look");
   for (const std::string& look : looks) line(look, look.c_str(), look, config.lookDescription(look));
 }
 
@@ -140,15 +140,15 @@ void drawSubjectMenu(ViewerContext& studio, bool sideB) {
     if (subjectLine(studio, {}, current == ViewSubject{})) choose({});
   } else {
     const bool relit = current.kind == Kind::Relit;
-    if (ImGui::MenuItem("All white", nullptr, relit && !compare.rig)) {
+    if (ImGui::MenuItem("Unit white", nullptr, relit && !compare.rig)) {
       choose({});
       compare.rig.reset();
     }
     markItem("subject_b.white");
-    if (ImGui::MenuItem("The lighting of now", nullptr, relit && compare.rig.has_value()))
+    if (ImGui::MenuItem("Current lighting", nullptr, relit && compare.rig.has_value()))
       studio.actions.run("compare.keep");
     markItem("subject_b.now");
-    tooltip("Keeps the present lighting as B, to be compared with what you change.");
+    tooltip("Stores the current lighting as B, to compare your changes with.");
   }
   ImGui::Separator();
   for (int shot = 0; shot < set->solved().capture.shotCount(); ++shot)
@@ -213,28 +213,27 @@ void drawViewerBar(ViewerContext& studio) {
   const float wanted = comparing ? 790 : 660;
   const float lacking = std::max(wanted - ImGui::GetContentRegionAvail().x / px(1), 0.0F);
   const float cut = std::min(lacking / (comparing ? 2 : 1), 54.0F);
-  listButton("##subject", subjectWords(studio, studio.view.subject), 144 - cut, "What is shown",
+  listButton("##subject", subjectWords(studio, studio.view.subject), 144 - cut, "Picture shown in the viewer",
              [&] { drawSubjectMenu(studio, false); });
-  listButton("##compare", compareWords(studio.view.compare.mode), 76, "Compare with another picture, B",
+  listButton("##compare", compareWords(studio.view.compare.mode), 76, "Compare with B",
              [&] { compareList(studio); });
   if (comparing)
-    listButton("##side_b", sideBWords(studio), 124 - cut, "What it is compared with",
+    listButton("##side_b", sideBWords(studio), 124 - cut, "Picture B",
                [&] { drawSubjectMenu(studio, true); });
   constexpr std::array<const char*, 5> channels = {"RGB", "R", "G", "B", "L"};
   listButton("##channel", channels[static_cast<size_t>(settings.channel)], 70, "Channel",
              [&] { channelList(studio); });
-  number(
-      "##exposure", &settings.exposureStops, 82, 0.02F, -20, 20, "%+.2f st", 0,
-      "The viewer's exposure: never exported. Drag, or hold E and drag in the picture. Right-click resets.");
+  number("##exposure", &settings.exposureStops, 82, 0.02F, -20, 20, "%+.2f st", 0,
+         "Viewer exposure, never exported. Drag, or hold E and drag in the picture. Right-click resets.");
   number("##gamma", &settings.gamma, 62, 0.005F, 0.1F, 10, "\u03b3 %.2f", 1,
-         "The viewer's gamma: never exported. Right-click resets.");
+         "Viewer gamma, never exported. Right-click resets.");
   actionTextButton(studio.actions, "view.false_color", "False", px(54));
   ImGui::SameLine(0, px(kGap));
   zebraButton(studio);
   const float room = ImGui::GetContentRegionAvail().x - px(6);
   if (room > px(60))
     listButton("##view", displayWords(shownThrough(studio)), std::min(room / px(1), 190.0F),
-               "Display and view: how the picture is exported to PNG, TIFF and JPEG",
+               "Display and view, also used for PNG, TIFF and JPEG exports",
                [&] { drawDisplayMenu(studio); });
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
 }

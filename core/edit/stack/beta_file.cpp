@@ -124,7 +124,7 @@ void checkProportions(const BetaMaps& beta, bool all, const std::filesystem::pat
   const BetaMaps::Sum& worst = most ? beta.most : beta.least;
   throw InputError(
       "{}: the lights' betas at pixel {}, {} add up to {:.3f}, expected {}. Read one light's map alone, or "
-      "use " add " instead of " share ".",
+      "let the edit add light (\"meaning\": \"add\").",
       file.string(), worst.x, worst.y, worst.value, all ? "1" : "1 at most");
 }
 

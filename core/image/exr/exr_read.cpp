@@ -38,7 +38,7 @@ struct ExrZipReader::Impl {
   ExrContext exr;
 
   [[noreturn]] void fail() const {
-    throw InputError("{}: is broken or no openexr file: pixels are missing or damaged. Copy it again.", name);
+    throw InputError("{}: damaged or not a valid openexr file: pixels are missing. Copy it again.", name);
   }
   /// Reads and unpacks the chunk that begins at line y of the part; returns its count of lines.
   int readChunk(int part, int y, size_t lineBytes, std::vector<std::byte>& packed,

@@ -187,7 +187,7 @@ ImageInput::~ImageInput() {
 
 void ImageInput::fail(std::string words) const {
   words = words.substr(0, words.find('\n'));
-  throw InputError("{}: is broken or no {} file: {}", name(), m_format,
+  throw InputError("{}: damaged or not a valid {} file: {}", name(), m_format,
                    words.empty() ? "it cannot be read" : words);
 }
 

@@ -22,8 +22,8 @@ std::unique_ptr<Estimator> make(const EstimatorContext& context) {
 
 constexpr std::array kEstimators = {
     EstimatorInfo{"brute-force", Model::Lambert, false,
-                  "the dissertation's search of 1000 steps and its relight formula; two lights; reference",
-                  false, make<TwoLights, BetaSearch::BruteForce, Reflectance::Published>},
+                  "reference grid search (1000 steps) and its relight formula; two lights", false,
+                  make<TwoLights, BetaSearch::BruteForce, Reflectance::Published>},
     EstimatorInfo{"published", Model::Lambert, false,
                   "the same minimum in closed form, with its relight formula; two lights", false,
                   make<TwoLights, BetaSearch::ClosedForm, Reflectance::Published>},
@@ -33,16 +33,17 @@ constexpr std::array kEstimators = {
     EstimatorInfo{"single", Model::Single, true, "the one light that explains the pixel best", true,
                   make<SingleLight>},
     EstimatorInfo{"maximum-likelihood", Model::Lambert, true,
-                  "proportions x reflectance, fitted to all shots by their noise", true, make<Lambert>},
+                  "beta x reflectance, maximum likelihood over all photographs", true, make<Lambert>},
     EstimatorInfo{"dichromatic", Model::Gloss, true, "the same, and a highlight of each light's colour", true,
                   make<GlossFit>},
-    EstimatorInfo{"demultiplex", Model::Transport, false, "pseudo-inverse a channel, negative values cut off",
-                  false, make<Demultiplex, Demultiplex::Bound::Clamp>},
-    EstimatorInfo{"nnls", Model::Transport, true, "least squares a channel over contributions >= 0", false,
+    EstimatorInfo{"demultiplex", Model::Transport, false,
+                  "pseudo-inverse per channel, negative values clamped", false,
+                  make<Demultiplex, Demultiplex::Bound::Clamp>},
+    EstimatorInfo{"nnls", Model::Transport, true, "non-negative least squares per channel", false,
                   make<Demultiplex, Demultiplex::Bound::LeastSquares>},
     // Of pixels by themselves it is the matte fit; what their neighbours say of them is solveAuto's.
-    EstimatorInfo{"auto", Model::Auto, true, "what each pixel needs, by evidence, with its neighbours' help",
-                  true, make<Lambert>},
+    EstimatorInfo{"auto", Model::Auto, true, "what each pixel needs, by evidence and its neighbours", true,
+                  make<Lambert>},
 };
 
 }  // namespace

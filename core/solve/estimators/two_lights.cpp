@@ -37,9 +37,8 @@ TwoLights::TwoLights(const EstimatorContext& context, BetaSearch search, Reflect
     : m_fit(context), m_search(search), m_reflectance(reflectance) {
   if (context.plan.lights != 2 || context.plan.shots != 2)
     throw InputError(
-        "the estimators of the dissertation (brute-force, published, closed-form) know two lights in two "
-        "shots; "
-        "this capture has {} in {}: use --solver maximum-likelihood",
+        "brute-force, published and closed-form need two lights in two photographs; this capture has {} in "
+        "{}: use --solver maximum-likelihood",
         context.plan.lights, context.plan.shots);
   for (int k = 0; k < 2; ++k)
     for (int i = 0; i < 2; ++i)

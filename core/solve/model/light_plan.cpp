@@ -58,9 +58,8 @@ std::string pairAdvice(const LightPlan& plan, int i, int j) {
   const double apart = std::sqrt(6.0) / pair;
   if (distanceOfLights(plan, i, j) < kSame * brightness)
     return fmt::format(
-        "{} and {} have the same colour in every shot: nothing tells them apart; move {}'s hue away from "
-        "{}'s in "
-        "at least one shot",
+        "{} and {} have the same colour in every photograph and cannot be separated; move {}'s hue away from "
+        "{}'s in at least one",
         a, b, b, a);
   if (apart > kDistinct * brightness)
     return fmt::format(
@@ -78,12 +77,11 @@ std::string pairAdvice(const LightPlan& plan, int i, int j) {
 std::string channelAdvice(const LightPlan& plan, int c, const std::vector<double>& singularValues) {
   const char* channel = kChannelNames[size_t(c)];
   if (!(singularValues.front() > 0))
-    return fmt::format("no light has {}: the {} of the set is not seen", channel, channel);
+    return fmt::format("no light has {}: the set's {} is not recorded", channel, channel);
   const auto missing = std::count_if(singularValues.begin(), singularValues.end(),
                                      [&](double v) { return !(v >= kSingular * singularValues.front()); });
   return fmt::format(
-      "the {} channel alone cannot tell the lights apart ({} of its {} singular values {} 0): it leans on "
-      "the "
+      "the {} channel alone cannot separate the lights ({} of its {} singular values {} 0): it relies on the "
       "other channels",
       channel, missing, plan.lights, missing == 1 ? "is" : "are");
 }
@@ -158,7 +156,7 @@ Conditioning conditioningOf(const LightPlan& plan) {
   for (int i = 0; i < plan.lights; ++i) {
     if (brightnessOf(plan, i) == 0)
       result.advice.push_back(
-          fmt::format("{} is off in every shot: give it a colour in one", plan.names[size_t(i)]));
+          fmt::format("{} is off in every photograph: give it a colour in one", plan.names[size_t(i)]));
     for (int j = i + 1; j < plan.lights; ++j)
       if (const std::string advice = pairAdvice(plan, i, j); !advice.empty()) result.advice.push_back(advice);
   }
@@ -170,23 +168,23 @@ Conditioning conditioningOf(const LightPlan& plan) {
   result.matteAmplification = singular ? kInfinity : std::sqrt(squares.cwiseInverse().mean());
   if (result.advice.size() == channelAdvices && (singular || squares[0] < 1 / (kNoisy * kNoisy)))
     result.advice.push_back(fmt::format(
-        "the shots hardly see {}: {}; change these lights' colours in at least one shot",
+        "the photographs hardly separate {}: {}; change these lights' colours in at least one photograph",
         mixtureText(plan, eigen.eigenvectors().col(0)),
         singular
-            ? "nothing tells them apart"
+            ? "they cannot be separated"
             : fmt::format("the noise of this mixture is amplified {:.0f} times", 1 / std::sqrt(squares[0]))));
   return result;
 }
 
 void checkSolvable(const LightPlan& plan, const std::string& where) {
   if (plan.lights > kMaxLights)
-    throw InputError("{}: {} lights; at most {} can be told apart", where, plan.lights, kMaxLights);
+    throw InputError("{}: {} lights; at most {} can be separated", where, plan.lights, kMaxLights);
   if (plan.shots > kMaxShots)
     throw InputError("{}: {} shots; at most {} are used", where, plan.shots, kMaxShots);
   if (plan.shots * 3 < plan.lights + 2 && plan.lights > 1)
     throw InputError(
-        "{}: {} lights are more than {} shot{} x 3 channels can tell apart; photograph at least {} shots",
-        where, plan.lights, plan.shots, plan.shots == 1 ? "" : "s", (plan.lights + 4) / 3);
+        "{}: {} lights are more than {} shot{} x 3 channels can separate; take at least {} shots", where,
+        plan.lights, plan.shots, plan.shots == 1 ? "" : "s", (plan.lights + 4) / 3);
   for (int i = 0; i < plan.lights; ++i) {
     float brightest = 0;
     for (int k = 0; k < plan.shots; ++k)
