@@ -29,7 +29,7 @@ class New(cli.CliTest):
             folder = self.photographs(order=order)
             result = self.succeed_json('new', folder, '--lights', 'key,fill,back', '--colors', RING)
             self.assertEqual([shot['image'] for shot in result['shots']], ['IMG_9.exr', 'IMG_10.exr', 'IMG_11.exr'])
-            self.assertIn('guessed from the pictures', result['colors'])
+            self.assertIn('guessed, the best', result['colors'])
             truth = cli.rotated(3)
             for shot, source in zip(self.manifest()['shots'], order):
                 np.testing.assert_allclose(shot['light_colors'], truth[source], atol=1e-4)
@@ -118,7 +118,7 @@ class New(cli.CliTest):
             cli.write_image(path, pixels, ExposureTime=seconds, FNumber=4.0, **{'Exif:ISOSpeedRatings': 100})
         result = self.succeed_json('new', folder, '--lights', 'key,fill', '--gels', 'L106,L124')
         warnings = ' | '.join(result['warnings'])
-        self.assertIn('-1.00 stops against IMG_9.exr', warnings)
+        self.assertIn('-1.00 stops relative to IMG_9.exr', warnings)
         self.assertIn('of the picture is clipped', warnings)
         self.assertEqual(self.manifest()['shots'][1]['exposure_stops'], -1)
 

@@ -55,7 +55,7 @@ class PlanTest(cli.CliTest):
 
     def test_degenerate_plans_are_named_in_words(self):
         same = self.succeed('plan', '--lights', 'key,fill', '--colors', '#808080,#808080').stdout
-        self.assertIn('key and fill have the same colour in every shot', same)
+        self.assertIn('key and fill have the same colour in every photograph', same)
         near = self.succeed('plan', '--lights', 'key,fill', '--colors', '.5/.4/.3,.6/.35/.3').stdout
         self.assertIn("key and fill are nearly the same colour: the noise of their difference is amplified 15 times; "
                       "move fill's hue away from key's", near)

@@ -88,7 +88,7 @@ class Viewer(StudioTest):
     def test_every_subject_shows_something_of_its_own(self):
         studio = self.open_sample()
         seen = {'Relit': studio.picture('viewer_subject_relit')}
-        names = ['Photograph 1', 'Photograph 2', 'Light: key', 'β of key', 'Reflectance', 'Residual', 'σ, the error',
+        names = ['Photograph 1', 'Photograph 2', 'Light: key', 'β of key', 'Reflectance', 'Residual', 'Standard error (σ)',
                  'Flags']
         for number, name in enumerate(names):
             studio.click('bar.subject')

@@ -244,8 +244,8 @@ TEST(ImageIo, WhatIsNoPictureIsSaid) {
   EXPECT_THAT(errorOf("empty.png", ""), HasSubstr("empty.png: is empty"));
   EXPECT_THAT(errorOf("head.png", "\x89PNG\r\n\x1a\n"),
               HasSubstr("head.png: is no whole png file: the file ends"));
-  EXPECT_THAT(errorOf("head.exr", "\x76\x2f\x31\x01 rest"), HasSubstr("is broken or no openexr file"));
-  EXPECT_THAT(errorOf("camera.dng", "this is no photograph"), HasSubstr("is broken or no raw file"));
+  EXPECT_THAT(errorOf("head.exr", "\x76\x2f\x31\x01 rest"), HasSubstr("damaged or not a valid openexr file"));
+  EXPECT_THAT(errorOf("camera.dng", "this is no photograph"), HasSubstr("damaged or not a valid raw file"));
   EXPECT_THAT(inputError([&] { (void)readImage(folder / "none.exr"); }), HasSubstr("none.exr: no such file"));
   EXPECT_THAT(inputError([&] { (void)readImage(folder.path()); }), HasSubstr("is a folder"));
 }

@@ -134,7 +134,7 @@ TEST(RotationGuess, SaysWhenTheColoursDoNotFit) {
   Capture capture = rotatedCapture(2);
   const CapturePixels pixels = photograph(capture, SyntheticSet(2, 0));
   const std::vector<ShotColor> wrong{shotColorFromText("0.9/0.85/0.8"), shotColorFromText("0.5/0.55/0.6")};
-  EXPECT_THAT(guessRotation(draftFor(capture), pixels, wrong).words, HasSubstr("fits badly"));
+  EXPECT_THAT(guessRotation(draftFor(capture), pixels, wrong).words, HasSubstr("poor fit"));
 }
 
 TEST(RotationGuess, NeedsKnownColoursOneALight) {

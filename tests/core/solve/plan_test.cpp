@@ -211,7 +211,7 @@ using testing::Not;
 
 TEST(Plan, LightsOfTheSameColourAreNamed) {
   const Conditioning same = rotated({{.5F, .4F, .3F}, {.5F, .4F, .3F}});
-  EXPECT_THAT(wordsOf(same), HasSubstr("light0 and light1 have the same colour in every shot"));
+  EXPECT_THAT(wordsOf(same), HasSubstr("light0 and light1 have the same colour in every photograph"));
   EXPECT_TRUE(std::isinf(same.matteAmplification));
   const Conditioning near = rotated({{.5F, .4F, .3F}, {.6F, .35F, .3F}});
   EXPECT_THAT(wordsOf(near), HasSubstr("light0 and light1 are nearly the same colour: the noise of their "
@@ -227,7 +227,7 @@ TEST(Plan, ALightThatIsASumOfOthersIsNamed) {
   for (int k = 0; k < 3; ++k)
     for (const Rgb& color : {Rgb(1, .1F, 0), Rgb(.2F, .7F, .1F), Rgb(.6F, .4F, .05F)})
       plan.colors.push_back(color);
-  EXPECT_THAT(wordsOf(conditioningOf(plan)), HasSubstr("key + fill against back: nothing tells them apart"));
+  EXPECT_THAT(wordsOf(conditioningOf(plan)), HasSubstr("key + fill against back: they cannot be separated"));
 }
 
 /// In every order each channel has two ones of four: side by side the DFT lacks the highest frequency,
@@ -236,9 +236,9 @@ TEST(Plan, RedGreenBlueAndWhiteAreSingularInEveryChannel) {
   const Conditioning conditioning = rotated({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
   for (double amplification : conditioning.amplification) EXPECT_TRUE(std::isinf(amplification));
   EXPECT_THAT(wordsOf(conditioning),
-              HasSubstr("the red channel alone cannot tell the lights apart (1 of its 4"));
+              HasSubstr("the red channel alone cannot separate the lights (1 of its 4"));
   EXPECT_THAT(wordsOf(conditioning),
-              HasSubstr("the green channel alone cannot tell the lights apart (2 of its 4"));
+              HasSubstr("the green channel alone cannot separate the lights (2 of its 4"));
   EXPECT_TRUE(std::isfinite(conditioning.matteAmplification));
 }
 
