@@ -7,11 +7,17 @@ configure() {
 }
 
 # build PRESET TARGET...: one line that says how far it is and what is being made; on a terminal it overwrites itself,
-# elsewhere it comes every ten seconds. Everything else (warnings, errors) is shown as it is.
+# elsewhere it comes every ten seconds. Everything else (warnings, errors) is shown as it is. At the end: how long it
+# took, and the processors' time, which tells more about the build than about what else the machine was doing.
 build() {
-  local preset=$1
+  local preset=$1 status=0 TIMEFORMAT='%R %U %S' took
   shift
-  NINJA_STATUS='[%f/%t %e s] ' cmake --build --preset "$preset" --target "$@" | show_progress
+  exec 3>&1 4>&2
+  took=$({ time NINJA_STATUS='[%f/%t %e s] ' cmake --build --preset "$preset" --target "$@" 2>&4 | show_progress >&3; } 2>&1) ||
+    status=$?
+  exec 3>&- 4>&-
+  awk '{ printf "Built in %d:%02d (%.1f minutes of processor time)\n", $1 / 60, $1 % 60, ($2 + $3) / 60 }' <<<"$took"
+  return $status
 }
 
 show_progress() {
