@@ -49,7 +49,7 @@ double timedFrame(BenchStage& stage, float x, float y, bool down) {
 /// Returns the time of every frame in which the stroke grew.
 void paintStroke(BenchStage& stage, std::mt19937& random, std::vector<double>& dabs) {
   const auto rect = itemRect("viewer.picture");
-  if (!rect) throw InputError("--bench-paint: the picture is not to be seen");
+  if (!rect) throw InputError("--bench-paint: the picture is not visible");
   // Straight, a third of the picture long or less, somewhere inside.
   std::uniform_real_distribution<float> across(rect->x0 + 10, rect->x1 - 10);
   std::uniform_real_distribution<float> down(rect->y0 + 10, rect->y1 - 10);

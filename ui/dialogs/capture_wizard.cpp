@@ -112,7 +112,7 @@ std::string CaptureWizard::mistake() const {
     for (size_t k = 0; k < m_cells.size(); ++k)
       for (size_t i = 0; i < m_lights.size(); ++i) {
         if (m_cells[k][i].text.empty())
-          return fmt::format("Which colour had {} in {}? (\"unknown\" if you cannot tell.)", m_lights[i],
+          return fmt::format("What colour was {} in {}? (\"unknown\" if you cannot tell.)", m_lights[i],
                              m_found->folder.shots[k].file);
         static_cast<void>(shotColorFromText(m_cells[k][i].text));
       }

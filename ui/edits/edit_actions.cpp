@@ -32,14 +32,14 @@ void addEditActions(ActionTable& actions, EditingContext& studio, FileChooser& c
                [&studio, index] { renameEdit(studio, index()); }, focused});
   actions.add({"edits.delete", "Delete the edit", "Delete", "Delete the selected edit.",
                [&studio, index] { deleteEdit(studio, index()); }, focused});
-  actions.add({"edits.add_picture", "\u03b2 map from a file \u2026", "",
+  actions.add({"edits.add_picture", "Beta map from a file \u2026", "",
                "Add a beta map edited in another program to the selected light.",
                [&studio, &chooser] {
                  askForBetaMap(studio, chooser,
                                [&studio](const std::string& file) { addPictureEdit(studio, file); });
                },
                [&studio] { return studio.set() && !studio.document().rig.lights.empty(); }});
-  actions.add({"edits.choose_picture", "Replace \u03b2 map \u2026", "",
+  actions.add({"edits.choose_picture", "Replace beta map \u2026", "",
                "Choose another file for the selected beta map edit.",
                [&studio, &chooser, index] {
                  askForBetaMap(studio, chooser, [&studio, at = index()](const std::string& file) {

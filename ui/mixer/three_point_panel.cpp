@@ -179,7 +179,7 @@ void presets(LightsContext& studio) {
   ImGui::BeginDisabled(!blend);
   float percent = blend ? 100 * blend->amount : 100;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  if (ImGui::SliderFloat("##amount", &percent, 0, 100, blend ? "%.0f %% of it" : "strength of a look",
+  if (ImGui::SliderFloat("##amount", &percent, 0, 100, blend ? "%.0f %%" : "strength of a look",
                          ImGuiSliderFlags_AlwaysClamp))
     previewBlend(studio, percent / 100);
   markItem("three_point.amount");

@@ -62,13 +62,16 @@ void views(EditingContext& studio) {
        {Kind::Contribution, "Light", "shadows.view.light", "This light only."},
        {Kind::Visibility, "Visibility", "shadows.view.reach",
         "How much of the light reaches a place: black is umbra, grey penumbra, white fully lit."}}};
-  const float width = std::floor((ImGui::GetContentRegionAvail().x - 3 * px(kGap)) / 4);
+  float words = 0;
+  for (const View& view : kViews) words += ImGui::CalcTextSize(view.words).x;
+  const float air = (ImGui::GetContentRegionAvail().x - 3 * px(kGap) - words) / kViews.size();
   const int light = static_cast<int>(shownLight(studio));
   for (size_t i = 0; i < kViews.size(); ++i) {
     const View& view = kViews.at(i);
     if (i > 0) ImGui::SameLine(0, px(kGap));
     const ViewSubject subject{view.kind, view.kind == Kind::Relit ? 0 : light};
     ImGui::BeginDisabled(view.kind == Kind::Visibility && shadowLight(studio, *studio.set()) < 0);
+    const float width = std::floor(ImGui::CalcTextSize(view.words).x + air);
     if (choiceButton(view.words, studio.view.subject == subject, width, view.mark, view.tip))
       studio.view.subject = subject;
     ImGui::EndDisabled();

@@ -75,7 +75,7 @@ bool Script::runMouse(StudioWindow& /*studio*/, const std::string& command, cons
   if (places.empty()) places = {0.5F, 0.5F};
   if (places.size() != (drags ? 4U : 2U)) throw InputError("{}: write X Y from 0 to 1", command);
   const auto rect = itemRect(item);
-  if (!rect) throw InputError("{}: \"{}\" is not to be seen", command, item);
+  if (!rect) throw InputError("{}: \"{}\" is not visible", command, item);
   const auto at = [&](float x, float y, bool left, bool right) {
     return MouseState{rect->x0 + x * (rect->x1 - rect->x0 - 1), rect->y0 + y * (rect->y1 - rect->y0 - 1),
                       left, right};

@@ -23,7 +23,7 @@ std::string setText(const SessionController& session) {
 void drawColors(const ColorChoice& colors, float right) {
   const std::string& trouble = colors.trouble();
   const std::string words =
-      "Colours: " + colors.config()->title() + (trouble.empty() ? "" : ", not those asked for");
+      "Colours: " + colors.config()->title() + (trouble.empty() ? "" : ", not the one requested");
   ImGui::SameLine(right - ImGui::CalcTextSize(words.c_str()).x);
   if (!trouble.empty()) ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
   ImGui::TextUnformatted(words.c_str());

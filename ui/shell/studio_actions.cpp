@@ -42,7 +42,7 @@ void StudioWindow::addFileActions() {
   m_actions.add({"file.export", "Export …", "Ctrl+E",
                  "Export the relit frame, the lights as layers, beta maps, a look or a report.",
                  [this] { askForExport(); }, canExport});
-  m_actions.add({"file.export_beta", "Export \u03b2 maps \u2026", "",
+  m_actions.add({"file.export_beta", "Export beta maps \u2026", "",
                  "Export each light's beta map (its share of every pixel) for an image editor.",
                  [this] { askForExport(ExportKind::Beta); }, canExport});
   m_actions.add({"file.close", "Close", "Ctrl+W", "Close the session.",
