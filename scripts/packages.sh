@@ -3,7 +3,7 @@
 # openimageio-tools: OpenImageIO's CMake files want its programs to be there.
 build_packages=(g++ cmake ninja-build pkg-config
   libopenimageio-dev openimageio-tools libopencolorio-dev libopencv-dev libopencv-contrib-dev libtbb-dev
-  libeigen3-dev zlib1g-dev libdeflate-dev libopenexr-dev liblcms2-dev libssl-dev
+  libeigen3-dev zlib1g-dev libseccomp-dev libdeflate-dev libopenexr-dev liblcms2-dev libssl-dev
   libfmt-dev nlohmann-json3-dev libcli11-dev libglm-dev
   libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl1 libfreetype-dev
   fonts-inter fonts-material-design-icons-iconfont)
