@@ -5,7 +5,10 @@
 //   FAIL_ERRNO  what errno is then
 //   FAIL_PATH   only files whose path holds this (not for malloc)
 //   FAIL_SIZE   only allocations of at least so many bytes
-//   FAIL_MARK   this file is made when the call has failed, so that a caller knows that there was a k-th one
+//   FAIL_MARK   this file is made when the call has failed, so that a caller knows that there was a k-th one;
+//   with
+//               FAIL_AT=0 nothing fails, and the file holds how many such calls there were
+// Calls count from main() on: what libraries do before it is nobody's to catch.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/syscall.h>
@@ -22,6 +25,8 @@
 namespace {
 
 std::atomic<long> g_calls{0};
+std::atomic<bool> g_begun{false};
+int (*g_main)(int, char**, char**) = nullptr;
 
 const char* setting(const char* name) {
   const char* text = std::getenv(name);
@@ -31,7 +36,7 @@ const char* setting(const char* name) {
 // Says so without calling anything that is replaced here.
 bool failsNow() {
   static const long at = std::atol(setting("FAIL_AT"));
-  if (++g_calls != at) return false;
+  if (!g_begun || ++g_calls != at) return false;
   const long mark = ::syscall(SYS_openat, AT_FDCWD, setting("FAIL_MARK"), O_CREAT | O_WRONLY, 0600);
   if (mark >= 0) ::syscall(SYS_close, mark);
   static const int error = std::atoi(setting("FAIL_ERRNO"));
@@ -59,6 +64,20 @@ bool fileFails(const char* kind, int file) {
   return std::strstr(path, setting("FAIL_PATH")) && failsNow();
 }
 
+int countedMain(int argc, char** argv, char** environment) {
+  g_begun = true;
+  return g_main(argc, argv, environment);
+}
+
+__attribute__((destructor)) void sayCount() {
+  if (std::atol(setting("FAIL_AT")) != 0) return;
+  g_begun = false;
+  if (FILE* file = std::fopen(setting("FAIL_MARK"), "w")) {
+    std::fprintf(file, "%ld", g_calls.load());
+    std::fclose(file);
+  }
+}
+
 template <typename Function>
 Function* next(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
@@ -67,6 +86,14 @@ Function* next(const char* name) {
 }  // namespace
 
 extern "C" {
+
+using Main = int (*)(int, char**, char**);
+int __libc_start_main(Main main, int argc, char** argv, void (*init)(), void (*fini)(), void (*loader)(),
+                      void* stack) {
+  using Start = int(Main, int, char**, void (*)(), void (*)(), void (*)(), void*);
+  g_main = main;
+  return next<Start>("__libc_start_main")(countedMain, argc, argv, init, fini, loader, stack);
+}
 
 int open(const char* path, int flags, ...) {
   va_list more;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -18,6 +19,7 @@
 #include "core/image/io/image_format.h"
 #include "core/image/io/image_io.h"
 #include "core/image/io/image_write_progress.h"
+#include "core/image/io/memory_file.h"
 
 namespace swaplight {
 namespace {
@@ -121,14 +123,19 @@ void checkSuits(const FileToWrite& contents, const std::string& format, const st
     refuse("a Radiance HDR holds float pixels of 3 channels.");
 }
 
-/// An open output that fetches OpenImageIO's error messages, which it would otherwise print.
+/// An open output that fetches OpenImageIO's error messages, which it would otherwise print. A TIFF is
+/// written into memory first: libtiff and OpenImageIO pass over disks that fail, and do not let it read back
+/// through a proxy, as it has to.
 class Output {
  public:
   Output(const AtomicFile& file, const std::string& format)
       : m_file(file), m_proxy(file.temporary()), m_output(OIIO::ImageOutput::create(format)) {
+    check();
     if (!m_output) fail();
-    // libtiff notices a full disk itself, and OpenImageIO does not let it read back through a proxy.
-    if (format != "tiff" && !m_output->set_ioproxy(&m_proxy)) fail();
+    if (format == "tiff")
+      m_memory.emplace(file);
+    else if (!m_output->set_ioproxy(&m_proxy))
+      fail();
   }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -139,6 +146,8 @@ class Output {
     (void)OIIO::geterror();
   }
   OIIO::ImageOutput* operator->() { return m_output.get(); }
+  /// What OpenImageIO is to open.
+  [[nodiscard]] std::string path() const { return m_memory ? m_memory->path() : m_file.temporary().string(); }
   /// Throws where the disk has failed, which the writer does not notice.
   void check() const {
     if (m_proxy.failure() != 0) m_file.fail(m_proxy.failure());
@@ -146,6 +155,7 @@ class Output {
   void close() {
     check();
     if (!m_output->close()) fail();
+    if (m_memory) m_memory->copyTo(m_proxy);
     if (m_proxy.finish() != 0) m_file.fail(m_proxy.failure());
   }
   [[noreturn]] void fail() {
@@ -158,6 +168,7 @@ class Output {
  private:
   const AtomicFile& m_file;
   FileProxy m_proxy;
+  std::optional<MemoryFile> m_memory;
   std::unique_ptr<OIIO::ImageOutput> m_output;
 };
 
@@ -185,7 +196,7 @@ void writeByOpenImageIO(const FileToWrite& contents, const std::string& format, 
   Output output(file, format);
   std::vector<OIIO::ImageSpec> specs;
   for (const PartToWrite& part : contents.parts) specs.push_back(specOf(contents, part, format));
-  const std::string temporary = file.temporary().string();
+  const std::string temporary = output.path();
   const int count = static_cast<int>(specs.size());
   if (!(count == 1 ? output->open(temporary, specs.front()) : output->open(temporary, count, specs.data())))
     output.fail();
