@@ -136,6 +136,9 @@ void addStudioVerb(Program& program) {
   verb.add_option("--probe-layout", a->options.layoutProbe,
                   "Write the positions of named widgets to a JSON file, for tests")
       ->type_name("JSON");
+  verb.add_option("--frame-seconds", a->options.frameSeconds, "Every frame takes at least as long, for tests")
+      ->check(NumberRange(0.0, 10.0))
+      ->group("");  // not in the help
 }
 
 }  // namespace swaplight

@@ -22,7 +22,7 @@ GRAPHICS = {  # what an include <...> begins with
 }
 GRAPHICS_TARGETS = ('PkgConfig::IMGUI', 'imgui', 'glfw')
 # Rooms of ui that work without a window: threads, documents, state. A unit test reaches them.
-WITHOUT_IMGUI = ('ui/actions', 'ui/state', 'ui/jobs', 'ui/pictures', 'ui/control')
+WITHOUT_IMGUI = ('ui/actions', 'ui/input', 'ui/state', 'ui/jobs', 'ui/pictures', 'ui/control')
 
 KEYWORDS = ('SOURCES', 'KERNELS', 'LINK', 'PUBLIC', 'PRIVATE')
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)

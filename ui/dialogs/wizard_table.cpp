@@ -167,6 +167,7 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
     cell.guessed = false;
   if (wrong || cell.guessed) ImGui::PopStyleColor();
   markItem(mark);
+  markState(mark + ".text", cell.text);
   tooltip(wrong ? reading.mistake.c_str() : cell.guessed ? "Guessed from the photographs" : nullptr);
   ImGui::SameLine(0, px(4));
   const bool picking = m_picking == std::pair(shot, light);

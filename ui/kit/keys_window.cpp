@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/actions/key_file.h"
+#include "ui/kit/echo_key.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
@@ -77,7 +78,7 @@ void KeysWindow::drawGroup(ActionTable& actions, const std::string& group) {
 
 void KeysWindow::takeKeys(ActionTable& actions, const Keyboard& keyboard, Messages& messages) {
   for (const KeyPress& press : keyboard.presses) {
-    if (isModifier(press.key) || press.key.empty()) continue;
+    if (isModifier(press.key) || press.key.empty() || press.key == kEchoKey) continue;
     if (press.key != "Escape") {
       const std::string keys = press.key == "Backspace" ? "" : keysName(press);
       for (const Action& other : actions.actions())

@@ -9,12 +9,13 @@
 #include "core/color/hsv.h"
 #include "core/color/srgb.h"
 #include "core/lamp/kelvin.h"
+#include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/tooltip_clock.h"
 
 namespace swaplight {
 namespace {
 
-constexpr float kTooltipDelay = 0.5F;
 constexpr float kMiredLow = 1e6F / 20000;
 constexpr float kMiredHigh = 1e6F / 1800;
 
@@ -91,11 +92,14 @@ void drawTexture(unsigned texture, ImVec2 low, ImVec2 high) {
 }
 
 void tooltip(const char* text) {
-  if (text && *text && ImGui::IsItemHovered() && GImGui->HoveredIdTimer > kTooltipDelay) {
+  if (text && *text && tooltipDue() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(px(320));
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
+    const ImVec2 at = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    markRect("tooltip", at.x, at.y, at.x + size.x, at.y + size.y);
     ImGui::EndTooltip();
   }
 }

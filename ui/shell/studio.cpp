@@ -1,7 +1,9 @@
 #include "ui/shell/studio.h"
 
+#include <chrono>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/image/io/image_io.h"
@@ -32,6 +34,12 @@ std::string firstError(const Messages& messages) {
   return {};
 }
 
+void drawFrame(StudioWindow& studio, const StudioOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  studio.frame();
+  std::this_thread::sleep_until(begin + std::chrono::duration<double>(options.frameSeconds));
+}
+
 void run(Window& window, StudioWindow& studio, const StudioOptions& options) {
   std::optional<Script> script;
   if (!options.script.empty())
@@ -44,7 +52,7 @@ void run(Window& window, StudioWindow& studio, const StudioOptions& options) {
     if (scripted) script->step(studio);
     const bool busy = studio.busy();
     if (!busy && (scripted || !options.screenshot.empty())) window.requestFrames(1);
-    if (window.frameWanted()) studio.frame();
+    if (window.frameWanted()) drawFrame(studio, options);
     if (options.screenshot.empty() || scripted || busy) continue;
     if (const std::string error = firstError(studio.context().messages); !error.empty())
       throw InputError(error);

@@ -16,6 +16,7 @@ struct StudioOptions {
   std::filesystem::path screenshot;     ///< written once the file is there, without a window; then ends
   std::filesystem::path script;         ///< commands, one a line, run one after the other
   std::filesystem::path layoutProbe;    ///< where named widgets lie goes here, for tests
+  double frameSeconds = 0;              ///< a frame takes at least as long: a slow machine, for tests
   std::filesystem::path samplesFolder;  ///< offered on the first screen
 };
 

@@ -10,6 +10,7 @@
 #include "ui/control/viewer_request.h"
 #include "ui/dialogs/about_box.h"
 #include "ui/dialogs/history_panel.h"
+#include "ui/kit/echo_key.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/shell/menu_bar.h"
 
@@ -192,12 +193,14 @@ void StudioWindow::update() {
   if (m_messages.expire()) m_window.requestFrames();
   const bool marches = m_editing.selection.marching;
   if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_window.requestFrames(1);
-  if (m_editing.settling && m_layout.edits && !m_layout.hidden) m_window.requestFrames(1);
+  if (listMoves()) m_window.requestFrames(1);
   for (const fs::path& dropped : m_window.takeDropped()) whenSaved([this, dropped] { open(dropped); });
   if (m_window.closeAsked()) askToQuit();
   const std::string title = m_session.title();
-  if (title != m_title) m_window.setTitle(title);
+  if (title == m_title) return;
+  m_window.setTitle(title);
   m_title = title;
+  m_window.requestFrames();
 }
 
 double StudioWindow::restSeconds() const {
@@ -214,12 +217,27 @@ void StudioWindow::drawDialogs() {
       {[this](const ExportRequest& request) { exportAs(request); }, [this] { askForExportName(); }});
 }
 
+unsigned StudioWindow::openDialogs() const {
+  unsigned open = 0;
+  for (const bool one : {m_chooser.isOpen(), m_export.isOpen(), m_wizard.isOpen(), m_unsaved.isOpen(),
+                         m_palette.isOpen(), m_keys.isOpen()})
+    open = 2 * open + (one ? 1 : 0);
+  return open;
+}
+
+// What was pressed is counted with the next frame: then this one is on the screen.
+void StudioWindow::markEchoes() {
+  markState("echoes", std::to_string(m_echoes));
+  for (const KeyPress& press : m_window.keyboard().presses)
+    if (press.key == kEchoKey && !press.repeat) ++m_echoes;
+}
+
 void StudioWindow::frame() {
   m_lastFrame = std::chrono::steady_clock::now();
+  m_window.nextInput();
   m_editing.selection.marching = false;  // whoever draws its outline says otherwise
-  const bool dialog = m_chooser.isOpen() || m_export.isOpen() || m_wizard.isOpen() || m_unsaved.isOpen() ||
-                      m_palette.isOpen() || m_keys.isOpen();
-  if (!ImGui::GetIO().WantTextInput && !dialog) m_actions.runKeys(m_window.keyboard());
+  if (!ImGui::GetIO().WantTextInput && openDialogs() == 0) m_actions.runKeys(m_window.keyboard());
+  markEchoes();
   if (m_setShown != m_session.setRevision()) {
     m_subjects.forget();
     m_viewer = {};
@@ -264,9 +282,13 @@ void StudioWindow::frame() {
   if (m_editor.inGesture() && !ImGui::IsAnyItemActive()) m_editor.commit();
   markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");
   markState("title", m_title);
+  markState("busy", busy() || listMoves() ? "yes" : "no");
   markState("colors", m_colors.config()->title());
   if (const OpenSet* set = m_session.set()) markState("working_space", set->original->colorSpace());
   endLayoutFrame();
+  // One that was asked for after its place in the frame comes with the next.
+  if (const unsigned dialogs = openDialogs(); std::exchange(m_dialogsShown, dialogs) != dialogs)
+    m_window.requestFrames();
   m_window.endFrame();
 }
 

@@ -75,6 +75,11 @@ class StudioWindow {
   void askForExport(std::optional<ExportKind> kind = {});
   void askForExportName();
   void drawDialogs();
+  void markEchoes();
+  /// The list of edits is about to close one that was chosen before.
+  [[nodiscard]] bool listMoves() const { return m_editing.settling && m_layout.edits && !m_layout.hidden; }
+  /// One bit for each dialog that is open or about to be.
+  [[nodiscard]] unsigned openDialogs() const;
 
   Window& m_window;
   std::filesystem::path m_layoutFile;
@@ -118,6 +123,8 @@ class StudioWindow {
   KeysWindow m_keys;
   bool m_aboutOpen = false;
   bool m_historyOpen = false;
+  unsigned m_dialogsShown = 0;
+  int m_echoes = 0;
   std::string m_title;
   std::chrono::steady_clock::time_point m_lastFrame;
   bool m_done = false;

@@ -3,16 +3,23 @@
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_opengl3.h>
 
+#include <algorithm>
 #include <atomic>
+#include <limits>
 #include <map>
+#include <optional>
 
 #include "core/base/error.h"
 #include "render/surface.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/tooltip_clock.h"
 #include "ui/window/window.h"
 
 namespace swaplight {
 namespace {
+
+constexpr float kDoubleClickSeconds = 0.3F;
+constexpr double kLongestDeaf = 1;  // seconds
 
 std::string lastGlfwError() {
   const char* words = nullptr;
@@ -75,6 +82,8 @@ std::string keyName(int key, int scancode) {
       {GLFW_KEY_RIGHT_SHIFT, "Shift"},
       {GLFW_KEY_LEFT_CONTROL, "Ctrl"},
       {GLFW_KEY_RIGHT_CONTROL, "Ctrl"},
+      {GLFW_KEY_LEFT_SUPER, "Super"},
+      {GLFW_KEY_RIGHT_SUPER, "Super"},
   };
   if (const auto found = names.find(key); found != names.end()) return found->second;
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
@@ -98,11 +107,16 @@ class DesktopWindow : public Window {
   }
 
   void wait(double seconds) override {
+    const double deaf = m_heard ? glfwGetTime() - *m_heard : 0;
     if (frameWanted())
       glfwPollEvents();
     else
-      glfwWaitEventsTimeout(seconds);
-    if (m_woken.exchange(false)) requestFrames();
+      glfwWaitEventsTimeout(std::max(0.0, std::min(seconds, m_tooltipAt - glfwGetTime())));
+    m_heard = glfwGetTime();
+    // Of two clicks that were heard of after a slow frame nobody knows when in it they were made.
+    ImGui::GetIO().MouseDoubleClickTime =
+        kDoubleClickSeconds + static_cast<float>(std::min(deaf, kLongestDeaf));
+    if (m_woken.exchange(false) || *m_heard >= m_tooltipAt) requestFrames();
   }
 
   void wake() override {
@@ -111,11 +125,12 @@ class DesktopWindow : public Window {
   }
 
   void beginFrame() override {
-    releaseKeys();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    feedInterface(m_input.frame());
     applyPretendedMouse();
     ImGui::NewFrame();
+    tooltipClockFrame();
   }
 
   void endFrame() override {
@@ -124,6 +139,7 @@ class DesktopWindow : public Window {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (m_keepPixels) m_pixels = readSurface(width(), height());
     glfwSwapBuffers(m_window);
+    m_tooltipAt = glfwGetTime() + secondsToTooltip();
     frameDone();
   }
 
@@ -168,37 +184,21 @@ class DesktopWindow : public Window {
     return {w, h};
   }
 
-  // Every kind of input asks for frames, then goes on to Dear ImGui.
+  // Every kind of input asks for frames, and waits in the queue for the frame that it belongs to.
   void installCallbacks() {
-    glfwSetCursorPosCallback(m_window, [](GLFWwindow* w, double, double) { of(w).requestFrames(); });
     glfwSetFramebufferSizeCallback(m_window, [](GLFWwindow* w, int, int) { of(w).requestFrames(); });
     glfwSetWindowRefreshCallback(m_window, [](GLFWwindow* w) { of(w).requestFrames(); });
     glfwSetWindowCloseCallback(m_window, [](GLFWwindow* w) { of(w).requestFrames(); });
     glfwSetWindowContentScaleCallback(m_window, [](GLFWwindow* w, float, float) { of(w).requestFrames(); });
     glfwSetWindowFocusCallback(m_window, [](GLFWwindow* w, int focused) {
+      if (focused == 0) of(w).happened(FocusLost{});
       of(w).requestFrames();
-      if (focused == 0) of(w).m_keyboard.held.clear();
-      ImGui_ImplGlfw_WindowFocusCallback(w, focused);
     });
-    glfwSetCursorEnterCallback(m_window, [](GLFWwindow* w, int entered) {
-      of(w).requestFrames();
-      ImGui_ImplGlfw_CursorEnterCallback(w, entered);
-    });
-    glfwSetMouseButtonCallback(m_window, [](GLFWwindow* w, int button, int action, int mods) {
-      of(w).requestFrames();
-      ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
-    });
-    glfwSetScrollCallback(m_window, [](GLFWwindow* w, double x, double y) {
-      of(w).requestFrames();
-      ImGui_ImplGlfw_ScrollCallback(w, x, y);
-    });
+    installMouse();
     glfwSetCharCallback(m_window, [](GLFWwindow* w, unsigned code) {
-      of(w).requestFrames();
-      of(w).m_keyboard.typed.push_back(static_cast<char32_t>(code));
-      ImGui_ImplGlfw_CharCallback(w, code);
+      of(w).happened(TextTyped{static_cast<char32_t>(code)});
     });
     glfwSetKeyCallback(m_window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-      of(w).requestFrames();
       of(w).onKey(key, scancode, action, mods);
     });
     glfwSetDropCallback(m_window, [](GLFWwindow* w, int count, const char** paths) {
@@ -207,38 +207,54 @@ class DesktopWindow : public Window {
     });
   }
 
+  void installMouse() {
+    glfwSetCursorPosCallback(m_window, [](GLFWwindow* w, double x, double y) { of(w).pointerAt(x, y); });
+    glfwSetCursorEnterCallback(m_window, [](GLFWwindow* w, int entered) {
+      if (entered != 0)
+        of(w).pointerIn();
+      else if (!of(w).anyButtonDown())  // a drag goes on outside
+        of(w).happened(PointerLeft{});
+    });
+    glfwSetMouseButtonCallback(m_window, [](GLFWwindow* w, int button, int action, int) {
+      if (button < static_cast<int>(InputFrame::kButtons))
+        of(w).happened(ButtonTurned{button, action == GLFW_PRESS});
+    });
+    glfwSetScrollCallback(m_window, [](GLFWwindow* w, double x, double y) {
+      of(w).happened(WheelTurned{static_cast<float>(x), static_cast<float>(y)});
+    });
+    if (glfwGetWindowAttrib(m_window, GLFW_HOVERED) != 0) pointerIn();
+  }
+
+  void pointerAt(double x, double y) { happened(PointerMoved{static_cast<float>(x), static_cast<float>(y)}); }
+
+  void pointerIn() {
+    double x = 0;
+    double y = 0;
+    glfwGetCursorPos(m_window, &x, &y);
+    pointerAt(x, y);
+  }
+
+  [[nodiscard]] bool anyButtonDown() const {
+    for (int button = 0; button < static_cast<int>(InputFrame::kButtons); ++button)
+      if (glfwGetMouseButton(m_window, button) != GLFW_RELEASE) return true;
+    return false;
+  }
+
   void onKey(int key, int scancode, int action, int mods) {
-    const std::string name = keyName(key, scancode);
-    if (action == GLFW_RELEASE) {
-      m_keyboard.held.erase(name);
-      m_releases.push_back({key, scancode, mods});
-      return;
-    }
-    m_keyboard.held.insert(name);
-    m_keyboard.presses.push_back({name, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0,
-                                  (mods & GLFW_MOD_ALT) != 0, action == GLFW_REPEAT});
-    ImGui_ImplGlfw_KeyCallback(m_window, key, scancode, action, mods);
-    if (action == GLFW_PRESS) m_pressed = true;
+    KeyTurned turned;
+    turned.code = key;
+    turned.down = action != GLFW_RELEASE;
+    turned.modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+    turned.types = key <= GLFW_KEY_WORLD_2 || (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL);
+    turned.press = {keyName(key, scancode), (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0,
+                    (mods & GLFW_MOD_ALT) != 0, action == GLFW_REPEAT};
+    happened(std::move(turned));
   }
-
-  // Dear ImGui samples the keys once a frame: a key that went down and up in between would be missed, and so
-  // would the Ctrl that was let go before its A. What is released waits until what was pressed has been seen.
-  void releaseKeys() {
-    if (!std::exchange(m_pressed, false)) {
-      for (const Release& release : m_releases)
-        ImGui_ImplGlfw_KeyCallback(m_window, release.key, release.scancode, GLFW_RELEASE, release.mods);
-      m_releases.clear();
-    }
-  }
-
-  struct Release {
-    int key, scancode, mods;
-  };
 
   GlfwWindow m_window;
   std::atomic<bool> m_woken{false};
-  std::vector<Release> m_releases;
-  bool m_pressed = false;  ///< a key, since the last frame
+  std::optional<double> m_heard;  ///< when events were last asked for, in GLFW's time
+  double m_tooltipAt = std::numeric_limits<double>::infinity();
   int m_place[4] = {100, 100, 1280, 720};
   bool m_keepPixels = false;
   std::vector<uint8_t> m_pixels;

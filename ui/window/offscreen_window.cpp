@@ -8,6 +8,7 @@
 #include "render/gl/egl_context.h"
 #include "render/surface.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/tooltip_clock.h"
 #include "ui/window/window.h"
 
 namespace swaplight {
@@ -41,6 +42,7 @@ class OffscreenWindow : public Window {
     ImGui_ImplOpenGL3_NewFrame();
     applyPretendedMouse();
     ImGui::NewFrame();
+    tooltipClockFrame();
   }
 
   void endFrame() override {

@@ -4,6 +4,17 @@
 
 namespace swaplight {
 
+void Window::nextInput() {
+  if (!m_input.empty()) requestFrames();
+  m_input.next(m_watch.state(), InputQueue::Clock::now());
+}
+
+void Window::frameDone() {
+  m_framesWanted = std::max(0, m_framesWanted - 1);
+  m_watch.frameDrawn();
+  if (m_watch.moves()) requestFrames(2);
+}
+
 void Window::applyPretendedMouse() const {
   if (!m_pretended.on) return;
   ImGuiIO& io = ImGui::GetIO();

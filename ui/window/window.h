@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "ui/actions/keyboard.h"
+#include "ui/input/input_queue.h"
+#include "ui/window/interface_watch.h"
 
 namespace swaplight {
 
@@ -22,10 +24,12 @@ class Window {
   virtual ~Window() = default;
 
   /// Sleeps until there is input, somebody calls wake(), or the seconds are over; not at all while frames are
-  /// wanted.
+  /// wanted, and no longer than until a tooltip is due.
   virtual void wait(double seconds) = 0;
   /// From any thread: ends wait() and asks for a frame.
   virtual void wake() = 0;
+  /// At the beginning of a frame: its share of the input is what keyboard() and Dear ImGui see.
+  void nextInput();
   /// Dear ImGui may be drawn with from here until endFrame().
   virtual void beginFrame() = 0;
   /// Draws and shows.
@@ -45,8 +49,8 @@ class Window {
 
   /// Dear ImGui needs a few frames to come to rest after anything happened.
   void requestFrames(int count = 3) { m_framesWanted = std::max(m_framesWanted, count); }
-  [[nodiscard]] bool frameWanted() const { return m_framesWanted > 0; }
-  [[nodiscard]] const Keyboard& keyboard() const { return m_keyboard; }
+  [[nodiscard]] bool frameWanted() const { return m_framesWanted > 0 || !m_input.empty(); }
+  [[nodiscard]] const Keyboard& keyboard() const { return m_input.frame().keyboard; }
   /// From the next frame on the mouse is here, whatever the real one does: for scripts and measurements.
   void pretendMouse(float x, float y, bool down, bool right = false) {
     m_pretended = {true, x, y, down, right};
@@ -56,10 +60,8 @@ class Window {
   [[nodiscard]] std::vector<std::filesystem::path> takeDropped() { return std::exchange(m_dropped, {}); }
 
  protected:
-  void frameDone() {
-    m_keyboard.endFrame();
-    m_framesWanted = std::max(0, m_framesWanted - 1);
-  }
+  void frameDone();
+  void happened(InputEvent event) { m_input.push(std::move(event), InputQueue::Clock::now()); }
   /// To be called between the backend's new frame and Dear ImGui's.
   void applyPretendedMouse() const;
 
@@ -69,7 +71,8 @@ class Window {
     bool down = false, right = false;
   };
   Pretended m_pretended;
-  Keyboard m_keyboard;
+  InputQueue m_input;
+  InterfaceWatch m_watch;
   std::vector<std::filesystem::path> m_dropped;
   int m_framesWanted = 3;
 };
