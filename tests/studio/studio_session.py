@@ -17,6 +17,9 @@ PROGRAM = os.environ.get('SWAPLIGHT') or os.path.join(HERE, '../../build/release
 SAMPLES = os.path.join(HERE, '../../samples')
 ARTEFACTS = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), 'test-artefacts')
 TOOLS = ['Xvfb', 'xdotool', 'import']
+ECHO_KEY = 202  # X's number of F24, which no action has: the studio counts how often it has seen it
+SAME_PLACE = 8  # pixels: two clicks so near to each other may be a double click
+NO_DOUBLE_CLICK = 0.6  # seconds, and as long as a frame may take
 
 missing = [tool for tool in TOOLS if not shutil.which(tool)]
 if missing:
@@ -40,7 +43,7 @@ class Display:
     def __init__(self, width, height):
         read, write = os.pipe()
         self.process = subprocess.Popen(
-            ['Xvfb', '-displayfd', str(write), '-screen', '0', f'{width}x{height}x24', '-nolisten', 'tcp'],
+            ['Xvfb', '-displayfd', str(write), '-screen', '0', f'{width}x{height}x24', '-nolisten', 'tcp', '-r'],
             pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as numbers:
@@ -63,9 +66,13 @@ class Studio:
         for name in ('OCIO', 'XDG_CONFIG_HOME', 'XDG_DATA_HOME', 'XDG_STATE_HOME', 'WAYLAND_DISPLAY'):
             self.environment.pop(name, None)
         self.environment.update(environment or {})
+        # A machine that draws five frames a second: SWAPLIGHT_FRAME_SECONDS=0.2
+        slow = self.environment.get('SWAPLIGHT_FRAME_SECONDS')
         self.process = subprocess.Popen(
-            [PROGRAM, 'studio', *map(str, arguments), '--size', size, '--scale', scale,
-             '--probe-layout', self.probe], env=self.environment, stderr=subprocess.PIPE, text=True)
+            [PROGRAM, 'studio', *map(str, arguments), '--size', size, '--scale', scale, '--probe-layout', self.probe]
+            + (['--frame-seconds', slow] if slow else []),
+            env=self.environment, stderr=subprocess.PIPE, text=True)
+        self.last_click = (-1000, -1000, 0)
 
     # What is on the screen
 
@@ -115,49 +122,87 @@ class Studio:
         x0, y0, x1, y1 = map(int, self.item('viewer.picture'))
         return self.screenshot(name)[y0:y1, x0:x1]
 
+    def echoes(self):
+        return int(self.layout().get('echoes', 0))
+
+    def rest(self):
+        """Waits until all that was done so far has been drawn: the studio answers to a key that does nothing, which waits
+        its turn like every other."""
+        before = self.echoes()
+        self.xdotool('key', ECHO_KEY)
+        self.wait_echo(before)
+
+    def wait_echo(self, before):
+        end = time.time() + 60
+        while self.echoes() <= before and self.process.poll() is None:
+            if time.time() > end:
+                raise AssertionError('the studio does not answer to keys')
+            time.sleep(0.01)
+
     def settle(self):
-        time.sleep(0.4)
+        """Waits until nothing is being worked at in the background either."""
+        self.rest()
+        self.wait(lambda layout: layout.get('busy') != 'yes', 'all work is done')
+        self.rest()
+        time.sleep(0.15)
 
     # A mouse and a keyboard
 
     def xdotool(self, *words):
         subprocess.run(['xdotool', *map(str, words)], env=self.environment, check=True)
 
+    def act(self, *words):
+        """Does it, and waits until its effect is on the screen."""
+        before = self.echoes()
+        self.xdotool(*words, 'key', ECHO_KEY)
+        self.wait_echo(before)
+
     def point(self, name, x=0.5, y=0.5):
         x0, y0, x1, y1 = self.item(name)
         return round(x0 + x * (x1 - x0 - 1)), round(y0 + y * (y1 - y0 - 1))
 
     def move(self, x, y):
-        self.xdotool('mousemove', x, y)
-        time.sleep(0.12)
+        self.act('mousemove', x, y)
 
     def click(self, name, x=0.5, y=0.5, button=1):
-        self.click_at(*self.point(name, x, y), button=button)
+        # What has just been opened takes its place in a frame or two.
+        place = None
+        while place != (place := self.point(name, x, y)):
+            self.move(*place)
+        self.click_at(*place, button=button)
 
     def click_at(self, x, y, button=1):
+        self.no_double_click(x, y)
+        self.act('mousemove', x, y, 'mousedown', button, 'mouseup', button)
+        self.last_click = (x, y, time.time())
+
+    def no_double_click(self, x, y):
+        """Waits where another press would be the second one of a double click."""
+        last_x, last_y, last_time = self.last_click
+        if max(abs(x - last_x), abs(y - last_y)) <= SAME_PLACE:
+            time.sleep(max(0, last_time + NO_DOUBLE_CLICK - time.time()))
+
+    def double_click(self, x, y):
         self.move(x, y)
-        self.xdotool('mousedown', button)
-        time.sleep(0.12)
-        self.xdotool('mouseup', button)
-        time.sleep(0.2)
+        self.act('click', '--repeat', '2', '--delay', '80', '1')
+        self.last_click = (x, y, time.time())
 
     def drag(self, start, end, button=1, steps=8):
         self.move(*start)
+        self.no_double_click(*start)
         self.xdotool('mousedown', button)
-        time.sleep(0.1)
         for step in range(1, steps + 1):
             self.move(*(round(a + (b - a) * step / steps) for a, b in zip(start, end)))
-        self.xdotool('mouseup', button)
-        time.sleep(0.2)
+        self.act('mouseup', button)
+        self.last_click = (*start, time.time())
 
     def key(self, *keys):
         for key in keys:
-            self.xdotool('key', key)
-            time.sleep(0.2)
+            self.act('key', key)
 
     def type(self, text):
-        self.xdotool('type', '--delay', '60', text)
-        time.sleep(0.3)
+        self.xdotool('type', '--delay', '15', text)
+        self.rest()
 
     # The end
 
@@ -167,7 +212,7 @@ class Studio:
 
     def quit(self):
         """Ends it as a person does; True where it went without complaint."""
-        self.key('ctrl+q')
+        self.xdotool('key', 'ctrl+q')
         try:
             self.process.communicate(timeout=20)
         except subprocess.TimeoutExpired:
