@@ -1,5 +1,5 @@
 # Precompiled headers: what nearly every file of a room reads, compiled once. Files still name every header that they
-# use: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without (.ci/run does).
+# use: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without (the tidy preset does).
 #
 #   swaplight_headers(swaplight_app_headers HEADERS <CLI/CLI.hpp> LINK CLI11::CLI11)
 #
