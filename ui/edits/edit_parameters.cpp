@@ -153,7 +153,7 @@ bool control(const Parameters& /*of*/, const Field<Owner, int>& field, int& valu
 }
 
 template <typename Owner>
-bool control(const Parameters& of, const Field<Owner, Points>& field, Points& points) {
+bool control(const Parameters& of, const Field<Owner, PointList>& field, PointList& points) {
   const float width = ImGui::GetContentRegionAvail().x - px(6);
   const bool changed =
       curveWidget(points, of.studio.editing.curve, histogramFor(of), ImVec2(width, px(kCurveHeight)));

@@ -139,17 +139,19 @@ void warmCool(LightsContext& studio) {
   ImGui::BeginDisabled(keys.empty() || fills.empty());
   const std::optional<float> measured = warmCoolSplit(rig);
   float mired = measured.value_or(0);
-  std::string words = "coloured";
-  if (keys.empty() || fills.empty()) words = "no key and fill";
-  if (measured)
-    words = mired == 0 ? "none"
-                       : fmt::format("{} / {}", colorWords(rig.lights[keys.front()].color),
-                                     colorWords(rig.lights[fills.front()].color));
+  const auto words = [&]() -> std::string {
+    if (keys.empty() || fills.empty()) return "no key and fill";
+    if (!measured) return "coloured";
+    if (*measured == 0) return "none";
+    return fmt::format("{} / {}", colorWords(rig.lights[keys.front()].color),
+                       colorWords(rig.lights[fills.front()].color));
+  };
+  const std::string split = words();
   if (labelledSlider("Warm / cool", &mired, -kMostSplit, kMostSplit))
     previewRig(studio, "Warm / cool", withWarmCoolSplit(rig, std::abs(mired) < 8 ? 0 : mired));
   markItem("three_point.split");
   tooltip("Right: warm key, cool fill. Left: cool key, warm fill.");
-  wordsBeside(words);
+  wordsBeside(split);
   ImGui::EndDisabled();
 }
 

@@ -8,7 +8,7 @@
 
 namespace swaplight {
 
-using Points = std::vector<std::array<float, 2>>;
+using PointList = std::vector<std::array<float, 2>>;
 
 /// How far a number goes, and how the studio shows it.
 struct Scale {

@@ -22,7 +22,7 @@ Json jsonFromValue(const std::string& value) {
   return value;
 }
 
-Json jsonFromValue(const Points& points) {
+Json jsonFromValue(const PointList& points) {
   Json list = Json::array();
   for (const auto& p : points) list.push_back({jsonNumber(p[0]), jsonNumber(p[1])});
   return list;
@@ -44,7 +44,7 @@ void readValue(JsonFields& fields, const char* key, const Scale& /*scale*/, std:
   value = fields.text(key).value_or(value);
 }
 
-void readValue(JsonFields& fields, const char* key, const Scale& /*scale*/, Points& points) {
+void readValue(JsonFields& fields, const char* key, const Scale& /*scale*/, PointList& points) {
   points.clear();
   for (const Json& p : fields.list(key, "a list of [x, y]"))
     points.push_back(pairFromJson(p, fields.where() + ": " + key));

@@ -15,13 +15,13 @@ namespace swaplight {
 [[nodiscard]] Json jsonFromValue(float value);
 [[nodiscard]] Json jsonFromValue(int value);
 [[nodiscard]] Json jsonFromValue(const std::string& value);
-[[nodiscard]] Json jsonFromValue(const Points& points);
+[[nodiscard]] Json jsonFromValue(const PointList& points);
 [[nodiscard]] Json jsonFromValue(const Rgb& color);
 
 void readValue(JsonFields& fields, const char* key, const Scale& scale, float& value);
 void readValue(JsonFields& fields, const char* key, const Scale& scale, int& value);
 void readValue(JsonFields& fields, const char* key, const Scale& scale, std::string& value);
-void readValue(JsonFields& fields, const char* key, const Scale& scale, Points& points);
+void readValue(JsonFields& fields, const char* key, const Scale& scale, PointList& points);
 void readValue(JsonFields& fields, const char* key, const Scale& scale, Rgb& color);
 
 /// The place of a name in a list of names; `otherwise` where the file has none.

@@ -12,7 +12,7 @@ namespace swaplight {
 /// beta = curve(beta): monotone cubic pieces through the points (Fritsch and Carlson 1980), constant beyond
 /// them. x ascending within 0..1, y in 0..4.
 struct CurveOperation {
-  Points points = {{0, 0}, {1, 1}};
+  PointList points = {{0, 0}, {1, 1}};
   bool operator==(const CurveOperation&) const = default;
 
   static constexpr OperationInfo info{"curve", "Curve",

@@ -8,7 +8,7 @@ namespace swaplight {
 
 /// The inside of a closed line (even-odd).
 struct PolygonShape {
-  Points points;
+  PointList points;
   float feather = 0;
   bool operator==(const PolygonShape&) const = default;
 

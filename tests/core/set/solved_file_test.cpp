@@ -45,7 +45,10 @@ SolvedSet threeLights() {
   set.quality = Image(ImageSpec{61, 43, {"residual", "sigma", "flags", "model"}, "data"}, 0.1F);
   for (size_t p = 0; p < set.quality.pixelCount(); ++p)
     set.quality.plane(kFlags)[p] = static_cast<float>(p % 32);
-  set.report = SolveReport{.message = "Three lights.", .model = "auto", .sigmaMedian = 0.125};
+  set.report.emplace();
+  set.report->message = "Three lights.";
+  set.report->model = "auto";
+  set.report->sigmaMedian = 0.125;
   return set;
 }
 

@@ -51,7 +51,9 @@ TEST(DemultiplexKernel, IsTheProductWithTheInverseAtEveryLevel) {
             expectedNegative |= sum < -1e-5;
             ASSERT_NEAR(out[size_t(i)][p], clamp ? std::max(sum, 0.0) : sum, 2e-6 * shots);
           }
-        if (!clamp && expectedNegative) EXPECT_TRUE(negative);
+        if (!clamp && expectedNegative) {
+          EXPECT_TRUE(negative);
+        }
       }
     });
   }
