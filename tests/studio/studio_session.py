@@ -158,16 +158,22 @@ class Studio:
         self.wait_echo(before)
 
     def point(self, name, x=0.5, y=0.5):
-        x0, y0, x1, y1 = self.item(name)
+        return self.inside(self.item(name), x, y)
+
+    @staticmethod
+    def inside(rectangle, x, y):
+        x0, y0, x1, y1 = rectangle
         return round(x0 + x * (x1 - x0 - 1)), round(y0 + y * (y1 - y0 - 1))
 
     def move(self, x, y):
         self.act('mousemove', x, y)
 
     def click(self, name, x=0.5, y=0.5, button=1):
-        # What has just been opened takes its place in a frame or two.
-        place = None
-        while place != (place := self.point(name, x, y)):
+        place = self.point(name, x, y)
+        self.move(*place)
+        # What has just been opened takes its place in a frame or two; what opens when the mouse comes hides its name.
+        while (now := self.layout()['items'].get(name)) and self.inside(now, x, y) != place:
+            place = self.inside(now, x, y)
             self.move(*place)
         self.click_at(*place, button=button)
 
