@@ -60,9 +60,9 @@ void checkNames(const ShadowOptions& options, const Capture& capture) {
 }  // namespace
 
 std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOptions& options,
-                                        const Progress& progress) {
+                                        const Progress& progress, const ShadowTuning& tuning) {
   checkNames(options, set.capture);
-  const SetEvidence evidence = gatherShadowEvidence(set, progress.part(0, .3f));
+  const SetEvidence evidence = gatherShadowEvidence(set, progress.part(0, .3f), tuning.evidence);
   const int smallest = smallestShadow(options, evidence.known);
   const size_t count = evidence.lights.size();
   constexpr const char* kFinding = "finding shadows";
@@ -73,27 +73,28 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
     const ShadowEvidence& light = evidence.lights[i];
     const float lit = litLevel(light, evidence.known);
     const std::optional<float> given = options.thresholdOf(set.capture.lights[i].name);
-    thresholds[i] = given ? lit + std::log(std::max(*given, 1e-6f)) : shadowThreshold(light, evidence.known);
+    thresholds[i] = given ? lit + std::log(std::max(*given, 1e-6f))
+                          : shadowThreshold(light, evidence.known, tuning.threshold);
     all[i].threshold = std::exp(thresholds[i] - lit);
   });
   const std::vector<cv::Mat> bright = brightParts(evidence, thresholds);
   std::vector<cv::Mat> divided(count);
   forEachLight(count, progress.part(.4f, .5f), kFinding, [&](size_t i) {
-    const ShadowSides sides = shadowSides(evidence, bright, i);
-    divided[i] = visibilityOf(evidence.lights[i], sides, evidence.known, thresholds[i], smallest);
+    const ShadowSides sides = shadowSides(evidence, bright, i, tuning);
+    divided[i] = visibilityOf(evidence.lights[i], sides, evidence.known, thresholds[i], smallest, tuning);
   });
   std::vector<RefinedVisibility> refined(count);
   std::vector<cv::Mat> visibilities(count);
   forEachLight(count, progress.part(.5f, .7f), kFinding, [&](size_t i) {
-    refined[i] = refineVisibility(evidence, divided, i);
+    refined[i] = refineVisibility(evidence, divided, i, tuning);
     visibilities[i] = refined[i].visibility;
   });
   forEachLight(count, progress.part(.7f, 1), "filling shadows", [&](size_t i) {
-    FilledShadow filled = fillShadow(evidence, visibilities, refined[i].told, i);
+    FilledShadow filled = fillShadow(evidence, visibilities, refined[i].told, i, tuning);
     // After filling: what a surface that turns away still sees is dim of itself, and lacks nothing.
     cv::max(filled.visibility, refined[i].reached, filled.visibility);
-    removeSmallShadows(filled.visibility, smallest);
-    all[i].labels = labelShadows(filled.visibility, evidence.known);
+    removeSmallShadows(filled.visibility, smallest, tuning.regions);
+    all[i].labels = labelShadows(filled.visibility, evidence.known, tuning.regions);
     all[i].visibility = imageOf(filled.visibility, {"Y"}, 1);
     all[i].direct = imageOf(filled.direct, {"R", "G", "B"}, evidence.white);
     all[i].direct.setColorSpace(set.colorSpace());

@@ -8,6 +8,7 @@
 #include "core/base/json_fwd.h"
 #include "core/base/progress.h"
 #include "core/set/solved_set.h"
+#include "core/shadow/detect/shadow_tuning.h"
 #include "core/shadow/result/light_shadows.h"
 #include "core/shadow/result/shadow_options.h"
 
@@ -17,7 +18,8 @@ namespace swaplight {
 /// geometry, no direction of light. With one light only, its shadows cannot be told from dark surfaces, and
 /// are guessed from the level alone.
 [[nodiscard]] std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOptions& options = {},
-                                                      const Progress& progress = {});
+                                                      const Progress& progress = {},
+                                                      const ShadowTuning& tuning = {});
 
 /// What was found, for a report.
 [[nodiscard]] Json jsonFromShadows(const LightShadows& shadows);

@@ -2,6 +2,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/shadow/detect/shadow_tuning.h"
+
 namespace swaplight {
 
 /// Does a light end at a shadow that is cast, or does it fade out by itself where the surface turns away?
@@ -13,9 +15,11 @@ struct FadingLight {
 
 /// `ratio` (of the light to the others) is known where `fixed` (8-bit); means do not cross the guide's edges
 /// (Gastal and Oliveira 2011).
-[[nodiscard]] FadingLight fadingLight(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& guide);
+[[nodiscard]] FadingLight fadingLight(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& guide,
+                                      const ShadowTuning& tuning);
 
 /// The same beyond what is known: 1 where the shadow nearby is cast, 0 where the light has faded.
-[[nodiscard]] cv::Mat castBeyond(const FadingLight& light, const cv::Mat& fixed, const cv::Mat& guide);
+[[nodiscard]] cv::Mat castBeyond(const FadingLight& light, const cv::Mat& fixed, const cv::Mat& guide,
+                                 const ShadowTuning& tuning);
 
 }  // namespace swaplight

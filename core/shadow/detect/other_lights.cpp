@@ -3,15 +3,9 @@
 #include "core/shadow/detect/shadow_pictures.h"
 
 namespace swaplight {
-namespace {
-
-constexpr float kDark = .004f;  // of white: where the other lights say nothing of the surface
-constexpr float kSeen = .7f;    // visibility from which on a light shows a surface well enough
-
-}  // namespace
 
 OtherLights otherLights(const SetEvidence& set, const std::vector<cv::Mat>& visibilities, size_t light,
-                        int rim) {
+                        int rim, const OtherLightsTuning& tuning) {
   const cv::Size size = set.contributions[light].size();
   OtherLights others{cv::Mat(size, CV_32FC3, cv::Scalar::all(0)), {}, {}};
   cv::Mat seen(size, CV_32F, cv::Scalar(0));
@@ -21,9 +15,9 @@ OtherLights otherLights(const SetEvidence& set, const std::vector<cv::Mat>& visi
     seen = cv::max(seen, visibilities[j]);
   }
   others.grey = greyOf(others.rgb);
-  cv::Mat reached = seen > kSeen;
+  cv::Mat reached = seen > tuning.seen;
   cv::erode(reached, reached, {}, {-1, -1}, rim, cv::BORDER_CONSTANT, cv::Scalar(255));
-  others.known = (others.grey > kDark) & reached;
+  others.known = (others.grey > tuning.dark) & reached;
   return others;
 }
 

@@ -3,10 +3,9 @@
 #include <vector>
 
 #include "core/shadow/detect/shadow_evidence.h"
+#include "core/shadow/detect/shadow_tuning.h"
 
 namespace swaplight {
-
-inline constexpr float kRatioEdge = .3f;  ///< log step of the other lights that a ratio is not continued over
 
 /// What the other lights show of the surfaces that one light falls on.
 struct OtherLights {
@@ -22,6 +21,6 @@ struct OtherLights {
 /// `visibilities`: of all lights of the set, 0..1; at the borders of what is known, `rim` pixels are left
 /// out.
 [[nodiscard]] OtherLights otherLights(const SetEvidence& set, const std::vector<cv::Mat>& visibilities,
-                                      size_t light, int rim);
+                                      size_t light, int rim, const OtherLightsTuning& tuning = {});
 
 }  // namespace swaplight

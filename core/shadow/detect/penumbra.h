@@ -26,6 +26,7 @@ struct RefinedVisibility {
 ///
 /// `visibilities`: of all lights, from visibilityOf.
 [[nodiscard]] RefinedVisibility refineVisibility(const SetEvidence& set,
-                                                 const std::vector<cv::Mat>& visibilities, size_t light);
+                                                 const std::vector<cv::Mat>& visibilities, size_t light,
+                                                 const ShadowTuning& tuning = {});
 
 }  // namespace swaplight

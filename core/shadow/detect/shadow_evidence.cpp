@@ -11,18 +11,13 @@
 namespace swaplight {
 namespace {
 
-constexpr int kDenoiseRadius = 3;
-constexpr float kLeastLight = 2e-4f;  // of white: what counts as black
-constexpr double kShining = .005;     // share of the pixels that a light must reach to be one
-constexpr int kKnownWindow = 7;       // pixels
-
 cv::Mat planeOf(const Image& image, int channel) {
   return {image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(channel))};
 }
 
 // Each pixel goes towards its neighbourhood's mean by how much of the variance there is noise.
-cv::Mat denoised(cv::Mat x, cv::Mat variance) {
-  const cv::Size window(2 * kDenoiseRadius + 1, 2 * kDenoiseRadius + 1);
+cv::Mat denoised(cv::Mat x, cv::Mat variance, const ShadowEvidenceTuning& tuning) {
+  const cv::Size window(2 * tuning.denoiseRadius + 1, 2 * tuning.denoiseRadius + 1);
   const auto box = [&](const cv::Mat& m) {
     cv::Mat out;
     cv::boxFilter(m, out, CV_32F, window, {-1, -1}, true, cv::BORDER_REFLECT);
@@ -36,7 +31,7 @@ cv::Mat denoised(cv::Mat x, cv::Mat variance) {
     cv::max(keep, 0, keep);
     const cv::Mat base = (1 - keep).mul(mean);
     x = box(keep).mul(x) + box(base);
-    variance = variance * .15;
+    variance = variance * tuning.denoisedVariance;
   }
   cv::max(x, 0, x);
   return x;
@@ -80,10 +75,10 @@ cv::Mat sharedGradient(const std::vector<cv::Mat>& g) {
 
 // A shadow's edge changes one light alone: the part of the light's slope that the others' slope does not
 // have.
-void findEdges(const cv::Mat& own, const cv::Mat& others, ShadowEvidence& evidence) {
-  const auto slopes = [](const cv::Mat& x, cv::Mat& sx, cv::Mat& sy) {
+void findEdges(const cv::Mat& own, const cv::Mat& others, double blur, ShadowEvidence& evidence) {
+  const auto slopes = [&](const cv::Mat& x, cv::Mat& sx, cv::Mat& sy) {
     cv::Mat soft;
-    cv::GaussianBlur(x, soft, {}, 2, 0, cv::BORDER_REFLECT);
+    cv::GaussianBlur(x, soft, {}, blur, 0, cv::BORDER_REFLECT);
     cv::Sobel(soft, sx, CV_32F, 1, 0, 1, .5, 0, cv::BORDER_REFLECT);
     cv::Sobel(soft, sy, CV_32F, 0, 1, 1, .5, 0, cv::BORDER_REFLECT);
   };
@@ -106,7 +101,8 @@ void findEdges(const cv::Mat& own, const cv::Mat& others, ShadowEvidence& eviden
 
 }  // namespace
 
-SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress) {
+SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress,
+                                 const ShadowEvidenceTuning& tuning) {
   constexpr const char* kWhat = "telling surfaces from shadows";
   SetEvidence all;
   const size_t count = set.contributions.size();
@@ -128,17 +124,18 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress)
   forEachLight(count, progress.part(0, .5f), kWhat, [&](size_t i) {
     const Image& t = set.contributions[i];
     cv::Mat channels[3];
-    for (int c = 0; c < 3; ++c) channels[c] = denoised(planeOf(t, c) / all.white, sigma.mul(sigma) * 3);
+    for (int c = 0; c < 3; ++c)
+      channels[c] = denoised(planeOf(t, c) / all.white, sigma.mul(sigma) * 3, tuning);
     cv::merge(channels, 3, all.contributions[i]);
     const cv::Mat grey = (planeOf(t, 0) + planeOf(t, 1) + planeOf(t, 2)) / (3 * all.white);
-    greys[i] = denoised(grey, sigma.mul(sigma));
+    greys[i] = denoised(grey, sigma.mul(sigma), tuning);
   });
   cv::Mat sum(size, CV_32F, cv::Scalar(0));
   for (const cv::Mat& grey : greys) sum += grey;
   // More than a pixel's standard error: of which the filter leaves about a sixth.
-  all.known = (sum > kLeastLight) & (sum > sigma);
-  cv::medianBlur(all.known, all.known, kKnownWindow);  // noise does not decide pixel by pixel
-  const float floor = kLeastLight + .5f * percentile(sigma, .5);
+  all.known = (sum > tuning.leastLight) & (sum > sigma);
+  cv::medianBlur(all.known, all.known, tuning.knownWindow);  // noise does not decide pixel by pixel
+  const float floor = tuning.leastLight + tuning.noiseFloor * percentile(sigma, .5);
   std::vector<cv::Mat> logs;
   logs.reserve(greys.size());
   for (const cv::Mat& grey : greys) logs.push_back(logarithm(grey, floor));
@@ -153,12 +150,13 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress)
   all.lights.resize(count);
   forEachLight(count, progress.part(.7f, 1), kWhat, [&](size_t i) {
     ShadowEvidence& light = all.lights[i];
-    light.level = logs[i] - .5 * reflectance;
+    light.level = logs[i] - tuning.surfaceShare * reflectance;
     light.shading = logs[i] - reflectance;
     const cv::Mat others = logarithm(sum - greys[i], floor);
     light.ratio = logs[i] - others;
-    light.shines = cv::countNonZero(greys[i] > kLeastLight) > kShining * static_cast<double>(size.area());
-    findEdges(logs[i], others, light);
+    light.shines =
+        cv::countNonZero(greys[i] > tuning.leastLight) > tuning.shining * static_cast<double>(size.area());
+    findEdges(logs[i], others, tuning.edgeBlur, light);
   });
   return all;
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/set/solved_set.h"
+#include "core/shadow/detect/shadow_tuning.h"
 
 namespace swaplight {
 
@@ -35,6 +36,7 @@ struct SetEvidence {
 /// share (the smaller of two; the median of three and more, after Weiss, "Deriving intrinsic images from
 /// image sequences", ICCV 2001), integrated. Noise is taken out by a local Wiener filter with the set's own
 /// sigma.
-[[nodiscard]] SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress = {});
+[[nodiscard]] SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress = {},
+                                               const ShadowEvidenceTuning& tuning = {});
 
 }  // namespace swaplight

@@ -12,16 +12,6 @@
 namespace swaplight {
 namespace {
 
-constexpr float kSure = .7f;          // visibility from which on pixels are continued, not filled
-constexpr float kAllSeen = .9f;       // visibility from which on such pixels see all of the light
-constexpr float kLeastOfMean = .93f;  // of the ratio around it: less is not fully lit
-constexpr float kPictureEdge =
-    .5f;                            // log step of the whole picture that a contribution is not continued over
-constexpr float kBarelySeen = .1f;  // visibility from which on bounced light counts as direct more and more
-constexpr float kReached = .05f;    // visibility beyond the end of shading that falls off
-constexpr float kLeastGrey = 1e-4f;  // of white
-constexpr float kFullySeen = .7f;    // visibility from which on the whole contribution counts as direct
-
 struct Continued {
   cv::Mat ratio;
   cv::Mat cast;  ///< 0..1: is the shadow nearby cast, or does the shading fall off by itself?
@@ -29,26 +19,28 @@ struct Continued {
 
 // A ratio known where `fixed`, continued. Where it fades out towards the border (shading that falls off, not
 // a shadow that is cast) what lies beyond is dark of itself: 0.
-Continued continued(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& guide) {
-  const FadingLight fading = fadingLight(ratio, fixed, guide);
+Continued continued(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& guide,
+                    const ShadowTuning& tuning) {
+  const FadingLight fading = fadingLight(ratio, fixed, guide, tuning);
   // The last of a penumbra would pull the continuation down.
-  const cv::Mat full = fixed & ((ratio > kLeastOfMean * fading.around) | (fading.cast < .5));
-  const cv::Mat cast = castBeyond(fading, fixed, guide);
-  return {cv::max(fillSmoothly(ratio, full, guide, kRatioEdge), 0).mul(cast), cast};
+  const cv::Mat full = fixed & ((ratio > tuning.fill.leastOfMean * fading.around) | (fading.cast < .5));
+  const cv::Mat cast = castBeyond(fading, fixed, guide, tuning);
+  return {cv::max(fillSmoothly(ratio, full, guide, tuning.others.ratioEdge), 0).mul(cast), cast};
 }
 
 }  // namespace
 
 FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visibilities, const cv::Mat& told,
-                        size_t light) {
+                        size_t light, const ShadowTuning& tuning) {
   const cv::Mat& own = set.contributions[light];
   const cv::Mat& visibility = visibilities[light];
   const cv::Size full = own.size();
   const cv::Size size = workingSize(full);
-  const int rim = std::max(2, static_cast<int>(2 * referenceUnit(own)));  // the faint end of penumbras
-  const OtherLights others = otherLights(set, visibilities, light, rim);
+  const int rim =
+      std::max(2, static_cast<int>(tuning.fill.rim * referenceUnit(own)));  // the faint end of penumbras
+  const OtherLights others = otherLights(set, visibilities, light, rim, tuning.others);
   const cv::Mat known = asFloat(others.known);
-  cv::Mat sure = visibility > kSure;
+  cv::Mat sure = visibility > tuning.fill.sure;
   cv::erode(sure, sure, {}, {-1, -1}, rim, cv::BORDER_CONSTANT, cv::Scalar(255));
 
   // The ratio to the other lights, known where both light the surface, continued into the shadow.
@@ -58,7 +50,7 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   const cv::Mat fixed = shrunk(both, size) > .49;
   const cv::Mat otherMean = meanOver(others.rgb, known, size);
   const cv::Mat guide = guideOf(otherMean);
-  const auto [smoothRatio, cast] = continued(ratio, fixed, guide);
+  const auto [smoothRatio, cast] = continued(ratio, fixed, guide, tuning);
 
   // The contribution without its shadow, coarsely; what no light shows is continued from its surroundings.
   const cv::Mat knownSmall = shrunk(known, size) > .49;
@@ -71,7 +63,7 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   cv::split(coarse, channels);
   parallelRows(3, 1, [&](int begin, int end) {
     for (int c = begin; c < end; ++c)
-      channels[c] = cv::max(fillSmoothly(channels[c], shown, picture, kPictureEdge), 0);
+      channels[c] = cv::max(fillSmoothly(channels[c], shown, picture, tuning.fill.pictureEdge), 0);
   });
   cv::merge(channels, 3, coarse);
 
@@ -84,28 +76,29 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   cv::Mat missing = unshadowed - own;
   cv::max(missing, 0, missing);
   // What is seen nearly in whole needs no continuation.
-  const cv::Mat share = 1 / cv::max(visibility, kSure) - 1;
+  const cv::Mat share = 1 / cv::max(visibility, tuning.fill.sure) - 1;
   cv::Mat(own.mul(spread(share))).copyTo(missing, sure);
 
   // Where most of the light arrives, what is missing says how much of it exactly: bounced light counts
   // little.
   FilledShadow filled{cv::Mat(), visibility.clone()};
-  const cv::Mat present = ownGrey + kLeastGrey;
+  const cv::Mat present = ownGrey + tuning.fill.leastGrey;
   cv::Mat seenShare;
   cv::divide(present, present + greyOf(missing), seenShare);
-  seenShare = cv::min(cv::max(seenShare, kBarelySeen), visibility);
+  seenShare = cv::min(cv::max(seenShare, tuning.fill.barelySeen), visibility);
   seenShare += told.mul(visibility - seenShare);
-  seenShare.copyTo(filled.visibility, visibility > kBarelySeen);
+  seenShare.copyTo(filled.visibility, visibility > tuning.fill.barelySeen);
   // Shading that falls off by itself is dim, but sees all of the light up to its end.
-  const cv::Mat reached = asFloat(visibility > kReached);
+  const cv::Mat reached = asFloat(visibility > tuning.fill.reached);
   cv::Mat ending = reached + grown(cast, full).mul(filled.visibility - reached);
   ending += told.mul(filled.visibility - ending);
   ending.copyTo(filled.visibility, others.known);
-  filled.visibility.setTo(1, sure & (visibility > kAllSeen));
+  filled.visibility.setTo(1, sure & (visibility > tuning.fill.allSeen));
 
   // Bounced light is no part of it where it can be told apart: in the umbra.
-  cv::divide(missing, spread(cv::max(1 - filled.visibility, 1 - kFullySeen)), filled.direct);
-  const cv::Mat lit = clampedToOne((filled.visibility - kBarelySeen) / (kFullySeen - kBarelySeen));
+  cv::divide(missing, spread(cv::max(1 - filled.visibility, 1 - tuning.fill.fullySeen)), filled.direct);
+  const cv::Mat lit = clampedToOne((filled.visibility - tuning.fill.barelySeen) /
+                                   (tuning.fill.fullySeen - tuning.fill.barelySeen));
   filled.direct += spread(lit).mul(own + missing - filled.direct);
   return filled;
 }

@@ -24,6 +24,6 @@ struct FilledShadow {
 /// in the shadow keep their outlines, but not their shape's own shading.
 /// `told` as in RefinedVisibility.
 [[nodiscard]] FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visibilities,
-                                      const cv::Mat& told, size_t light);
+                                      const cv::Mat& told, size_t light, const ShadowTuning& tuning = {});
 
 }  // namespace swaplight

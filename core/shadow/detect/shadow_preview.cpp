@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/image/shrunk_image.h"
-#include "core/shadow/detect/shadow_cut.h"
 #include "core/shadow/detect/shadow_evidence.h"
 #include "core/shadow/detect/shadow_regions.h"
 #include "core/shadow/detect/shadow_threshold.h"
@@ -100,11 +99,11 @@ float thresholdFromStops(float stops) {
 }
 
 float surelyShadowStops() {
-  return kSurelyShadow / std::numbers::ln2_v<float>;
+  return ShadowCutTuning{}.surelyShadow / std::numbers::ln2_v<float>;
 }
 
 float surelyLitStops() {
-  return kSurelyLit / std::numbers::ln2_v<float>;
+  return ShadowCutTuning{}.surelyLit / std::numbers::ln2_v<float>;
 }
 
 }  // namespace swaplight

@@ -11,12 +11,6 @@
 namespace swaplight {
 namespace {
 
-constexpr float kGuideScale = .2f;  // brings the level's steps to the filter's scale
-constexpr double kGuideEpsilon = 1e-4;
-constexpr float kSoftening = 5;  // reference units: how far a border is made soft
-constexpr float kUmbra = .1f;    // below: umbra
-constexpr float kLit = .9f;      // above: lit
-
 enum Marker { kShadowMarker = 1, kLitMarker = 2 };
 
 // The shading as 8 bits: what OpenCV's watershed takes.
@@ -58,12 +52,12 @@ int smallestShadow(const ShadowOptions& options, const cv::Mat& known) {
   return std::max(4, static_cast<int>(std::lround(share)));
 }
 
-void removeSmallShadows(cv::Mat& visibility, int smallest) {
-  cv::Mat shadow = visibility < kLit;
+void removeSmallShadows(cv::Mat& visibility, int smallest, const ShadowRegionsTuning& tuning) {
+  cv::Mat shadow = visibility < tuning.lit;
   cv::Mat large = shadow.clone();
   removeSmallParts(large, smallest);
   visibility.setTo(1, shadow & ~large);
-  cv::Mat gaps = ~(visibility < kUmbra);
+  cv::Mat gaps = ~(visibility < tuning.umbra);
   if (cv::countNonZero(gaps) == static_cast<int>(gaps.total())) return;  // in no umbra
   cv::Mat largeGaps = gaps.clone();
   removeSmallParts(largeGaps, smallest);
@@ -71,10 +65,10 @@ void removeSmallShadows(cv::Mat& visibility, int smallest) {
 }
 
 cv::Mat visibilityOf(const ShadowEvidence& light, const ShadowSides& sides, const cv::Mat& known,
-                     float threshold, int smallest) {
+                     float threshold, int smallest, const ShadowTuning& tuning) {
   // Divide.
   const cv::Size full = light.level.size();
-  const cv::Mat shadow = cutShadow(shrunk(light.level, sides.apart.size()), threshold, sides);
+  const cv::Mat shadow = cutShadow(shrunk(light.level, sides.apart.size()), threshold, sides, tuning.cut);
   cv::Mat cut;
   cv::resize(shadow, cut, full, 0, 0, cv::INTER_NEAREST);
   cv::Mat markers(full, CV_32S, cv::Scalar(0));
@@ -91,23 +85,25 @@ cv::Mat visibilityOf(const ShadowEvidence& light, const ShadowSides& sides, cons
 
   // Soften.
   cv::Mat visibility;
-  const int radius = std::max(4, static_cast<int>(kSoftening * referenceUnit(lit)));
-  cv::ximgproc::guidedFilter(light.level * kGuideScale, lit, visibility, radius, kGuideEpsilon);
+  const int radius = std::max(4, static_cast<int>(tuning.regions.softening * referenceUnit(lit)));
+  cv::ximgproc::guidedFilter(light.level * tuning.regions.guideScale, lit, visibility, radius,
+                             tuning.regions.guideEpsilon);
   cv::min(visibility, 1, visibility);
   cv::max(visibility, 0, visibility);
-  removeSmallShadows(visibility, smallest);
+  removeSmallShadows(visibility, smallest, tuning.regions);
   return visibility;
 }
 
-std::vector<ShadowLabel> labelShadows(const cv::Mat& visibility, const cv::Mat& known) {
+std::vector<ShadowLabel> labelShadows(const cv::Mat& visibility, const cv::Mat& known,
+                                      const ShadowRegionsTuning& tuning) {
   std::vector<ShadowLabel> labels;
   labels.reserve(visibility.total());
   for (int y = 0; y < visibility.rows; ++y)
     for (int x = 0; x < visibility.cols; ++x) {
       const float v = visibility.at<float>(y, x);
       labels.push_back(!known.at<uchar>(y, x) ? ShadowLabel::Unknown
-                       : v < kUmbra           ? ShadowLabel::Umbra
-                       : v < kLit             ? ShadowLabel::Penumbra
+                       : v < tuning.umbra     ? ShadowLabel::Umbra
+                       : v < tuning.lit       ? ShadowLabel::Penumbra
                                               : ShadowLabel::Lit);
     }
   return labels;

@@ -12,16 +12,18 @@ namespace swaplight {
 /// border to the pixel, and a guided filter (He, Sun and Tang 2013) on the level makes it as soft as the
 /// penumbra is. Small shadows are removed.
 [[nodiscard]] cv::Mat visibilityOf(const ShadowEvidence& light, const ShadowSides& sides,
-                                   const cv::Mat& known, float threshold, int smallest);
+                                   const cv::Mat& known, float threshold, int smallest,
+                                   const ShadowTuning& tuning = {});
 
 /// Shadows of fewer pixels are noise in a picture of the size of `known`.
 [[nodiscard]] int smallestShadow(const ShadowOptions& options, const cv::Mat& known);
 
 /// Morphology of a visibility: shadows of fewer than `smallest` pixels become lit, holes of fewer become
 /// umbra.
-void removeSmallShadows(cv::Mat& visibility, int smallest);
+void removeSmallShadows(cv::Mat& visibility, int smallest, const ShadowRegionsTuning& tuning = {});
 
 /// Umbra, penumbra, lit and unknown from the visibility.
-[[nodiscard]] std::vector<ShadowLabel> labelShadows(const cv::Mat& visibility, const cv::Mat& known);
+[[nodiscard]] std::vector<ShadowLabel> labelShadows(const cv::Mat& visibility, const cv::Mat& known,
+                                                    const ShadowRegionsTuning& tuning = {});
 
 }  // namespace swaplight

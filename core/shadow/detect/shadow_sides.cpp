@@ -9,21 +9,9 @@
 namespace swaplight {
 namespace {
 
-// Lengths are in reference units (see referenceUnit).
-constexpr int kLongest = 480;
-constexpr float kSmoothing = 1.5f;  // of the ratio, before it is looked at for bends
-constexpr float kSlopeReach = 3;    // around a bend: over which the steepest slope is what the light falls by
-constexpr float kFlat = .1f;        // of the ratio itself: slopes that count as none
-constexpr float kStepReach = 5;     // a step bends one way and, so near, the other way
-constexpr float kStepShare = .4f;   // how much of a bend it takes back
-constexpr float kRim = 2;           // beside where the other lights tell nothing
-constexpr float kLeastBend = .45f;  // of 1, for an edge with a dark side
-constexpr float kLeastStep = .4f;   // log, a pixel: the same for cast edges
-constexpr float kStepStrength = .3f;
-constexpr std::array kSideDistances = {2.f, 3.f, 4.f};  // from an edge, at which its sides are told
-// What makes neighbours e times less of one kind.
-constexpr float kMostApart = .9f;  // log, a pixel: a penumbra's dark end is no better border than its middle
-constexpr float kBendApart = .2f, kStepApart = .3f, kOutlineApart = .4f;
+constexpr int kLongest = 480;  // pixels
+// In reference units (see referenceUnit).
+constexpr std::array kSideDistances = {2.f, 3.f, 4.f};  // from an edge: where its sides are marked
 
 // Adds the strength of edges to the pixels on their dark side (down the slope), and takes it from the others.
 void addSides(const cv::Mat& strength, const Slopes& slopes, float unit, cv::Mat& sides) {
@@ -48,7 +36,8 @@ void addSides(const cv::Mat& strength, const Slopes& slopes, float unit, cv::Mat
 }
 
 // 0..1: where the ratio stops falling, and is not a step.
-cv::Mat bendsOf(const cv::Mat& ratio, const Slopes& slopes, const cv::Mat& known, float unit) {
+cv::Mat bendsOf(const cv::Mat& ratio, const Slopes& slopes, const cv::Mat& known, float unit,
+                const ShadowSidesTuning& tuning) {
   const Slopes alongX = slopesOf(slopes.x);
   const Slopes alongY = slopesOf(slopes.y);
   cv::Mat spread;
@@ -56,14 +45,14 @@ cv::Mat bendsOf(const cv::Mat& ratio, const Slopes& slopes, const cv::Mat& known
   const cv::Mat middle = alongX.x + alongY.y;
   const cv::Mat most = .5 * (middle + spread);  // eigenvalues of the Hessian
   cv::Mat least = cv::max(.5 * (spread - middle), 0);
-  cv::dilate(least, least, disk(kStepReach * unit));
+  cv::dilate(least, least, disk(tuning.stepReach * unit));
   cv::Mat steepest;
-  cv::dilate(sizeOf(slopes), steepest, disk(kSlopeReach * unit));
+  cv::dilate(sizeOf(slopes), steepest, disk(tuning.slopeReach * unit));
   cv::Mat bends;  // a slope that ends within the smoothing is about 1
-  cv::divide(cv::max(most - kStepShare * least, 0) * (4 * unit * unit),
-             steepest * unit + kFlat * ratio + 1e-5f, bends);
+  cv::divide(cv::max(most - tuning.stepShare * least, 0) * (4 * unit * unit),
+             steepest * unit + tuning.flat * ratio + 1e-5f, bends);
   cv::Mat inside;
-  cv::erode(known, inside, disk(kRim * unit));
+  cv::erode(known, inside, disk(tuning.rim * unit));
   bends.setTo(0, ~inside);
   return cv::min(bends, 1);
 }
@@ -77,25 +66,26 @@ std::vector<cv::Mat> brightParts(const SetEvidence& set, const std::vector<float
   return bright;
 }
 
-ShadowSides shadowSides(const SetEvidence& set, const std::vector<cv::Mat>& bright, size_t light) {
+ShadowSides shadowSides(const SetEvidence& set, const std::vector<cv::Mat>& bright, size_t light,
+                        const ShadowTuning& tuning) {
   const cv::Size full = set.known.size();
   const cv::Size size = sizeWithin(full, kLongest);
 
   // The light's ratio to the others, where they tell something.
-  const OtherLights others = otherLights(set, bright, light, 1);
+  const OtherLights others = otherLights(set, bright, light, 1, tuning.others);
   const cv::Mat telling = asFloat(others.known);
   const cv::Mat known = shrunk(telling, size) > .49;
   const cv::Mat weight = asFloat(known);
   const float unit = referenceUnit(weight);
   const auto smooth = [&](const cv::Mat& x) {
     cv::Mat out;
-    cv::GaussianBlur(x, out, {}, kSmoothing * unit);
+    cv::GaussianBlur(x, out, {}, tuning.sides.smoothing * unit);
     return out;
   };
   cv::Mat ratio = others.ratioOf(greyOf(set.contributions[light]), telling, size);
   ratio = smooth(ratio.mul(weight)) / cv::max(smooth(weight), 1e-3f);
   const Slopes slopes = slopesOf(ratio);
-  const cv::Mat bends = bendsOf(ratio, slopes, known, unit);
+  const cv::Mat bends = bendsOf(ratio, slopes, known, unit, tuning.sides);
 
   // Steps, and outlines of things.
   const ShadowEvidence& evidence = set.lights[light];
@@ -108,11 +98,13 @@ ShadowSides shadowSides(const SetEvidence& set, const std::vector<cv::Mat>& brig
   ShadowSides sides;
   sides.toShadow = cv::Mat(size, CV_32F, cv::Scalar(0));
   cv::Mat clear = bends.clone();
-  clear.setTo(0, bends < kLeastBend);
+  clear.setTo(0, bends < tuning.sides.leastBend);
   addSides(clear, slopes, unit, sides.toShadow);
-  const cv::Mat clearSteps = asFloat(steps >= kLeastStep) * kStepStrength;
+  const cv::Mat clearSteps = asFloat(steps >= tuning.sides.leastStep) * tuning.sides.stepStrength;
   addSides(clearSteps, slopesOf(smooth(shrunk(evidence.level, size))), unit, sides.toShadow);
-  sides.apart = bends / kBendApart + cv::min(steps, kMostApart) / kStepApart + outline / kOutlineApart;
+  sides.apart = bends / tuning.sides.bendApart +
+                cv::min(steps, tuning.sides.mostApart) / tuning.sides.stepApart +
+                outline / tuning.sides.outlineApart;
   return sides;
 }
 

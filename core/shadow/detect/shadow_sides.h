@@ -19,7 +19,7 @@ struct ShadowSides {
 /// bend there is bounced light only, however bright. And at the outline of a thing anything may begin.
 /// `bright`: of all lights, 1 where a light is bright enough to tell something of the surface.
 [[nodiscard]] ShadowSides shadowSides(const SetEvidence& set, const std::vector<cv::Mat>& bright,
-                                      size_t light);
+                                      size_t light, const ShadowTuning& tuning = {});
 
 /// 1 where a light's level is above its threshold, else 0, for all lights.
 [[nodiscard]] std::vector<cv::Mat> brightParts(const SetEvidence& set, const std::vector<float>& thresholds);

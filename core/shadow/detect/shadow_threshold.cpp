@@ -10,24 +10,6 @@ namespace swaplight {
 namespace {
 
 constexpr int kLevels = 128;
-constexpr size_t kPeakReach = 4;     // levels
-constexpr double kLengthBonus = .3;  // exponent of the contour's length
-constexpr double kAreaBonus = .15;   // exponent of the lit share: a light is there to light something
-constexpr double kFullRatio =
-    1.5;  // log ratio to the other lights by which a shadow surely falls behind lit pixels
-constexpr double kLeastTrust = .05;  // in levels that divide at the same ratio
-// What is left in a shadow is bounced light: of what a light gives to surfaces that see it, usually this
-// much, give or take a factor of e^spread: nothing at all where there is little to bounce from.
-constexpr double kUsualLevel = .06;
-constexpr double kSpreadBelow = 2.2;
-constexpr double kSpreadAbove = 1;
-// Unshared log step a pixel (of 480) along a contour: less is shading, no shadow. Pictures smaller than half
-// of that blur their edges.
-constexpr double kLeastEdge = .02;
-constexpr float kSmallest = .5f;
-constexpr float kOutside = 3;      // log, beyond nearly all pixels' levels: surely lit, or surely shadow
-constexpr double kAlike = .93;     // of the best level's value
-constexpr double kLeastLit = .03;  // share of the pixels above the threshold, against contours of highlights
 
 // What is summed along the contour of each level.
 struct Contours {
@@ -53,12 +35,13 @@ float litLevel(const ShadowEvidence& light, const cv::Mat& known) {
   return percentile(light.level, .95, known);
 }
 
-float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
+float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known,
+                      const ShadowThresholdTuning& tuning) {
   const float low = percentile(light.level, .005, known);
   const float high = percentile(light.level, .995, known);
   const float lit = percentile(light.level, .99, known);
-  if (!light.shines) return high + kOutside;
-  if (!(high > low)) return low - kOutside;
+  if (!light.shines) return high + tuning.outside;
+  if (!(high > low)) return low - tuning.outside;
   const float scale = kLevels / (high - low);
   const auto binAt = [&](int y, int x) {
     return std::clamp(static_cast<int>((light.level.at<float>(y, x) - low) * scale), 0, kLevels - 1);
@@ -83,11 +66,11 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
   contours.accumulate();
 
   // The best of the levels that divide better than their neighbours.
-  const double leastEdge = kLeastEdge / std::max(referenceUnit(known), kSmallest);
+  const double leastEdge = tuning.leastEdge / std::max(referenceUnit(known), tuning.smallestUnit);
   std::array<double, kLevels> score{};
   for (size_t i = 0; i < kLevels; ++i) {
     const double above = 1 - contours.pixels[i] / contours.pixels[kLevels];
-    if (contours.length[i] < 1 || above < kLeastLit || above > 1 - .005) continue;
+    if (contours.length[i] < 1 || above < tuning.leastLit || above > 1 - .005) continue;
     const double mean = contours.edge[i] / contours.length[i];
     const double unshared = contours.edge[i] / std::max(contours.slope[i], 1e-9);
     if (mean * unshared < leastEdge) continue;
@@ -96,28 +79,28 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known) {
     const double all = contours.pixels[kLevels];
     const double step = (contours.ratio[kLevels] - contours.ratio[i]) / (all - below) -
                         contours.ratio[i] / std::max(below, 1.);
-    const double trust = std::clamp(step / kFullRatio, kLeastTrust, 1.);
+    const double trust = std::clamp(step / tuning.fullRatio, tuning.leastTrust, 1.);
     const double level = low + (static_cast<double>(i) + 1) / scale - lit;
-    const double apart = level - std::log(kUsualLevel);
-    const double unusual = apart / (apart < 0 ? kSpreadBelow : kSpreadAbove);
+    const double apart = level - std::log(tuning.usualLevel);
+    const double unusual = apart / (apart < 0 ? tuning.spreadBelow : tuning.spreadAbove);
     score[i] = mean * unshared * trust * std::exp(-unusual * unusual / 2) *
-               std::pow(contours.length[i], kLengthBonus);
+               std::pow(contours.length[i], tuning.lengthBonus);
   }
   const auto smoothed = [&](size_t i) { return score[i - 1] + 2 * score[i] + score[i + 1]; };
-  const auto isPeak = [&](size_t i) {
-    const size_t end = std::min<size_t>(i + kPeakReach, kLevels - 2);
-    for (size_t j = std::max<size_t>(i, kPeakReach + 1) - kPeakReach; j <= end; ++j)
+  const auto isPeak = [&, reach = static_cast<size_t>(tuning.peakReach)](size_t i) {
+    const size_t end = std::min<size_t>(i + reach, kLevels - 2);
+    for (size_t j = std::max<size_t>(i, reach + 1) - reach; j <= end; ++j)
       if (smoothed(j) > smoothed(i)) return false;
     return true;
   };
   std::array<double, kLevels> value{};
   for (size_t i = 1; i + 1 < kLevels; ++i)
     if (isPeak(i))
-      value[i] = smoothed(i) * std::pow(1 - contours.pixels[i] / contours.pixels[kLevels], kAreaBonus);
+      value[i] = smoothed(i) * std::pow(1 - contours.pixels[i] / contours.pixels[kLevels], tuning.areaBonus);
   // Of levels that divide alike the darkest: the lighter ones run through what is lit.
-  const double enough = kAlike * *std::max_element(value.begin(), value.end());
+  const double enough = tuning.alike * *std::max_element(value.begin(), value.end());
   const auto best = std::find_if(value.begin(), value.end(), [&](double v) { return v >= enough; });
-  return enough > 0 ? low + (static_cast<float>(best - value.begin()) + 1) / scale : low - kOutside;
+  return enough > 0 ? low + (static_cast<float>(best - value.begin()) + 1) / scale : low - tuning.outside;
 }
 
 }  // namespace swaplight

@@ -9,7 +9,8 @@ namespace swaplight {
 /// histogram alone, as in Otsu's method, tells apart dark walls and bright faces just as well.) Below nearly
 /// all pixels where no contour runs along an edge: a light without shadows; above them for a light that gives
 /// nothing. `known` as in SetEvidence.
-[[nodiscard]] float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known);
+[[nodiscard]] float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known,
+                                    const ShadowThresholdTuning& tuning = {});
 
 /// The level of well-lit pixels: the 95th percentile.
 [[nodiscard]] float litLevel(const ShadowEvidence& light, const cv::Mat& known);

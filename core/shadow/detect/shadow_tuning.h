@@ -1,0 +1,320 @@
+#pragma once
+
+#include <tuple>
+#include <utility>
+
+namespace swaplight {
+
+// The constants that steer the search for shadows. Lengths in units are pixels of a picture whose longer side
+// has 480 (referenceUnit). They were chosen on the rendered sets with truth but for the random ones 6 to 10
+// (tests/bench/shadow_table.py); docs/shadows.md, Ablation, shows what changing each costs
+// (scripts/make_ablation).
+
+/// Of what the contributions show (shadow_evidence.h).
+struct ShadowEvidenceTuning {
+  int denoiseRadius = 3;          ///< pixels, of the local Wiener filter
+  double denoisedVariance = .15;  ///< of the variance that its first round leaves to the second
+  float leastLight = 2e-4F;       ///< of white: what counts as black
+  float noiseFloor = .5F;         ///< of the median standard error, added before logarithms are taken
+  double shining = .005;          ///< share of the pixels that a light must reach to be one
+  int knownWindow = 7;            ///< pixels, odd: of the median that decides where too little light is
+  double surfaceShare = .5;       ///< of the reflectance that the level does without
+  double edgeBlur = 2;            ///< pixels: standard deviation, before edges are looked for
+
+  static constexpr auto fields() {
+    using T = ShadowEvidenceTuning;
+    return std::tuple{std::pair{"denoise_radius", &T::denoiseRadius},
+                      std::pair{"denoised_variance", &T::denoisedVariance},
+                      std::pair{"least_light", &T::leastLight},
+                      std::pair{"noise_floor", &T::noiseFloor},
+                      std::pair{"shining", &T::shining},
+                      std::pair{"known_window", &T::knownWindow},
+                      std::pair{"surface_share", &T::surfaceShare},
+                      std::pair{"edge_blur", &T::edgeBlur}};
+  }
+};
+
+/// Of what the other lights show of a surface (other_lights.h).
+struct OtherLightsTuning {
+  float dark = .004F;     ///< of white: below, they show nothing of it
+  float seen = .7F;       ///< visibility from which on a light shows it well enough
+  float ratioEdge = .3F;  ///< log step of theirs that a ratio is not continued over
+  float meanEdge = 3;     ///< the same for means of a ratio, in such steps
+
+  static constexpr auto fields() {
+    using T = OtherLightsTuning;
+    return std::tuple{std::pair{"dark", &T::dark}, std::pair{"seen", &T::seen},
+                      std::pair{"ratio_edge", &T::ratioEdge}, std::pair{"mean_edge", &T::meanEdge}};
+  }
+};
+
+/// Of the level that divides shadow from light (shadow_threshold.h).
+struct ShadowThresholdTuning {
+  int peakReach = 4;        ///< levels, of 128: a level is best among these
+  double lengthBonus = .3;  ///< exponent of the contour's length
+  double areaBonus = .15;   ///< exponent of the lit share: a light is there to light something
+  double fullRatio = 1.5;  ///< log ratio to the other lights by which a shadow surely falls behind lit pixels
+  double leastTrust = .05;  ///< in levels that divide at the same ratio
+  double usualLevel =
+      .06;  ///< what bounced light leaves in a shadow, of what surfaces get that see the light
+  double spreadBelow = 2.2;  ///< log: it may be so much less; there may be little to bounce from
+  double spreadAbove = 1;    ///< log: or so much more
+  double leastEdge = .02;    ///< unshared log step a pixel along a contour: less is shading
+  float smallestUnit = .5F;  ///< reference unit below which pictures blur their edges no further
+  float outside = 3;         ///< log, beyond nearly all pixels' levels: surely lit, or surely shadow
+  double alike = .93;        ///< of the best level's score: the darkest such level is taken
+  double leastLit = .03;     ///< share of the pixels above, against contours of highlights
+
+  static constexpr auto fields() {
+    using T = ShadowThresholdTuning;
+    return std::tuple{
+        std::pair{"peak_reach", &T::peakReach},     std::pair{"length_bonus", &T::lengthBonus},
+        std::pair{"area_bonus", &T::areaBonus},     std::pair{"full_ratio", &T::fullRatio},
+        std::pair{"least_trust", &T::leastTrust},   std::pair{"usual_level", &T::usualLevel},
+        std::pair{"spread_below", &T::spreadBelow}, std::pair{"spread_above", &T::spreadAbove},
+        std::pair{"least_edge", &T::leastEdge},     std::pair{"smallest_unit", &T::smallestUnit},
+        std::pair{"outside", &T::outside},          std::pair{"alike", &T::alike},
+        std::pair{"least_lit", &T::leastLit}};
+  }
+};
+
+/// Of edges with a dark side (shadow_sides.h).
+struct ShadowSidesTuning {
+  float smoothing = 1.5F;  ///< units: standard deviation, of the ratio, before its curvature is taken
+  float slopeReach = 3;    ///< units around a bend, over which the steepest slope is what the light falls by
+  float flat = .1F;        ///< of the ratio itself: slopes that count as none
+  float stepReach = 5;     ///< units: a step bends one way and, so near, the other way
+  float stepShare = .4F;   ///< how much of a bend that takes back
+  float rim = 2;           ///< units beside where the other lights tell nothing
+  float leastBend = .45F;  ///< 0..1: of a bend with a dark side
+  float leastStep = .4F;   ///< log, a pixel: of a step with one
+  float stepStrength = .3F;  ///< of a step's sides; a bend's are at most 1
+  float mostApart = .9F;     ///< log, a pixel: a penumbra's dark end is no better border than its middle
+  float bendApart = .2F;     ///< bend that makes neighbours e times less of one kind
+  float stepApart = .3F;     ///< log, a pixel: step that does
+  float outlineApart = .4F;  ///< log, a pixel: step of the other lights that does
+
+  static constexpr auto fields() {
+    using T = ShadowSidesTuning;
+    return std::tuple{std::pair{"smoothing", &T::smoothing},
+                      std::pair{"slope_reach", &T::slopeReach},
+                      std::pair{"flat", &T::flat},
+                      std::pair{"step_reach", &T::stepReach},
+                      std::pair{"step_share", &T::stepShare},
+                      std::pair{"rim", &T::rim},
+                      std::pair{"least_bend", &T::leastBend},
+                      std::pair{"least_step", &T::leastStep},
+                      std::pair{"step_strength", &T::stepStrength},
+                      std::pair{"most_apart", &T::mostApart},
+                      std::pair{"bend_apart", &T::bendApart},
+                      std::pair{"step_apart", &T::stepApart},
+                      std::pair{"outline_apart", &T::outlineApart}};
+  }
+};
+
+/// Of the minimum cut (shadow_cut.h). Its costs are relative to each other.
+struct ShadowCutTuning {
+  float surelyShadow = .9F;   ///< log below the threshold
+  float surelyLit = 1.7F;     ///< log above the threshold; in between, the edges decide
+  float sure = 5;             ///< cost of a side that this rules out
+  float levelCost = .1F;      ///< of a unit of the level's logarithm
+  float middle = .25F;        ///< log above the threshold: as likely lit as in shadow
+  float sideCost = .3F;       ///< of a side that edges speak against
+  float partingCost = 4;      ///< of neighbours on either side where there is no border
+  float leastParting = .02F;  ///< the same where there is one
+
+  static constexpr auto fields() {
+    using T = ShadowCutTuning;
+    return std::tuple{std::pair{"surely_shadow", &T::surelyShadow},
+                      std::pair{"surely_lit", &T::surelyLit},
+                      std::pair{"sure", &T::sure},
+                      std::pair{"level_cost", &T::levelCost},
+                      std::pair{"middle", &T::middle},
+                      std::pair{"side_cost", &T::sideCost},
+                      std::pair{"parting_cost", &T::partingCost},
+                      std::pair{"least_parting", &T::leastParting}};
+  }
+};
+
+/// Of umbra, penumbra and lit (shadow_regions.h).
+struct ShadowRegionsTuning {
+  float guideScale = .2F;      ///< of the level, for the guided filter
+  double guideEpsilon = 1e-4;  ///< of the guided filter, on that scale
+  float softening = 5;         ///< units: how far a border is made soft
+  float umbra = .1F;           ///< visibility below which a pixel is umbra
+  float lit = .9F;             ///< visibility above which it is lit
+
+  static constexpr auto fields() {
+    using T = ShadowRegionsTuning;
+    return std::tuple{std::pair{"guide_scale", &T::guideScale}, std::pair{"guide_epsilon", &T::guideEpsilon},
+                      std::pair{"softening", &T::softening}, std::pair{"umbra", &T::umbra},
+                      std::pair{"lit", &T::lit}};
+  }
+};
+
+/// Of light that fades out without a shadow (fading_light.h).
+struct FadingLightTuning {
+  double near = 3;       ///< units: mean of the ratio beside a pixel (two pixels at least)
+  double wide = 5;       ///< its radius over that: mean of what is around
+  double gone = .65;     ///< of the mean around: the light has faded
+  double goneRamp = .2;  ///< over how much more it is as it is around
+  double castFrom = .4;  ///< of the same, continued: a shadow nearby is cast
+  double castRamp = .3;  ///< over how much more that becomes certain
+
+  static constexpr auto fields() {
+    using T = FadingLightTuning;
+    return std::tuple{std::pair{"near", &T::near},          std::pair{"wide", &T::wide},
+                      std::pair{"gone", &T::gone},          std::pair{"gone_ramp", &T::goneRamp},
+                      std::pair{"cast_from", &T::castFrom}, std::pair{"cast_ramp", &T::castRamp}};
+  }
+};
+
+/// Of exact penumbras (penumbra.h). Slopes are logarithms a pixel.
+struct PenumbraTuning {
+  float calm = .015F;      ///< slope of the ratio: less is no edge of a shadow
+  float smoothing = 1.2F;  ///< units: standard deviation, of the ratio, before its slope is taken
+  float rim = 2;           ///< units beside a shadow that are not taken for fully lit
+  float reach = 45;        ///< units from a shadow to the end of its penumbra
+  float window = 6;        ///< units around a pixel over which slopes are added up
+  float pooling = 12;      ///< units around a pixel over which edges are of one kind
+  float sharp = .3F;       ///< slope of the other lights that belongs to an outline or a print
+  float edgeLow = .1F;     ///< visibility from which on a pixel belongs to an edge
+  float edgeHigh = .95F;   ///< and up to which
+  float fewest = 2.5F;     ///< pixels of an edge in the window, to say anything
+  float cast = .2F;       ///< other lights' slope (log) over this light's (visibility): less is a cast shadow
+  float castRamp = .08F;  ///< over how much less that becomes certain
+  float turns = .3F;      ///< the same ratio: more is a surface that turns away
+  float turnsRamp = .15F;    ///< over how much more that becomes certain
+  float leastCast = .1F;     ///< share of the edge around a pixel that is cast
+  float leastTurning = .3F;  ///< share that turns away
+  float leastRamp = .2F;     ///< over how much more either becomes certain
+  float ends = .05F;        ///< visibility, as divided, at which a surface that turns away has lost the light
+  float endsRamp = .35F;    ///< over how much more it sees all of it
+  int othersRim = 2;        ///< pixels beside the other lights' own shadows that tell nothing
+  float fadeDoubt = .3F;    ///< how much less a surface turns away where the light does not fade
+  float mostBounced = .3F;  ///< of what would arrive without the shadow
+  float fullyDivided = .95F;  ///< visibility, as divided, of pixels surely lit
+
+  static constexpr auto fields() {
+    using T = PenumbraTuning;
+    return std::tuple{std::pair{"calm", &T::calm},
+                      std::pair{"smoothing", &T::smoothing},
+                      std::pair{"rim", &T::rim},
+                      std::pair{"reach", &T::reach},
+                      std::pair{"window", &T::window},
+                      std::pair{"pooling", &T::pooling},
+                      std::pair{"sharp", &T::sharp},
+                      std::pair{"edge_low", &T::edgeLow},
+                      std::pair{"edge_high", &T::edgeHigh},
+                      std::pair{"fewest", &T::fewest},
+                      std::pair{"cast", &T::cast},
+                      std::pair{"cast_ramp", &T::castRamp},
+                      std::pair{"turns", &T::turns},
+                      std::pair{"turns_ramp", &T::turnsRamp},
+                      std::pair{"least_cast", &T::leastCast},
+                      std::pair{"least_turning", &T::leastTurning},
+                      std::pair{"least_ramp", &T::leastRamp},
+                      std::pair{"ends", &T::ends},
+                      std::pair{"ends_ramp", &T::endsRamp},
+                      std::pair{"others_rim", &T::othersRim},
+                      std::pair{"fade_doubt", &T::fadeDoubt},
+                      std::pair{"most_bounced", &T::mostBounced},
+                      std::pair{"fully_divided", &T::fullyDivided}};
+  }
+};
+
+/// Of what a light's own shadows hold of it (shadow_floor.h).
+struct ShadowFloorTuning {
+  float inside = .02F;          ///< visibility, as divided, below which a pixel lies inside a shadow
+  float depth = 8;              ///< units from there to the shadow's edge
+  int fewest = 100;             ///< pixels inside, to say anything
+  float reach = 20;             ///< units over which the floor is the mean of what is around
+  float overall = .02F;         ///< weight of the whole picture's floor
+  float spreadOfMiddle = 1.5F;  ///< standard deviation over the median of absolute deviations; 1.48 if normal
+  double high = .9;             ///< share of the pixels inside that are below `high`
+  float floors = 2.5F;          ///< a light reaches a surface above so many floors
+  float spreads = 2.5F;         ///< and so many standard deviations
+  float share = .004F;          ///< and this share of what would arrive without a shadow
+  float aboveHigh = 1.2F;       ///< and `high` by this factor
+  float ramp = .5F;             ///< over how much more of that it becomes certain
+  float black = .006F;      ///< of what would arrive without them: shadows this dark are black but for noise
+  float blackRamp = .006F;  ///< over how much more they no longer are
+  float step = .12F;        ///< of the unshadowed ratio, a pixel: the outline of a thing
+  float stepWidth = 3.5F;   ///< units around one that it tells nothing about
+
+  static constexpr auto fields() {
+    using T = ShadowFloorTuning;
+    return std::tuple{std::pair{"inside", &T::inside},
+                      std::pair{"depth", &T::depth},
+                      std::pair{"fewest", &T::fewest},
+                      std::pair{"reach", &T::reach},
+                      std::pair{"overall", &T::overall},
+                      std::pair{"spread_of_middle", &T::spreadOfMiddle},
+                      std::pair{"high", &T::high},
+                      std::pair{"floors", &T::floors},
+                      std::pair{"spreads", &T::spreads},
+                      std::pair{"share", &T::share},
+                      std::pair{"above_high", &T::aboveHigh},
+                      std::pair{"ramp", &T::ramp},
+                      std::pair{"black", &T::black},
+                      std::pair{"black_ramp", &T::blackRamp},
+                      std::pair{"step", &T::step},
+                      std::pair{"step_width", &T::stepWidth}};
+  }
+};
+
+/// Of filled shadows (shadow_fill.h).
+struct ShadowFillTuning {
+  float rim = 2;             ///< units beside shadows that are not continued: the faint end of penumbras
+  float sure = .7F;          ///< visibility from which on pixels are continued, not filled
+  float allSeen = .9F;       ///< visibility from which on such pixels see all of the light
+  float leastOfMean = .93F;  ///< of the ratio around a pixel: less is not fully lit
+  float pictureEdge = .5F;   ///< log step of the whole picture that a contribution is not continued over
+  float barelySeen = .1F;    ///< visibility from which on bounced light counts as direct more and more
+  float fullySeen = .7F;     ///< visibility from which on the whole contribution counts as direct
+  float reached = .05F;      ///< visibility beyond the end of shading that falls off
+  float leastGrey = 1e-4F;   ///< of white
+
+  static constexpr auto fields() {
+    using T = ShadowFillTuning;
+    return std::tuple{std::pair{"rim", &T::rim},
+                      std::pair{"sure", &T::sure},
+                      std::pair{"all_seen", &T::allSeen},
+                      std::pair{"least_of_mean", &T::leastOfMean},
+                      std::pair{"picture_edge", &T::pictureEdge},
+                      std::pair{"barely_seen", &T::barelySeen},
+                      std::pair{"fully_seen", &T::fullySeen},
+                      std::pair{"reached", &T::reached},
+                      std::pair{"least_grey", &T::leastGrey}};
+  }
+};
+
+/// All of them.
+struct ShadowTuning {
+  ShadowEvidenceTuning evidence;
+  OtherLightsTuning others;
+  ShadowThresholdTuning threshold;
+  ShadowSidesTuning sides;
+  ShadowCutTuning cut;
+  ShadowRegionsTuning regions;
+  FadingLightTuning fading;
+  PenumbraTuning penumbra;
+  ShadowFloorTuning floor;
+  ShadowFillTuning fill;
+
+  static constexpr auto fields() {
+    using T = ShadowTuning;
+    return std::tuple{std::pair{"evidence", &T::evidence},
+                      std::pair{"others", &T::others},
+                      std::pair{"threshold", &T::threshold},
+                      std::pair{"sides", &T::sides},
+                      std::pair{"cut", &T::cut},
+                      std::pair{"regions", &T::regions},
+                      std::pair{"fading", &T::fading},
+                      std::pair{"penumbra", &T::penumbra},
+                      std::pair{"floor", &T::floor},
+                      std::pair{"fill", &T::fill}};
+  }
+};
+
+}  // namespace swaplight
