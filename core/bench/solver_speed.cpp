@@ -111,7 +111,7 @@ double solverSpeed(const std::string& solver, const BenchScene& scene, SolvedSet
     best = bestSeconds(seconds, [&] {
       const ShotSignal signal(scene.pixels, context.plan, context.noise,
                               std::vector<float>(size_t(context.plan.shots), 1.0F));
-      solveAuto(context, signal, {}, set, {});
+      solveAuto(context, signal, {}, {}, set, {});
     });
   } else {
     const auto estimator = info.make(context);

@@ -51,8 +51,8 @@ void denoiseGuided(SolvedSet& set, const EstimatorContext& context, int radius) 
   const float step = guideStep(guide.view(), context.noise);
   for (int reach = 1; 2 * reach <= radius; reach *= 2) {
     poolShares(planesOf(smooth), variance.view(), guide.view(),
-               {.step = reach, .cut = 4, .guideStep = step, .cutAtZero = 4 * reach > radius}, planesOf(other),
-               left.span());
+               {.step = reach, .rejectChi2 = 4, .guideStep = step, .clampAtZero = 4 * reach > radius},
+               planesOf(other), left.span());
     std::swap(smooth, other);
     std::swap(variance, left);
   }

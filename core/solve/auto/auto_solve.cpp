@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/simd/simd.h"
+#include "core/solve/auto/auto_scratch.h"
 #include "core/solve/auto/neighbourhood.h"
 #include "core/solve/auto/share_pooling.h"
 #include "core/solve/auto/shrinkage.h"
@@ -16,7 +17,7 @@ namespace swaplight {
 namespace {
 
 /// Pooling took away part of the variance of the shares, which is nearly all of the contributions'.
-SWAPLIGHT_SIMD(void, takeAway,
+SWAPLIGHT_SIMD(void, subtractPooledVariance,
                (const float* __restrict alone, const float* __restrict pooled, float* __restrict variance,
                 int count),
                (alone, pooled, variance, count)) {
@@ -50,25 +51,26 @@ SWAPLIGHT_SIMD(void, writeGuide,
   for (int p = 0; p < count; ++p) guide[p] = std::sqrt((red[p] + green[p] + blue[p]) * (1.0F / 3));
 }
 
-/// The shares in `beta`, their variance in `quality.sigma`, the guide in the second light's contribution:
-/// pooled with what is near, then with what is around that. In between they wait in planes of the
-/// contributions.
-void poolTwice(const NoiseModel& noise, SolvedSet& set) {
-  const ImageSpan variance = set.quality.span().channelRange(kSigma, 1);
-  const ImageSpan left = set.contributions[0].span().channelRange(1, 1);
-  const ImageSpan guide = set.contributions[1].span().channelRange(1, 1);
-  const std::vector<ImageSpan> shares = planesOf(set.beta);
-  std::vector<ImageSpan> near;
-  for (Image& contribution : set.contributions) near.push_back(contribution.span().channelRange(0, 1));
-  const float step = guideStep(guide, noise);
-  poolShares(shares, variance, guide, {.step = 1, .cut = 9, .guideStep = step}, near, left);
-  poolShares(near, left, guide,
-             {.step = 2, .cut = 4, .guideStep = step, .overlap = 3.7F, .doubt = .4F, .cutAtZero = true},
-             shares, variance);
+/// The shares and their variance, pooled with what is near, then with what is around that.
+void poolTwice(const NoiseModel& noise, const PoolingTuning& tuning, const std::vector<ImageSpan>& shares,
+               const AutoScratch& scratch) {
+  const float step = guideStep(scratch.guide, noise, tuning);
+  poolShares(
+      shares, scratch.shareVariance, scratch.guide,
+      {.step = 1, .rejectChi2 = tuning.nearChi2, .guideStep = step, .hiddenVariance = tuning.nearHidden},
+      scratch.nearShares, scratch.nearVariance);
+  poolShares(scratch.nearShares, scratch.nearVariance, scratch.guide,
+             {.step = 2,
+              .rejectChi2 = tuning.farChi2,
+              .guideStep = step,
+              .overlap = tuning.farOverlap,
+              .hiddenVariance = tuning.farHidden,
+              .clampAtZero = true},
+             shares, scratch.shareVariance);
 }
 
 /// What a moved shot shows beyond its edge is made up: no evidence against the matte model.
-void trustOutside(const std::vector<ShotShift>& shifts, ImageSpan misfit) {
+void ignoreMisfitOutside(const std::vector<ShotShift>& shifts, ImageSpan misfit) {
   if (std::none_of(shifts.begin(), shifts.end(), worthMoving)) return;
   for (int y = 0; y < misfit.height; ++y)
     for (int x = 0; x < misfit.width; ++x)
@@ -78,8 +80,9 @@ void trustOutside(const std::vector<ShotShift>& shifts, ImageSpan misfit) {
 }  // namespace
 
 float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
-                const std::vector<ShotShift>& shifts, SolvedSet& set, const Progress& progress) {
-  Shrinkage shrinkage(context, signal);
+                const std::vector<ShotShift>& shifts, const AutoTuning& tuning, SolvedSet& set,
+                const Progress& progress) {
+  Shrinkage shrinkage(context, signal, tuning.shrinkage);
   const int lights = context.plan.lights;
   const int runs = int((signal.pixelCount() + kRun - 1) / kRun);
   const auto eachRun = [&](float from, float to, const auto& work) {
@@ -97,16 +100,16 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
         for (int i = 0; i < lights; ++i) run.share[i] = set.beta.plane(i) + first;
         work(first, in, run);
       }
-      progress.update(from + (to - from) * float(done += end - begin) / float(runs),
-                      "Telling the lights apart");
+      progress.update(from + (to - from) * float(done += end - begin) / float(runs), "Separating lights");
     });
   };
 
-  // What the second stream needs of the first waits in planes of the answer that are not written yet.
-  float* misfit = set.quality.plane(kResidual);
-  float* variance = set.quality.plane(kSigma);
-  float* odds = set.quality.plane(kModel);
-  float* guide = lights > 1 ? set.contributions[1].plane(1) : nullptr;
+  const AutoScratch waiting(set);
+  const auto planeOf = [](const ImageSpan& span) { return span.row(0, 0); };
+  float* misfit = planeOf(waiting.misfit);
+  float* variance = planeOf(waiting.shareVariance);
+  float* odds = planeOf(waiting.odds);
+  float* guide = lights > 1 ? planeOf(waiting.guide) : nullptr;
   eachRun(0.1F, 0.5F, [&](size_t first, const PixelRun& in, MatteRun fit) {
     fit.misfit = misfit + first;
     fit.shareVariance = variance + first;
@@ -116,27 +119,22 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
       writeGuide(fit.reflectance[0], fit.reflectance[1], fit.reflectance[2], guide + first, in.count);
   });
 
-  const ImageSpan quality = set.quality.span();
-  const ImageSpan edges = set.contributions[0].span().channelRange(2, 1);
-  const float squaredShift = squaredEdgeShift(signal, context.noise, quality.channelRange(kResidual, 1),
-                                              shrinkage.matte().freedom());
-  float* factor = squaredShift > 0 ? edges.row(0, 0) : nullptr;
+  const int freedom = shrinkage.matte().freedom();
+  const float squaredShift = squaredEdgeShift(signal, context.noise, waiting.misfit, freedom, tuning.edges);
+  float* factor = squaredShift > 0 ? planeOf(waiting.edgeFactor) : nullptr;
   if (factor) {
-    edgeNoiseFactor(signal, context.noise, squaredShift, edges);
+    edgeNoiseFactor(signal, context.noise, squaredShift, waiting.edgeFactor);
     divide(factor, misfit, signal.pixelCount());
   }
   shrinkage.learn(signal, factor);
-  trustOutside(shifts, quality.channelRange(kResidual, 1));
-
-  const float freedom = float(std::max(shrinkage.matte().freedom(), 1));
-  localOdds(quality.channelRange(kResidual, 1), freedom + 3.5F * std::sqrt(2 * freedom),
-            quality.channelRange(kModel, 1));
-  if (lights > 1) poolTwice(context.noise, set);
+  ignoreMisfitOutside(shifts, waiting.misfit);
+  localOdds(waiting.misfit, float(std::max(freedom, 1)), tuning.neighbourhood, waiting.odds);
+  if (lights > 1) poolTwice(context.noise, tuning.pooling, planesOf(set.beta), waiting);
 
   eachRun(0.5F, 0.9F, [&](size_t first, const PixelRun& in, const MatteRun& fit) {
     shrinkage.matte().assess(in, fit);
     const float* noise = factor ? factor + first : nullptr;
-    takeAway(fit.shareVariance, variance + first, fit.variance, in.count);
+    subtractPooledVariance(fit.shareVariance, variance + first, fit.variance, in.count);
     if (noise) multiply(noise, fit.variance, size_t(in.count));
     const SolvedRun out = runAt(set, first);
     shrinkage.finish(in, fit, {misfit + first, odds + first, noise}, out, odds + first);

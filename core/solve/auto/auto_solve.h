@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/set/solved_set.h"
+#include "core/solve/auto/auto_tuning.h"
 #include "core/solve/model/estimator.h"
 #include "core/solve/model/shot_signal.h"
 #include "core/solve/registration/align_shots.h"
@@ -16,6 +17,7 @@ namespace swaplight {
 /// `shifts`: what the shots were moved by; beyond their edges the matte model is all that is asked of a
 /// pixel.
 float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
-                const std::vector<ShotShift>& shifts, SolvedSet& set, const Progress& progress);
+                const std::vector<ShotShift>& shifts, const AutoTuning& tuning, SolvedSet& set,
+                const Progress& progress);
 
 }  // namespace swaplight

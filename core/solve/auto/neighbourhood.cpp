@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/parallel.h"
@@ -9,13 +10,12 @@
 namespace swaplight {
 namespace {
 
-constexpr int kRadius = 3;
 constexpr int kBand = 48;
-constexpr float kTemper = 0.5F;
 
 }  // namespace
 
-void localOdds(ImageView misfit, float limit, ImageSpan odds) {
+void localOdds(ImageView misfit, float freedom, const NeighbourhoodTuning& tuning, ImageSpan odds) {
+  const float limit = freedom + tuning.limit * std::sqrt(2 * freedom);
   const int width = misfit.width;
   const int height = misfit.height;
   std::atomic<long> failed = 0;
@@ -35,18 +35,19 @@ void localOdds(ImageView misfit, float limit, ImageSpan odds) {
     for (int band = begin; band < end; ++band) {
       const int top = band * kBand;
       const int bottom = std::min(top + kBand, height);
-      const int first = std::max(top - kRadius, 0);
-      const int last = std::min(bottom + kRadius, height);
+      const int first = std::max(top - tuning.radius, 0);
+      const int last = std::min(bottom + tuning.radius, height);
       cv::Mat fails(last - first, width, CV_32F);
       for (int y = first; y < last; ++y)
         for (int x = 0; x < width; ++x)
           fails.at<float>(y - first, x) = misfit.row(0, y)[x] > limit ? 1.0F : 0.0F;
       cv::Mat local;
-      cv::boxFilter(fails, local, CV_32F, {2 * kRadius + 1, 2 * kRadius + 1}, {-1, -1}, true,
+      cv::boxFilter(fails, local, CV_32F, {2 * tuning.radius + 1, 2 * tuning.radius + 1}, {-1, -1}, true,
                     cv::BORDER_REPLICATE);
       for (int y = top; y < bottom; ++y)
         for (int x = 0; x < width; ++x)
-          odds.row(0, y)[x] = (local.at<float>(y - first, x) + kTemper * mean) / (mean * (1 + kTemper));
+          odds.row(0, y)[x] =
+              (local.at<float>(y - first, x) + tuning.temper * mean) / (mean * (1 + tuning.temper));
     }
   });
 }

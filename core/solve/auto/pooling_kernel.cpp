@@ -9,7 +9,7 @@ constexpr float kTiny = 1e-12F;
 
 /// Shares below zero become zero, the others give way.
 template <int kN>
-SWAPLIGHT_LANES void cutAtZero(int n, Lanes* share) {
+SWAPLIGHT_LANES void clampAtZero(int n, Lanes* share) {
   Lanes sum = splat(kTiny);
   for (int i = 0; i < n; ++i) {
     share[i] = larger(share[i], splat(0));
@@ -24,7 +24,7 @@ template <int kN>
                                         float* left, int lights) {
   const int n = lights;
   const int tested = n == 2 ? 1 : n;  // of two shares, one says all
-  const float cut = 1 / (band.cut * float(tested));
+  const float cut = 1 / (band.rejectChi2 * float(tested));
   const long first = long(row) * band.stride;
   for (int x = 0; x < width; x += kLanes) {
     const long at = first + x;
@@ -59,9 +59,9 @@ template <int kN>
     total = 1 / larger(total, splat(1e-30F));
     for (int i = 0; i < tested; ++i) share[i] = sum[i] * total;
     if (n == 2) share[1] = 1 - share[0];
-    if (band.cutAtZero) cutAtZero<kN>(n, share);
+    if (band.clampAtZero) clampAtZero<kN>(n, share);
     for (int i = 0; i < n; ++i) store(pooled[i] + x, share[i]);
-    const Lanes known = squares * total * total * band.overlap + band.doubt * variance;
+    const Lanes known = squares * total * total * band.overlap + band.hiddenVariance * variance;
     store(left + x, smaller(known, variance));
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/base/quantile.h"
 #include "core/simd/padding.h"
 #include "core/simd/simd.h"
 #include "core/solve/auto/pooling_kernel.h"
@@ -34,10 +35,10 @@ class Band {
     m_band.lights = lights;
     m_band.stride = m_width + 2 * m_margin;
     m_band.step = options.step;
-    m_band.cut = options.cut;
+    m_band.rejectChi2 = options.rejectChi2;
     m_band.overlap = options.overlap;
-    m_band.doubt = options.doubt;
-    m_band.cutAtZero = options.cutAtZero;
+    m_band.hiddenVariance = options.hiddenVariance;
+    m_band.clampAtZero = options.clampAtZero;
     m_band.guideScale = 1 / (options.guideStep * options.guideStep);
     m_rows = kBand + 2 * m_margin;
     m_data.resize(size_t(lights + 3) * size_t(m_rows) * size_t(m_band.stride), 0.0F);
@@ -109,16 +110,14 @@ std::vector<ImageSpan> planesOf(Image& shares) {
   return planes;
 }
 
-float guideStep(ImageView guide, const NoiseModel& noise) {
-  constexpr float kStep = 0.1F;
+float guideStep(ImageView guide, const NoiseModel& noise, const PoolingTuning& tuning) {
   std::vector<float> sample;
   const size_t count = size_t(guide.width) * size_t(guide.height);
   const size_t every = std::max<size_t>(1, count / 20000);
   sample.reserve(count / every + 1);
   for (size_t p = 0; p < count; p += every) sample.push_back(guide.row(0, 0)[p]);
-  const auto bright = sample.begin() + long(sample.size() * 95 / 100);
-  std::nth_element(sample.begin(), bright, sample.end());
-  return 2 * std::sqrt(kStep * kStep * *bright * *bright + noise.linear / 2);
+  const float bright = quantile(std::span(sample), tuning.guideLevel);
+  return 2 * std::sqrt(tuning.guideStep * tuning.guideStep * bright * bright + noise.linear / 2);
 }
 
 }  // namespace swaplight

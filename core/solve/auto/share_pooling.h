@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/solve/auto/auto_tuning.h"
 #include "core/solve/model/noise_model.h"
 
 namespace swaplight {
@@ -11,11 +12,11 @@ namespace swaplight {
 /// How far pixels are held to be of one kind.
 struct SharePooling {
   int step = 1;           ///< pixels between the 5 x 5 neighbours that are looked at
-  float cut = 9;          ///< squared difference of beta over its expected noise
+  float rejectChi2 = 9;   ///< squared difference of beta over its expected noise
   float guideStep = .2F;  ///< difference of the guide; weights fall to nothing at both
-  float overlap = 1;   ///< variance of a mean of neighbours over that of independent ones: they were pooled
-  float doubt = .25F;  ///< fraction of the variance that differences too small to be seen may hide
-  bool cutAtZero = false;  ///< the pooled shares are >= 0, sum 1; else they stay signed
+  float overlap = 1;  ///< variance of a mean of neighbours over that of independent ones: they were pooled
+  float hiddenVariance = .25F;  ///< fraction of it that differences too small to be seen may hide
+  bool clampAtZero = false;     ///< the pooled shares are >= 0, sum 1; else they stay signed
 };
 
 /// What a pixel's neighbours say of its proportions, where noise hides them: the mean of those that do not
@@ -34,7 +35,7 @@ void poolShares(std::span<const ImageSpan> shares, ImageView variance, ImageView
 [[nodiscard]] std::vector<ImageSpan> planesOf(Image& shares);
 
 /// SharePooling::guideStep for a guide that is the root of the set's brightness (its noise is the same
-/// everywhere, a quarter of the slope of the variance): a tenth of a bright part of the set, and noise.
-[[nodiscard]] float guideStep(ImageView guide, const NoiseModel& noise);
+/// everywhere, a quarter of the slope of the variance): a part of a bright part of the set, and noise.
+[[nodiscard]] float guideStep(ImageView guide, const NoiseModel& noise, const PoolingTuning& tuning = {});
 
 }  // namespace swaplight

@@ -5,22 +5,15 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/quantile.h"
 #include "core/solve/estimators/run_scratch.h"
 #include "core/solve/model/pixel_sample.h"
 #include "core/solve/model/shot_signal.h"
 
 namespace swaplight {
-namespace {
 
-constexpr float kWhiteness = 0.8F;
-/// tau over the brightness of the set; four of them lose nothing against seven.
-constexpr std::array<float, ShrinkagePrior::kScales> kRelativeScales = {0, 0.02F, 0.1F, 0.6F};
-constexpr size_t kSample = 20000;
-constexpr int kRounds = 15;
-
-}  // namespace
-
-Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) : m_matte(context) {
+Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal, const ShrinkageTuning& tuning)
+    : m_tuning(tuning), m_matte(context) {
   const int n = context.plan.lights;
   const int k3 = 3 * context.plan.shots;
   const int d = 3 * n;
@@ -43,7 +36,7 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) 
 
   // D^-1/2 A P^1/2 = U S W'.
   Eigen::Matrix3d prior =
-      Eigen::Matrix3d::Constant(kWhiteness) + (1 - kWhiteness) * Eigen::Matrix3d::Identity();
+      Eigen::Matrix3d::Constant(tuning.whiteness) + (1 - tuning.whiteness) * Eigen::Matrix3d::Identity();
   // What no light shows is not led by the other channels: it stays dark.
   for (int c = 0; c < 3; ++c)
     if (context.plan.matrix(c).isZero()) {
@@ -83,14 +76,15 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal) 
     for (int m = 0; m < d; ++m) m_plan.greyPower[size_t(m)] += float(grey[m] * grey[m] / n);
   }
   const float freedom = float(std::max(m_matte.freedom(), 1));
-  m_gate = freedom + 1.5F * std::sqrt(2 * freedom);
+  m_gate = freedom + tuning.gate * std::sqrt(2 * freedom);
 }
 
 void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
   std::vector<size_t> index;
-  PackedRun sample = pixelSample(signal, m_plan.shots, kSample, &index);
+  const auto size = size_t(m_tuning.sample);
+  PackedRun sample = pixelSample(signal, m_plan.shots, size, &index);
   // A shot that is clipped throughout leaves no whole pixel; the other shots still show the surfaces.
-  if (index.empty()) sample = pixelSample(signal, m_plan.shots, kSample, &index, SamplePixels::Partial);
+  if (index.empty()) sample = pixelSample(signal, m_plan.shots, size, &index, SamplePixels::Partial);
   m_plan.prior.weight.fill(1.0F / ShrinkagePrior::kScales);
   if (index.empty()) return;  // nothing can be learnt: every scale is 0, the matte fit
   const int count = sample.run().count;
@@ -99,10 +93,9 @@ void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
   std::vector<float> brightness(size_t(count), 0.0F);
   for (int p = 0; p < count; ++p)
     for (int c = 0; c < 3; ++c) brightness[size_t(p)] += matte.run().reflectance[c][p] / 3;
-  const size_t bright = brightness.size() * 99 / 100;
-  std::nth_element(brightness.begin(), brightness.begin() + long(bright), brightness.end());
-  for (size_t j = 0; j < kRelativeScales.size(); ++j)
-    m_plan.prior.scale[j] = kRelativeScales[j] * std::max(brightness[bright], 1e-6F);
+  const float bright = std::max(quantile(std::span(brightness), m_tuning.brightLevel), 1e-6F);
+  m_plan.prior.scale = {0, m_tuning.smallScale * bright, m_tuning.middleScale * bright,
+                        m_tuning.largeScale * bright};
   constexpr size_t kScales = ShrinkagePrior::kScales;
   const size_t padded = roundedUpToLanes(size_t(count));
   std::vector<float> evidence(padded * kScales);
@@ -112,7 +105,7 @@ void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
   if (noise)
     for (size_t p = 0; p < index.size(); ++p) factor[p] = noise[index[p]];
   SWAPLIGHT_KERNEL(shrinkRun)(m_plan, sample.run(), matte.run(), nullptr, factor.data(), out);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < m_tuning.rounds; ++round) {
     std::array<double, kScales> responsibility{};
     for (int p = 0; p < count; ++p) {
       float best = evidence[size_t(p)];
@@ -126,7 +119,7 @@ void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
       for (size_t j = 0; j < kScales; ++j) responsibility[j] += weight[j] / sum;
     }
     for (size_t j = 0; j < kScales; ++j)
-      m_plan.prior.weight[j] = std::max(float(responsibility[j] / count), 1e-5F);
+      m_plan.prior.weight[j] = std::max(float(responsibility[j] / count), m_tuning.leastWeight);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/solve/auto/auto_tuning.h"
 #include "core/solve/auto/shrinkage_kernel.h"
 #include "core/solve/estimators/matte_fit.h"
 
@@ -18,7 +19,7 @@ class ShotSignal;
 /// diagonal for every pixel and tau. Pixels that the matte model explains go no further.
 class Shrinkage {
  public:
-  Shrinkage(const EstimatorContext& context, const ShotSignal& signal);
+  Shrinkage(const EstimatorContext& context, const ShotSignal& signal, const ShrinkageTuning& tuning);
 
   [[nodiscard]] const MatteFit& matte() const { return m_matte; }
 
@@ -37,6 +38,7 @@ class Shrinkage {
               float* notMatte) const;
 
  private:
+  ShrinkageTuning m_tuning;
   MatteFit m_matte;
   ShrinkagePlan m_plan;
   float m_gate = 0;

@@ -13,15 +13,6 @@
 #include "core/solve/model/pixel_sample.h"
 
 namespace swaplight {
-namespace {
-
-constexpr size_t kSample = 20000;
-constexpr size_t kFewest = 200;  // pixels that see enough of the ambient light
-constexpr float kSeen = 5;       // ambient light over its standard error, in each channel
-constexpr float kLeast = .02F;   // part of the light that is of the lights, in each channel
-constexpr float kStrongest = 3;  // factor between its channels and their mean that is believed
-
-}  // namespace
 
 Capture withAmbientLight(const Capture& capture, const std::string& where) {
   if (capture.ambient)
@@ -40,9 +31,9 @@ Capture withAmbientLight(const Capture& capture, const std::string& where) {
   return all;
 }
 
-Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal) {
+Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal, const AmbientTuning& tuning) {
   const int n = context.plan.lights;
-  const PackedRun sample = pixelSample(signal, context.plan.shots, kSample);
+  const PackedRun sample = pixelSample(signal, context.plan.shots, size_t(tuning.sample));
   const size_t count = size_t(sample.run().count);
   std::vector<float> room(count * size_t(3 * n + 2));
   float* next = room.data();
@@ -70,15 +61,15 @@ Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal) {
       float others = 0;
       for (int i = 0; i + 1 < n; ++i) others += out.contribution[i][c][p];
       const float ambient = out.contribution[n - 1][c][p];
-      seen = seen && others > kLeast * total && ambient > kSeen * out.sigma[p] * total;
-      ratio[c] = ambient / std::max(others, kLeast * total + 1e-20F);
+      seen = seen && others > tuning.minOthers * total && ambient > tuning.minSignal * out.sigma[p] * total;
+      ratio[c] = ambient / std::max(others, tuning.minOthers * total + 1e-20F);
       mean += ratio[c] / 3;
     }
     if (!seen) continue;
     for (size_t c = 0; c < 3; ++c)
-      ratios[c].push_back(std::clamp(ratio[c] / mean, 1 / kStrongest, kStrongest));
+      ratios[c].push_back(std::clamp(ratio[c] / mean, 1 / tuning.maxSaturation, tuning.maxSaturation));
   }
-  if (ratios[0].size() < kFewest) return Rgb(1);
+  if (ratios[0].size() < size_t(tuning.minPixels)) return Rgb(1);
   Rgb color;
   for (size_t c = 0; c < 3; ++c) color[int(c)] = median(std::span(ratios[c]));
   return 3.0F * color / (color.r + color.g + color.b);

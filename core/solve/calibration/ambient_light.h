@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/capture/capture.h"
+#include "core/solve/calibration/calibration_tuning.h"
 #include "core/solve/model/estimator.h"
 #include "core/solve/model/shot_signal.h"
 
@@ -19,7 +20,8 @@ inline constexpr const char* kAmbientLight = "ambient light";
 /// The ambient light's colour, mean 1: on a matte surface the ratio of its contribution to that of the other
 /// lights is beta / (1 - beta) times its colour, so that ratios of channels say it; the median over a sample
 /// of the set, demultiplexed. White where too little is seen of it. `context`: of withAmbientLight().
-[[nodiscard]] Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal);
+[[nodiscard]] Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal,
+                               const AmbientTuning& tuning = {});
 
 /// Gives the plan's last light a colour (in place of white).
 void colorAmbient(LightPlan& plan, const Rgb& color);

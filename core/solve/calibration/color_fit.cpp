@@ -11,11 +11,7 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kSample = 6000;
-constexpr double kWork = 3e9;         // multiplications that a round may cost
-constexpr double kBrightShare = 0.4;  // the brighter part of the set is looked at
-constexpr double kBaseUncertainty = 0.01;
-constexpr int kRobustRounds = 6;
+constexpr double kWork = 3e9;          // multiplications that a round may cost
 constexpr double kMedianOfMean = 0.7;  // the median of chi-square over its mean, for few degrees of freedom
 
 /// One pixel's weighted residual and how it depends on the colours, its own unknowns projected out.
@@ -27,8 +23,8 @@ struct PixelEquation {
 };
 
 /// A sample of bright, usable pixels.
-PackedRun brightSample(const ShotSignal& signal, int shots, size_t count) {
-  const PackedRun all = pixelSample(signal, shots, size_t(double(count) / kBrightShare));
+PackedRun brightSample(const ShotSignal& signal, int shots, size_t count, double share) {
+  const PackedRun all = pixelSample(signal, shots, size_t(double(count) / share));
   std::vector<std::pair<float, int>> order;
   for (int p = 0; p < all.run().count; ++p) {
     float sum = 0;
@@ -36,14 +32,15 @@ PackedRun brightSample(const ShotSignal& signal, int shots, size_t count) {
       for (int c = 0; c < 3; ++c) sum += all.run().signal[k][c][p];
     order.emplace_back(sum, p);
   }
-  const size_t keep = size_t(kBrightShare * double(order.size()));
+  const size_t keep = size_t(share * double(order.size()));
   std::nth_element(order.begin(), order.begin() + long(keep), order.end(), std::greater<>());
   PackedRun bright(shots, std::max<size_t>(keep, 1));
   for (size_t j = 0; j < keep; ++j) bright.add(all.run(), order[j].second);
   return bright;
 }
 
-PixelEquation equationOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit, int p) {
+PixelEquation equationOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit, int p,
+                         double baseUncertainty) {
   const LightPlan& plan = context.plan;
   const int n = plan.lights;
   const int values = 3 * plan.shots;
@@ -60,7 +57,7 @@ PixelEquation equationOf(const EstimatorContext& context, const PixelRun& in, co
       double g = 0;
       for (int i = 0; i < n; ++i) g += double(plan.color(k, i)[c]) * fit.share[i][p];
       const double variance = context.noise.variance(float(g * rho));
-      const double w = 1 / std::sqrt(variance + std::pow(kBaseUncertainty * g * rho, 2));
+      const double w = 1 / std::sqrt(variance + std::pow(baseUncertainty * g * rho, 2));
       noise += variance;
       residual[row] = w * (in.signal[k][c][p] - g * rho);
       own(row, c) = w * g;
@@ -90,8 +87,8 @@ double medianOf(std::vector<double> values) {
 
 }  // namespace
 
-ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal,
-                   const ColorFitOptions& options) {
+ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, const ColorFitOptions& options,
+                   const ColorFitTuning& tuning) {
   const int n = context.plan.lights;
   const int values = 3 * context.plan.shots;
   const int unknowns = values * n;
@@ -100,8 +97,8 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal,
   result.plan = context.plan;
   if (n < 2 || values <= n + 2) return result;
   const size_t count =
-      std::clamp(size_t(kWork / (double(values) * unknowns * unknowns)), size_t(300), kSample);
-  const PackedRun sample = brightSample(signal, context.plan.shots, count);
+      std::clamp(size_t(kWork / (double(values) * unknowns * unknowns)), size_t(300), size_t(tuning.sample));
+  const PackedRun sample = brightSample(signal, context.plan.shots, count, tuning.brightShare);
   const PixelRun& in = sample.run();
   if (in.count < 50) return result;
 
@@ -122,11 +119,12 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal,
     matte.fit(in, fit.run());
     std::vector<PixelEquation> equations;
     equations.reserve(size_t(in.count));
-    for (int p = 0; p < in.count; ++p) equations.push_back(equationOf(current, in, fit.run(), p));
+    for (int p = 0; p < in.count; ++p)
+      equations.push_back(equationOf(current, in, fit.run(), p, tuning.baseUncertainty));
     std::vector<double> robust(equations.size(), 1.0);
     Eigen::VectorXd step = Eigen::VectorXd::Zero(unknowns);
     std::vector<double> before, after, noise;
-    for (int pass = 0; pass < kRobustRounds; ++pass) {
+    for (int pass = 0; pass < tuning.robustRounds; ++pass) {
       Eigen::MatrixXd h = Eigen::MatrixXd::Zero(unknowns, unknowns);
       Eigen::VectorXd g = Eigen::VectorXd::Zero(unknowns);
       for (size_t j = 0; j < equations.size(); ++j) {
@@ -169,12 +167,15 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal,
   return result;
 }
 
-float colorUncertaintyOf(const ColorFit& fit) {
-  // Half of a colour's error is absorbed by beta and rho (measured on captures with known errors); the floor
-  // is what captures with exact colours show.
-  constexpr double kAbsorbed = 2.5;
-  constexpr double kFloor = 0.006;
-  return float(kAbsorbed * std::sqrt(std::max(fit.systematic * fit.systematic - kFloor * kFloor, 0.0)));
+float colorUncertaintyOf(const ColorFit& fit, const ColorFitTuning& tuning) {
+  const double floor = tuning.systematicFloor;
+  return float(tuning.absorbed * std::sqrt(std::max(fit.systematic * fit.systematic - floor * floor, 0.0)));
+}
+
+float usualColorUncertainty(const SensorNoise& estimated, const ColorFitTuning& tuning) {
+  constexpr double kMidTone = 0.2;
+  const double error = std::sqrt(estimated.read * estimated.read + kMidTone / estimated.fullWell);
+  return error > tuning.noisyError ? tuning.noisyUncertainty : 0.0F;
 }
 
 }  // namespace swaplight

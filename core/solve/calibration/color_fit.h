@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/solve/calibration/calibration_tuning.h"
 #include "core/solve/model/estimator.h"
 #include "core/solve/model/shot_signal.h"
 
@@ -29,10 +30,14 @@ struct ColorFitOptions {
   std::vector<int> unknown;
 };
 [[nodiscard]] ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal,
-                                 const ColorFitOptions& options = {});
+                                 const ColorFitOptions& options = {}, const ColorFitTuning& tuning = {});
 
 /// The relative standard error of the light colours that explains the systematic disagreement; 0 where that
 /// is no more than gloss and noise leave by chance.
-[[nodiscard]] float colorUncertaintyOf(const ColorFit& fit);
+[[nodiscard]] float colorUncertaintyOf(const ColorFit& fit, const ColorFitTuning& tuning = {});
+
+/// How well the light colours of a capture are known that does not state its noise: a photograph (it has
+/// noise) was lit with real gels; a rendering (it has none) with exact colours.
+[[nodiscard]] float usualColorUncertainty(const SensorNoise& estimated, const ColorFitTuning& tuning = {});
 
 }  // namespace swaplight

@@ -15,12 +15,6 @@ constexpr int kWindow = 5;  // pixels; also what a gradient and its mean reach b
 constexpr int kReach = kWindow / 2 + 1;
 constexpr int kBlock = 32;  // a sample's blocks, kBlocks across and down
 constexpr int kBlocks = 12;
-constexpr size_t kFewest = 2000;
-constexpr float kWorthIt = 1.5F;
-constexpr float kStillMatte = 3.5F;  // a moved camera spoils the flatter half as well, but not by more
-// An edge is sharper than its surroundings' mean says: the worst pixels, not the median ones, count as gloss.
-constexpr float kTail = 16;
-constexpr float kNoticed = 0.002F;  // pixel^2: what is closer together did not move
 
 /// e of an area.
 cv::Mat edgeStrength(const CapturePixels& pixels, const NoiseModel& noise, const cv::Rect& area) {
@@ -61,7 +55,8 @@ float medianMisfit(std::vector<std::pair<float, float>>& sample, size_t first, s
 
 }  // namespace
 
-float squaredEdgeShift(const ShotSignal& signal, const NoiseModel& noise, ImageView misfit, int freedom) {
+float squaredEdgeShift(const ShotSignal& signal, const NoiseModel& noise, ImageView misfit, int freedom,
+                       const EdgeNoiseTuning& tuning) {
   const int width = misfit.width;
   const int height = misfit.height;
   std::vector<std::pair<float, float>> sample;  // edge strength, misfit
@@ -79,7 +74,7 @@ float squaredEdgeShift(const ShotSignal& signal, const NoiseModel& noise, ImageV
           sample.emplace_back(strength.at<float>(y, x), misfit.row(0, area.y + y)[area.x + x]);
         }
     }
-  if (sample.size() < kFewest) return 0;
+  if (sample.size() < size_t(tuning.minSample)) return 0;
   // The flatter half first, the strongest tenth last, and the middle of that in its place.
   const size_t strong = sample.size() * 9 / 10;
   const auto middle = sample.begin() + long((strong + sample.size()) / 2);
@@ -91,10 +86,10 @@ float squaredEdgeShift(const ShotSignal& signal, const NoiseModel& noise, ImageV
   const float flat = medianMisfit(sample, 0, sample.size() / 2);
   const float edges = medianMisfit(sample, strong, sample.size());
   const float expected = float(medianChiSquare(std::max(freedom, 1)));
-  if (flat > kStillMatte * expected) return 0;
-  if (typical <= 0 || !(edges > kWorthIt * flat)) return 0;
+  if (flat > tuning.maxFlatMisfit * expected) return 0;
+  if (typical <= 0 || !(edges > tuning.minMisfitRatio * flat)) return 0;
   const float squared = (edges / std::clamp(flat, 1e-3F, expected) - 1) / typical;
-  return squared > kNoticed ? kTail * squared : 0;
+  return squared > tuning.minShift2 ? tuning.tailFactor * squared : 0;
 }
 
 void edgeNoiseFactor(const ShotSignal& signal, const NoiseModel& noise, float squaredShift,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/image/image.h"
+#include "core/solve/calibration/calibration_tuning.h"
 #include "core/solve/model/noise_model.h"
 #include "core/solve/model/shot_signal.h"
 
@@ -17,7 +18,7 @@ namespace swaplight {
 /// where the set is not matte even in its flatter half, so that edges say nothing. `misfit`: chi-square of
 /// the matte fit with `freedom`, a plane.
 [[nodiscard]] float squaredEdgeShift(const ShotSignal& signal, const NoiseModel& noise, ImageView misfit,
-                                     int freedom);
+                                     int freedom, const EdgeNoiseTuning& tuning = {});
 
 /// The factor of every pixel, for `squaredShift` > 0; one plane.
 void edgeNoiseFactor(const ShotSignal& signal, const NoiseModel& noise, float squaredShift, ImageSpan factor);

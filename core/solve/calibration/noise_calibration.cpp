@@ -13,11 +13,7 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kSample = 16000;
 constexpr int kBins = 10;
-constexpr double kLargestFactor = 10;
-constexpr double kNothingFlat = 0.5;
-constexpr double kSmallestFactor = 1e-4;  // texture, where it is taken for noise, can be far above that
 
 /// Least squares over x >= 0 for three unknowns: the best of all subsets whose solution is not negative.
 Eigen::Vector3d nonNegative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
@@ -45,11 +41,12 @@ double medianChiSquare(double freedom) {
   return freedom * std::pow(1 - 2 / (9 * freedom), 3);
 }
 
-NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& signal) {
+NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& signal,
+                           const NoiseCalibrationTuning& tuning) {
   const int lights = context.plan.lights;
   const MatteFit matte(context);
   if (lights < 2 || matte.freedom() < 1) return context.noise;
-  const PackedRun sample = pixelSample(signal, context.plan.shots, kSample);
+  const PackedRun sample = pixelSample(signal, context.plan.shots, size_t(tuning.sample));
   const PixelRun& in = sample.run();
   if (in.count < 100 * kBins) return context.noise;
   MatteScratch fit(lights, in.count);
@@ -76,14 +73,15 @@ NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& si
   }
   // Less than expected is believed only where all bins say so.
   const double most = *std::max_element(factor.begin(), factor.end());
-  const double least = most < kNothingFlat ? kSmallestFactor : 1;
+  const double least = most < tuning.nothingFlat ? tuning.smallestFactor : 1;
 
   Eigen::MatrixXd powers(kBins, 3);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(kBins);
   for (size_t bin = 0; bin < kBins; ++bin) {
     // Relative errors of the variance count alike in all bins.
     const double y = brightness[bin];
-    const double target = std::clamp(factor[bin], least, kLargestFactor) * context.noise.variance(float(y));
+    const double target =
+        std::clamp(factor[bin], least, tuning.largestFactor) * context.noise.variance(float(y));
     powers.row(long(bin)) << 1 / target, y / target, y * y / target;
   }
   const Eigen::Vector3d x = nonNegative(powers, ones);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/solve/calibration/calibration_tuning.h"
 #include "core/solve/model/estimator.h"
 #include "core/solve/model/shot_signal.h"
 
@@ -11,7 +12,8 @@ namespace swaplight {
 /// linear y + square y^2 is fitted through the bins again. More than 10 is gloss and bounced light;
 /// less than 1 is an accident, unless all bins say so: then there was nothing flat to measure noise on.
 /// Returns the model as it is where the fit leaves no freedom.
-[[nodiscard]] NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& signal);
+[[nodiscard]] NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& signal,
+                                         const NoiseCalibrationTuning& tuning = {});
 
 /// The median of chi-square (Wilson and Hilferty 1931); freedom >= 1.
 [[nodiscard]] double medianChiSquare(double freedom);

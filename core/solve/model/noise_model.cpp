@@ -102,12 +102,6 @@ SensorNoise estimateSensorNoise(const CapturePixels& pixels) {
   return noise;
 }
 
-float usualColorUncertainty(const SensorNoise& estimated) {
-  constexpr double kMidTone = 0.2;
-  const double error = std::sqrt(estimated.read * estimated.read + kMidTone / estimated.fullWell);
-  return error > 1e-3 ? 0.05F : 0.0F;
-}
-
 NoiseModel noiseModel(const SensorNoise& sensor, const CapturePixels& pixels, float colorUncertainty) {
   float quantum = 0;
   for (float q : pixels.quantum) quantum = std::max(quantum, q);

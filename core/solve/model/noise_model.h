@@ -26,10 +26,6 @@ struct NoiseModel {
 /// Pixels at or beyond the clip level are left out. After Immerkaer 1996 and Foi et al. 2008.
 [[nodiscard]] SensorNoise estimateSensorNoise(const CapturePixels& pixels);
 
-/// How well the light colours of a capture are known that does not state its noise: a photograph (it has
-/// noise) was lit with real gels, known to 5 % (theory.md); a rendering (it has none) with exact colours.
-[[nodiscard]] float usualColorUncertainty(const SensorNoise& estimated);
-
 /// The noise of a capture's shots once a constant ambient picture has been subtracted (the mean level stands
 /// for all of it): `sensor`, with the quantisation of its files. `colorUncertainty` is the
 /// relative standard error of a light's colour.

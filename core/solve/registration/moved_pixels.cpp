@@ -16,13 +16,6 @@
 namespace swaplight {
 namespace {
 
-constexpr float kMisfit = 4;       // residuals beyond it are looked at
-constexpr float kImpossible = 5;   // root of chi-square that no light explains
-constexpr float kColor = 0.02F;    // relative
-constexpr int kWindow = 9;         // pixels
-constexpr double kDense = 0.2;     // of the window are witnesses
-constexpr int kSmallestArea = 40;  // pixels
-
 /// Solves the marked pixels with an estimator, and hands each answer on: use(pixel, scratch, index).
 template <typename Use>
 void eachMarked(const cv::Mat& marked, const ShotSignal& signal, const EstimatorContext& context,
@@ -47,19 +40,20 @@ void eachMarked(const cv::Mat& marked, const ShotSignal& signal, const Estimator
   });
 }
 
-void dropSmall(cv::Mat& marked) {
+void dropSmall(cv::Mat& marked, int smallestArea) {
   cv::Mat label, statistics, centre;
   const int count = cv::connectedComponentsWithStats(marked, label, statistics, centre, 8);
   std::vector<uint8_t> keep(size_t(count), 0);
   for (int j = 1; j < count; ++j)
-    keep[size_t(j)] = statistics.at<int>(j, cv::CC_STAT_AREA) >= kSmallestArea ? 255 : 0;
+    keep[size_t(j)] = statistics.at<int>(j, cv::CC_STAT_AREA) >= smallestArea ? 255 : 0;
   for (int y = 0; y < marked.rows; ++y)
     for (int x = 0; x < marked.cols; ++x) marked.at<uint8_t>(y, x) = keep[size_t(label.at<int>(y, x))];
 }
 
 }  // namespace
 
-size_t markMoved(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set) {
+size_t markMoved(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
+                 const MotionTuning& tuning) {
   if (context.plan.shots < context.plan.lights || context.plan.lights < 2) return 0;
   const int width = set.quality.width();
   const int height = set.quality.height();
@@ -68,36 +62,36 @@ size_t markMoved(const EstimatorContext& context, const ShotSignal& signal, Solv
   size_t suspects = 0;
   for (size_t p = 0; p < signal.pixelCount(); ++p) {
     const bool usable = signal.flags().empty() || signal.flags()[p] == 0;
-    const bool suspect = usable && residual[p] > kMisfit;
+    const bool suspect = usable && residual[p] > tuning.minMisfit;
     misfit.ptr<uint8_t>()[p] = suspect ? 255 : 0;
     suspects += suspect;
   }
-  if (suspects < kSmallestArea) return 0;
+  if (suspects < size_t(tuning.smallestArea)) return 0;
 
   EstimatorContext lenient = context;
-  lenient.noise.square = std::max(lenient.noise.square, kColor * kColor);
+  lenient.noise.square = std::max(lenient.noise.square, tuning.colorError * tuning.colorError);
   const Demultiplex possible(lenient, Demultiplex::Bound::LeastSquares);
   const float freedom = float(std::max(3 * (context.plan.shots - context.plan.lights), 1));
-  const float limit = kImpossible / std::sqrt(freedom) + (freedom > 1 ? 1 : 0);
+  const float limit = tuning.impossible / std::sqrt(freedom) + (freedom > 1 ? 1 : 0);
   cv::Mat witness = cv::Mat::zeros(height, width, CV_8U);
   std::atomic<int> witnesses = 0;
   eachMarked(misfit, signal, context, possible, false, [&](size_t p, const SolvedRun& run, size_t j) {
     if (run.residual[j] > limit) witness.ptr<uint8_t>()[p] = 255, ++witnesses;
   });
-  if (witnesses < kSmallestArea / 4) return 0;
+  if (witnesses < tuning.smallestArea / 4) return 0;
 
   // The misfit around dense witnesses, holes closed, specks dropped.
   cv::Mat density, marked;
-  cv::blur(witness, density, {kWindow, kWindow});
+  cv::blur(witness, density, {tuning.window, tuning.window});
   const cv::Mat square = cv::getStructuringElement(cv::MORPH_RECT, {3, 3});
-  const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {kWindow, kWindow});
-  marked = density > 255 * kDense;
+  const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {tuning.window, tuning.window});
+  marked = density > 255 * tuning.minDensity;
   cv::morphologyEx(marked, marked, cv::MORPH_OPEN, square);
   cv::dilate(marked, marked, disc);
   marked &= misfit;
   cv::morphologyEx(marked, marked, cv::MORPH_CLOSE, disc);
   cv::morphologyEx(marked, marked, cv::MORPH_OPEN, square);
-  dropSmall(marked);
+  dropSmall(marked, tuning.smallestArea);
   const auto count = size_t(cv::countNonZero(marked));
   if (count == 0) return 0;
 

@@ -3,6 +3,7 @@
 #include "core/set/solved_set.h"
 #include "core/solve/model/estimator.h"
 #include "core/solve/model/shot_signal.h"
+#include "core/solve/registration/registration_tuning.h"
 
 namespace swaplight {
 
@@ -16,6 +17,7 @@ namespace swaplight {
 /// which has the least freedom to make nonsense of them.
 /// Needs as many shots as lights: with fewer there is nothing to tell gloss and motion apart by, and nothing
 /// is marked. Motion that happens to look like light is not found.
-size_t markMoved(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set);
+size_t markMoved(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
+                 const MotionTuning& tuning = {});
 
 }  // namespace swaplight

@@ -19,7 +19,7 @@ struct Scene {
   std::vector<std::vector<float>> planes;  ///< shares, variance, precision, guide
   PoolBand band;
 
-  Scene(int lightCount, int step, bool cutAtZero)
+  Scene(int lightCount, int step, bool clampAtZero)
       : lights(lightCount), margin(kPoolRadius * step), stride(kWidth + 2 * margin) {
     std::mt19937 random(unsigned(lights * 10 + step));
     std::uniform_real_distribution<float> unit(0, 1);
@@ -34,8 +34,8 @@ struct Scene {
       planes[size_t(lights) + 2][p] = .4F + .1F * unit(random);
     }
     const size_t first = size_t(margin) * size_t(stride) + size_t(margin);
-    band.lights = lights, band.stride = stride, band.step = step, band.cutAtZero = cutAtZero;
-    band.overlap = 1.5F, band.doubt = .1F, band.guideScale = 1 / (.2F * .2F);
+    band.lights = lights, band.stride = stride, band.step = step, band.clampAtZero = clampAtZero;
+    band.overlap = 1.5F, band.hiddenVariance = .1F, band.guideScale = 1 / (.2F * .2F);
     for (int i = 0; i < lights; ++i) band.share[i] = planes[size_t(i)].data() + first;
     band.variance = planes[size_t(lights)].data() + first;
     band.precision = planes[size_t(lights) + 1].data() + first;
@@ -58,7 +58,7 @@ struct Scene {
         for (int i = 0; i < tested; ++i)
           difference += square(double(band.share[i][there]) - band.share[i][x]);
         const double noise = double(band.variance[there]) + band.variance[x];
-        const double alike = std::max(0.0, 1 - difference / (double(band.cut) * tested * noise));
+        const double alike = std::max(0.0, 1 - difference / (double(band.rejectChi2) * tested * noise));
         const double near =
             std::max(0.0, 1 - square(double(band.guide[there]) - band.guide[x]) * band.guideScale);
         const double weight = square(alike * near) * band.precision[there];
@@ -68,13 +68,14 @@ struct Scene {
     double sum = 0;
     for (double& share : out.share) {
       share /= total;
-      if (band.cutAtZero) share = std::max(share, 0.0);
+      if (band.clampAtZero) share = std::max(share, 0.0);
       sum += share;
     }
-    if (band.cutAtZero)
+    if (band.clampAtZero)
       for (double& share : out.share) share /= sum;
-    out.left = std::min(squares / (total * total) * band.overlap + double(band.doubt) * band.variance[x],
-                        double(band.variance[x]));
+    out.left =
+        std::min(squares / (total * total) * band.overlap + double(band.hiddenVariance) * band.variance[x],
+                 double(band.variance[x]));
     return out;
   }
   static double square(double x) { return x * x; }

@@ -99,18 +99,18 @@ TEST(SharePooling, LeavesAloneWhatIsCertain) {
 
 TEST(SharePooling, IsTheSameForLightsInAnotherOrder) {
   Scene scene;
-  scene.pool({.step = 2, .cut = 4});
+  scene.pool({.step = 2, .rejectChi2 = 4});
   Scene swapped;
   std::copy_n(scene.shares.plane(0), scene.shares.pixelCount(), swapped.shares.plane(1));
   std::copy_n(scene.shares.plane(1), scene.shares.pixelCount(), swapped.shares.plane(0));
-  swapped.pool({.step = 2, .cut = 4});
+  swapped.pool({.step = 2, .rejectChi2 = 4});
   for (size_t p = 0; p < scene.shares.pixelCount(); ++p)
     ASSERT_NEAR(scene.pooled.plane(0)[p], swapped.pooled.plane(1)[p], 1e-5F);
 }
 
 TEST(SharePooling, CutSharesAreSharesAgain) {
   Scene scene;
-  scene.pool({.cutAtZero = true});
+  scene.pool({.clampAtZero = true});
   for (size_t p = 0; p < scene.pooled.pixelCount(); ++p) {
     EXPECT_GE(scene.pooled.plane(0)[p], 0);
     EXPECT_NEAR(scene.pooled.plane(0)[p] + scene.pooled.plane(1)[p], 1, 1e-5F);

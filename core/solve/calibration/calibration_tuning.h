@@ -1,0 +1,87 @@
+#pragma once
+
+#include <tuple>
+#include <utility>
+
+namespace swaplight {
+
+// What steers the estimates of noise, light colours and ambient light. What changing a value costs:
+// docs/accuracy.md, Ablation (scripts/make_ablation).
+
+/// Of noise held against what the matte model leaves (noise_calibration.h).
+struct NoiseCalibrationTuning {
+  int sample = 16000;            ///< pixels
+  double largestFactor = 10;     ///< of the variance; more is gloss and bounced light
+  double smallestFactor = 1e-4;  ///< the same where nothing is flat: texture was taken for noise
+  double nothingFlat = .5;       ///< factor that no bin may exceed for that
+
+  static constexpr auto fields() {
+    using T = NoiseCalibrationTuning;
+    return std::tuple{std::pair{"sample", &T::sample}, std::pair{"largest_factor", &T::largestFactor},
+                      std::pair{"smallest_factor", &T::smallestFactor},
+                      std::pair{"nothing_flat", &T::nothingFlat}};
+  }
+};
+
+/// Of shots that do not lie exactly on one another (edge_noise.h).
+struct EdgeNoiseTuning {
+  int minSample = 2000;         ///< pixels
+  float minMisfitRatio = 1.5F;  ///< median misfit at the edges over that of the flatter half
+  float maxFlatMisfit = 3.5F;   ///< of what noise explains: a moved camera spoils flat parts no more
+  float minShift2 = .002F;      ///< pixel^2: what is closer together did not move
+  /// Of the squared shift that the median pixel speaks of. An edge is sharper than its surroundings' mean:
+  /// the worst pixels would count as gloss.
+  float tailFactor = 16;
+
+  static constexpr auto fields() {
+    using T = EdgeNoiseTuning;
+    return std::tuple{std::pair{"min_sample", &T::minSample},
+                      std::pair{"min_misfit_ratio", &T::minMisfitRatio},
+                      std::pair{"max_flat_misfit", &T::maxFlatMisfit}, std::pair{"min_shift2", &T::minShift2},
+                      std::pair{"tail_factor", &T::tailFactor}};
+  }
+};
+
+/// Of light colours fitted to the photographs, and of how far they are trusted (color_fit.h).
+struct ColorFitTuning {
+  int sample = 6000;             ///< pixels at most
+  double brightShare = .4;       ///< of the pixels, the brighter ones, that are used
+  double baseUncertainty = .01;  ///< relative standard error of the matte model itself
+  int robustRounds = 6;          ///< of reweighting
+  /// Standard error of the colours over the systematic misfit: beta and reflectance absorb half of a colour's
+  /// error. Measured on captures with known errors.
+  double absorbed = 2.5;
+  double systematicFloor = .006;  ///< misfit that captures with exact colours have
+  double noisyError = 1e-3;       ///< relative noise of a mid-tone above which little is seen of the colours
+  float noisyUncertainty = .05F;  ///< what is assumed of them then: real gels are known to a few per cent
+
+  static constexpr auto fields() {
+    using T = ColorFitTuning;
+    return std::tuple{std::pair{"sample", &T::sample},
+                      std::pair{"bright_share", &T::brightShare},
+                      std::pair{"base_uncertainty", &T::baseUncertainty},
+                      std::pair{"robust_rounds", &T::robustRounds},
+                      std::pair{"absorbed", &T::absorbed},
+                      std::pair{"systematic_floor", &T::systematicFloor},
+                      std::pair{"noisy_error", &T::noisyError},
+                      std::pair{"noisy_uncertainty", &T::noisyUncertainty}};
+  }
+};
+
+/// Of the ambient light's colour (ambient_light.h).
+struct AmbientTuning {
+  int sample = 20000;       ///< pixels
+  int minPixels = 200;      ///< that see enough of the ambient light; else it is taken for white
+  float minSignal = 5;      ///< ambient light over its standard error, in each channel
+  float minOthers = .02F;   ///< part of the light that is of the lights, in each channel
+  float maxSaturation = 3;  ///< factor between its channels and their mean that is believed
+
+  static constexpr auto fields() {
+    using T = AmbientTuning;
+    return std::tuple{std::pair{"sample", &T::sample}, std::pair{"min_pixels", &T::minPixels},
+                      std::pair{"min_signal", &T::minSignal}, std::pair{"min_others", &T::minOthers},
+                      std::pair{"max_saturation", &T::maxSaturation}};
+  }
+};
+
+}  // namespace swaplight

@@ -1,0 +1,191 @@
+#include "core/solve/solve_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/base/json.h"
+#include "core/set/fill.h"
+#include "core/solve/auto/auto_solve.h"
+#include "core/solve/calibration/ambient_light.h"
+#include "core/solve/calibration/color_fit.h"
+#include "core/solve/calibration/noise_calibration.h"
+#include "core/solve/denoise.h"
+#include "core/solve/pixel_flags.h"
+#include "core/solve/pixelwise.h"
+#include "core/solve/registration/align_shots.h"
+#include "core/solve/registration/moved_pixels.h"
+#include "core/solve/report_summary.h"
+
+namespace swaplight {
+namespace {
+
+std::string nameOf(const Capture& capture) {
+  return capture.file.empty() ? capture.name : capture.file.filename().string();
+}
+
+SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
+  SolvedSet set;
+  set.capture = capture;
+  ImageSpec spec = pixels.shots.front().spec();
+  for (int i = 0; i < capture.lightCount(); ++i) set.contributions.emplace_back(spec);
+  spec.channels = {"residual", "sigma", "flags", "model"};
+  spec.colorSpace = "data";
+  set.quality = Image(spec, 0);
+  spec.channels.clear();
+  for (const Light& light : capture.lights) spec.channels.push_back("beta." + light.name);
+  set.beta = Image(spec);
+  if (pixels.ambient) set.ambient = pixels.ambient->clone();
+  return set;
+}
+
+/// A sentence for each colour that was not known: what it was found to be.
+std::vector<std::string> estimatedColors(const std::vector<int>& unknown, const LightPlan& plan) {
+  std::vector<std::string> sentences;
+  for (const int entry : unknown) {
+    const int shot = entry / plan.lights, light = entry % plan.lights;
+    const Rgb& color = plan.color(shot, light);
+    sentences.push_back(fmt::format(
+        "The colour of {} in shot {} was not known: estimated from the pictures as {:.3f}/{:.3f}/{:.3f}",
+        plan.names[size_t(light)], shot + 1, color.r, color.g, color.b));
+  }
+  return sentences;
+}
+
+}  // namespace
+
+SolveRun::SolveRun(const Capture& given, const CapturePixels& photographs, const SolveOptions& options,
+                   const SolveTuning& tuning, const Progress& progress)
+    : m_given(given),
+      m_photographs(photographs),
+      m_options(options),
+      m_tuning(tuning),
+      m_progress(progress),
+      m_info(options.solver.empty() ? estimatorFor(options.model) : estimatorInfo(options.solver)),
+      m_capture(options.solveAmbient ? withAmbientLight(given, nameOf(given)) : given) {
+  m_context.plan = planFromCapture(m_capture, &m_unknownColors);
+  checkSolvable(m_context.plan, nameOf(given));
+  m_report.solver = m_info.name;
+  m_report.model = modelName(m_info.model);
+  m_report.conditioning = conditioningOf(m_context.plan);
+  warn(m_capture.warnings);
+  warn(photographs.warnings);
+}
+
+SolvedSet SolveRun::run() {
+  m_progress.update(0, "Analysing the photographs");
+  if (m_options.align) alignShots();
+  calibrateNoise();
+  calibrateColors();
+  separateLights();
+  m_progress.update(0.9F, "Finishing");
+  completePixels();
+  finishReport();
+  m_progress.update(1, "Solved");
+  return std::move(m_set);
+}
+
+void SolveRun::warn(const std::vector<std::string>& warnings) {
+  m_report.warnings.insert(m_report.warnings.end(), warnings.begin(), warnings.end());
+}
+
+void SolveRun::alignShots() {
+  m_progress.update(0.02F, "Aligning the photographs");
+  m_report.shifts = measureShifts(m_photographs);
+  warn(shiftWarnings(m_report.shifts));
+  if (std::any_of(m_report.shifts.begin(), m_report.shifts.end(), worthMoving))
+    m_aligned = movedShots(m_photographs, m_report.shifts);
+}
+
+void SolveRun::calibrateNoise() {
+  m_report.noiseGiven = m_options.noise || m_capture.noise;
+  m_report.noise = m_options.noise   ? *m_options.noise
+                   : m_capture.noise ? *noiseInFrame(m_capture)
+                                     : estimateSensorNoise(pixels());
+  std::vector<float> exposure;
+  for (const Shot& shot : m_capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
+  m_context.noise = noiseModel(m_report.noise, pixels(), 0);
+  m_signal.emplace(pixels(), m_context.plan, m_context.noise, exposure);
+  if (!m_report.noiseGiven) m_context.noise = calibratedNoise(m_context, *m_signal, m_tuning.noise);
+}
+
+void SolveRun::calibrateColors() {
+  if (m_options.solveAmbient) {
+    m_ambientColor = ambientColor(m_context, *m_signal, m_tuning.ambient);
+    colorAmbient(m_context.plan, m_ambientColor);
+  }
+  m_report.colorUncertainty = m_options.colorUncertainty;
+  fitLightColors();
+  if (!m_unknownColors.empty()) {
+    m_report.estimated = estimatedColors(m_unknownColors, m_context.plan);
+    m_report.conditioning = conditioningOf(m_context.plan);
+  }
+  m_context.noise.square += m_report.colorUncertainty * m_report.colorUncertainty;
+}
+
+/// Learns from the pictures how far to trust the light colours, and refines them where asked to or where one
+/// is unknown.
+void SolveRun::fitLightColors() {
+  const bool refine = m_options.refineColors || !m_unknownColors.empty();
+  if (!refine && m_options.colorUncertainty >= 0) return;
+  ColorFitOptions fitOptions;
+  fitOptions.rounds = refine ? 8 : 1;
+  fitOptions.unknown = m_unknownColors;
+  ColorFit fit = fitColors(m_context, *m_signal, fitOptions, m_tuning.colors);
+  if (refine) {
+    // What was only a start says nothing of how well the colours are known: ask again with the found ones.
+    m_report.colorChange = fit.change;
+    m_report.refinedColors = fit.plan.colors;
+    m_context.plan = fit.plan;
+    fit = fitColors(m_context, *m_signal, {}, m_tuning.colors);
+  }
+  m_report.colorDisagreement = fit.disagreement;
+  if (m_options.colorUncertainty >= 0) return;
+  m_report.colorUncertainty = colorUncertaintyOf(fit, m_tuning.colors);
+  if (!m_report.noiseGiven)
+    m_report.colorUncertainty =
+        std::max(m_report.colorUncertainty, usualColorUncertainty(m_report.noise, m_tuning.colors));
+}
+
+void SolveRun::separateLights() {
+  m_set = emptySet(m_capture, pixels());
+  m_set.carried = m_photographs.carried;
+  if (m_info.model != Model::Auto)
+    return solvePixelwise(m_info, m_context, *m_signal, m_set, m_progress.part(0.1F, 0.9F));
+  const float shift = solveAuto(m_context, *m_signal, m_report.shifts, m_tuning.automatic, m_set, m_progress);
+  if (shift > 0)
+    m_report.warnings.emplace_back(
+        m_options.align
+            ? "the photographs still disagree along edges: trusted less there"
+            : "the photographs disagree along edges, as if the camera had moved by a fraction of a pixel: "
+              "trusted less there; --align may help");
+}
+
+void SolveRun::completePixels() {
+  if (m_info.model != Model::Single && markMoved(m_context, *m_signal, m_set, m_tuning.motion) > 0)
+    updateBeta(m_set);
+  const std::vector<uint8_t> missing = writeFlags(pixels(), *m_signal, m_tuning.tooDarkSigma, m_set);
+  if (!missing.empty()) {
+    for (Image& contribution : m_set.contributions) fillFromNeighbours(contribution, missing);
+    updateBeta(m_set);
+  }
+  flagOutside(m_report.shifts, m_set);
+  fillDarkBeta(m_set);
+  if (m_options.denoise == Denoise::Guided) {
+    denoiseGuided(m_set, m_context, m_options.guidedRadius);
+    updateBeta(m_set);
+    fillDarkBeta(m_set);
+  }
+  if (m_options.solveAmbient) takeAmbientOut(m_given, m_ambientColor, m_set);
+}
+
+void SolveRun::finishReport() {
+  m_report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_started).count();
+  m_report.options = jsonFromSolveOptions(m_options);
+  summarize(m_set, m_report);
+  m_set.report = std::move(m_report);
+}
+
+}  // namespace swaplight
