@@ -19,8 +19,8 @@ namespace {
 constexpr int kScreenshotFrames = 4;  // until every window has its size
 
 void writeScreenshot(Window& window, const std::filesystem::path& file) {
-  const std::vector<uint8_t> rgba = window.pixels();
-  Image image(ImageSpec::rgb(window.width(), window.height()));
+  const auto [width, height, rgba] = window.pixels();
+  Image image(ImageSpec::rgb(width, height));
   image.setColorSpace("srgb");
   for (size_t p = 0; p < image.pixelCount(); ++p)
     for (int c = 0; c < 3; ++c)
@@ -44,15 +44,20 @@ void run(Window& window, StudioWindow& studio, const StudioOptions& options) {
   std::optional<Script> script;
   if (!options.script.empty())
     script.emplace(options.script, [&](const std::filesystem::path& file) { writeScreenshot(window, file); });
+  if (script) window.keepPixels();
+  bool drawn = false;
   int framesLeft = kScreenshotFrames;
   while (!studio.done()) {
     window.wait(studio.restSeconds());
     studio.update();
     const bool scripted = script && !script->done();
-    if (scripted) script->step(studio);
+    if (scripted && drawn) script->step(studio);  // its first line may want a screenshot
     const bool busy = studio.busy();
     if (!busy && (scripted || !options.screenshot.empty())) window.requestFrames(1);
-    if (window.frameWanted()) drawFrame(studio, options);
+    if (window.frameWanted()) {
+      drawFrame(studio, options);
+      drawn = true;
+    }
     if (options.screenshot.empty() || scripted || busy) continue;
     if (const std::string error = firstError(studio.context().messages); !error.empty())
       throw InputError(error);

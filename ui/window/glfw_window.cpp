@@ -137,7 +137,7 @@ class DesktopWindow : public Window {
     ImGui::Render();
     clearSurface(width(), height(), backgroundCode());
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    if (m_keepPixels) m_pixels = readSurface(width(), height());
+    if (m_keepPixels) m_pixels = {width(), height(), readSurface(width(), height())};
     glfwSwapBuffers(m_window);
     m_tooltipAt = glfwGetTime() + secondsToTooltip();
     frameDone();
@@ -151,10 +151,8 @@ class DesktopWindow : public Window {
     glfwGetWindowContentScale(m_window, &x, &y);
     return x;
   }
-  [[nodiscard]] std::vector<uint8_t> pixels() override {
-    m_keepPixels = true;
-    return m_pixels;
-  }
+  void keepPixels() override { m_keepPixels = true; }
+  [[nodiscard]] Pixels pixels() override { return m_pixels; }
 
   [[nodiscard]] bool closeAsked() const override { return glfwWindowShouldClose(m_window) != 0; }
   void refuseClose() override { glfwSetWindowShouldClose(m_window, GLFW_FALSE); }
@@ -257,7 +255,7 @@ class DesktopWindow : public Window {
   double m_tooltipAt = std::numeric_limits<double>::infinity();
   int m_place[4] = {100, 100, 1280, 720};
   bool m_keepPixels = false;
-  std::vector<uint8_t> m_pixels;
+  Pixels m_pixels;
 };
 
 }  // namespace

@@ -55,9 +55,9 @@ class OffscreenWindow : public Window {
 
   [[nodiscard]] int width() const override { return m_width; }
   [[nodiscard]] int height() const override { return m_height; }
-  [[nodiscard]] std::vector<uint8_t> pixels() override {
+  [[nodiscard]] Pixels pixels() override {
     m_target.bind();
-    return readSurface(m_width, m_height);
+    return {m_width, m_height, readSurface(m_width, m_height)};
   }
 
  private:

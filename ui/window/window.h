@@ -39,13 +39,19 @@ class Window {
   [[nodiscard]] virtual int height() const = 0;
   /// Of the desktop: 1 at 96 dots an inch.
   [[nodiscard]] virtual float contentScale() const { return 1; }
-  /// What the last frame looked like: 8-bit R G B A from the top.
-  [[nodiscard]] virtual std::vector<uint8_t> pixels() = 0;
+  struct Pixels {
+    int width = 0, height = 0;  ///< 0 where no frame was kept yet
+    std::vector<uint8_t> rgba;  ///< 8-bit R G B A from the top
+  };
+  /// What the last frame looked like.
+  [[nodiscard]] virtual Pixels pixels() = 0;
 
   [[nodiscard]] virtual bool closeAsked() const { return false; }
   virtual void refuseClose() {}
   virtual void setTitle(const std::string& /*title*/) {}
   virtual void toggleFullScreen() {}
+  /// Frames are kept from the next one on, for pixels().
+  virtual void keepPixels() {}
 
   /// Dear ImGui needs a few frames to come to rest after anything happened.
   void requestFrames(int count = 3) { m_framesWanted = std::max(m_framesWanted, count); }

@@ -1,0 +1,31 @@
+"""Scripts in a real window."""
+import os
+import unittest
+
+from studio_session import SAMPLES, Studio, StudioTest, read_png
+
+
+class Scripts(StudioTest):
+    def run_script(self, *lines):
+        script = os.path.join(self.folder, 'script.txt')
+        with open(script, 'w') as file:
+            file.write('\n'.join(lines) + '\n')
+        studio = Studio(self.display, self.folder, '--script', script)
+        errors = studio.process.communicate(timeout=120)[1]
+        self.assertEqual(studio.process.returncode, 0, errors)
+
+    def test_a_screenshot_may_be_the_first_thing_that_a_script_does(self):
+        picture = os.path.join(self.folder, 'first.png')
+        self.run_script('screenshot ' + picture, 'quit')
+        self.assertEqual(read_png(picture).shape, (720, 1280, 3))
+
+    def test_a_screenshot_shows_what_the_lines_before_it_did(self):
+        before, after = os.path.join(self.folder, 'before.png'), os.path.join(self.folder, 'after.png')
+        self.run_script('open ' + os.path.join(SAMPLES, 'three_point/capture.json'), 'wait', 'screenshot ' + before,
+                        'action mixer.all_off', 'wait', 'screenshot ' + after, 'quit')
+        viewer = lambda file: read_png(file)[200:500, 300:800].mean()
+        self.assertGreater(viewer(before), viewer(after) + 5)
+
+
+if __name__ == '__main__':
+    unittest.main()
