@@ -12,6 +12,7 @@
 #include "core/base/out_of_memory.h"
 #include "core/base/parallel.h"
 #include "core/base/version.h"
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {
@@ -92,6 +93,8 @@ int Program::runVerb(Verb& verb) {
   // A studio's graphics drivers have much to say that its users are asked for.
   if (!verb.options.verbose && verb.app->get_name() != "studio") silenceLibraries();
   try {
+    // A level of processor that there is not is reported for what it is, not by the first who computes.
+    static_cast<void>(processorLevel());
     Terminal terminal(verb.options);
     return verb.run(terminal);
   } catch (const Stopped&) {

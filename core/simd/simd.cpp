@@ -14,8 +14,7 @@ int levelOf(std::string_view name) {
   if (name == "1" || name == "3" || name == "4") return name.front() - '0';
   throw InputError(
       "SWAPLIGHT_PROCESSOR_LEVEL is '{}': give 1, 3 or 4 (as in x86-64-v3), or leave it unset to use what "
-      "this "
-      "processor has",
+      "this processor has",
       name);
 }
 

@@ -36,6 +36,13 @@ class CommonTest(cli.CliTest):
         self.deny('evaluate', 'a.exr', 'b.exr', '--threads', 'many', naming='--threads')
         self.deny('evaluate', 'a.exr', 'b.exr', '--threads', '-1', naming='--threads')
 
+    def test_a_class_of_processor_that_there_is_not_is_one_line_and_exit_2(self):
+        capture = cli.Capture(self.path('set'), ('a', 'b', 'c', 'd'))
+        for verb in (['info', capture.path], ['solve', capture.path, '-o', self.path('solved.exr')]):
+            done = cli.run(*verb, env={'SWAPLIGHT_PROCESSOR_LEVEL': '7'})
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, r"^swaplight: SWAPLIGHT_PROCESSOR_LEVEL is '7': [^\n]* this processor has\n$")
+
     def test_progress_is_one_line_on_a_terminal_and_none_elsewhere_or_when_quiet(self):
         capture = cli.Capture(self.path('set'), ('a', 'b', 'c', 'd'), height=540, width=960)
         call = [cli.PROGRAM, 'solve', capture.path, '-o', self.path('solved.exr')]
