@@ -13,7 +13,8 @@ std::vector<Light> lightsOf(const CaptureDraft& draft) {
   std::vector<Light> lights;
   bool anyRole = false;
   for (const std::string& name : draft.lights) {
-    Light light{name};
+    Light light;
+    light.name = name;
     for (const Role role :
          {Role::Key, Role::Fill, Role::Back, Role::Practical, Role::Kicker, Role::Background})
       if (roleName(role) == name) light.role = role;
