@@ -134,7 +134,7 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress,
   for (const cv::Mat& grey : greys) sum += grey;
   // More than a pixel's standard error: of which the filter leaves about a sixth.
   all.known = (sum > tuning.leastLight) & (sum > sigma);
-  cv::medianBlur(all.known, all.known, tuning.knownWindow);  // noise does not decide pixel by pixel
+  cv::medianBlur(all.known, all.known, 2 * tuning.knownRadius + 1);  // noise does not decide pixel by pixel
   const float floor = tuning.leastLight + tuning.noiseFloor * percentile(sigma, .5);
   std::vector<cv::Mat> logs;
   logs.reserve(greys.size());

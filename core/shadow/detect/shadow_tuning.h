@@ -17,7 +17,7 @@ struct ShadowEvidenceTuning {
   float leastLight = 2e-4F;       ///< of white: what counts as black
   float noiseFloor = .5F;         ///< of the median standard error, added before logarithms are taken
   double shining = .005;          ///< share of the pixels that a light must reach to be one
-  int knownWindow = 7;            ///< pixels, odd: of the median that decides where too little light is
+  int knownRadius = 3;            ///< pixels, of the median that decides where too little light is
   double surfaceShare = .5;       ///< of the reflectance that the level does without
   double edgeBlur = 2;            ///< pixels: standard deviation, before edges are looked for
 
@@ -28,7 +28,7 @@ struct ShadowEvidenceTuning {
                       std::pair{"least_light", &T::leastLight},
                       std::pair{"noise_floor", &T::noiseFloor},
                       std::pair{"shining", &T::shining},
-                      std::pair{"known_window", &T::knownWindow},
+                      std::pair{"known_radius", &T::knownRadius},
                       std::pair{"surface_share", &T::surfaceShare},
                       std::pair{"edge_blur", &T::edgeBlur}};
   }
