@@ -5,9 +5,9 @@
 
 #include "core/shadow/detect/fading_light.h"
 #include "core/shadow/detect/other_lights.h"
-#include "core/shadow/detect/poisson.h"
 #include "core/shadow/detect/shadow_floor.h"
 #include "core/shadow/detect/shadow_pictures.h"
+#include "core/shadow/numeric/poisson.h"
 
 namespace swaplight {
 namespace {

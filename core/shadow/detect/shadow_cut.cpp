@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/shadow/detect/cut_graph.h"
+#include "core/shadow/numeric/cut_graph.h"
 
 namespace swaplight {
 

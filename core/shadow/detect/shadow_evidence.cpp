@@ -5,8 +5,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/shadow/detect/each_light.h"
-#include "core/shadow/detect/poisson.h"
 #include "core/shadow/detect/shadow_pictures.h"
+#include "core/shadow/numeric/poisson.h"
 
 namespace swaplight {
 namespace {
@@ -103,7 +103,7 @@ void findEdges(const cv::Mat& own, const cv::Mat& others, double blur, ShadowEvi
 
 SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress,
                                  const ShadowEvidenceTuning& tuning) {
-  constexpr const char* kWhat = "telling surfaces from shadows";
+  constexpr const char* kWhat = "separating surfaces and shadows";
   SetEvidence all;
   const size_t count = set.contributions.size();
   const cv::Size size(set.width(), set.height());

@@ -21,7 +21,7 @@ SolvedSet shrunk(const SolvedSet& set, int factor, const Progress& progress) {
   const int width = std::max(1, set.width() / factor);
   const int height = std::max(1, set.height() / factor);
   for (const Image& contribution : set.contributions) {
-    progress.update(0, "making a small picture");
+    progress.update(0, "shrinking the set");
     small.contributions.push_back(shrunkImage(contribution, width, height));
   }
   updateBeta(small);

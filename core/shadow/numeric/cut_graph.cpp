@@ -1,4 +1,4 @@
-#include "core/shadow/detect/cut_graph.h"
+#include "core/shadow/numeric/cut_graph.h"
 
 #include <algorithm>
 #include <cmath>

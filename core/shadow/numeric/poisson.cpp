@@ -1,4 +1,4 @@
-#include "core/shadow/detect/poisson.h"
+#include "core/shadow/numeric/poisson.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
