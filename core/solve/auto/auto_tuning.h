@@ -8,8 +8,8 @@
 namespace swaplight {
 
 // What steers model `auto`. Where no derivation is given, a value was chosen on the hard cases with one seed
-// (swaplight bench --hard-cases), and docs/accuracy.md, Ablation, shows what changing it costs on another
-// (scripts/make_ablation).
+// (swaplight bench --hard-cases); docs/accuracy.md, What the constants cost, has them changed on another
+// (scripts/make_ablation solve --only auto.).
 
 /// Of beta pooled with its neighbours (share_pooling.h): once with those beside it, once with those around.
 struct PoolingTuning {

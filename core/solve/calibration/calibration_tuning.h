@@ -6,7 +6,7 @@
 namespace swaplight {
 
 // What steers the estimates of noise, light colours and ambient light. What changing a value costs:
-// docs/accuracy.md, Ablation (scripts/make_ablation).
+// scripts/make_ablation solve.
 
 /// Of noise held against what the matte model leaves (noise_calibration.h).
 struct NoiseCalibrationTuning {

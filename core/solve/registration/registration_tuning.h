@@ -6,7 +6,7 @@
 namespace swaplight {
 
 /// What steers the search for what moved between the shots (moved_pixels.h). What changing a value costs:
-/// docs/accuracy.md, Ablation (scripts/make_ablation).
+/// scripts/make_ablation solve --only motion.
 struct MotionTuning {
   float minMisfit = 4;      ///< residual of pixels that are looked at
   float impossible = 5;     ///< root of chi-square that no light explains, for one degree of freedom
