@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/quantile.h"
 #include "core/shadow/detect/each_light.h"
 #include "core/shadow/detect/shadow_pictures.h"
 #include "core/shadow/numeric/poisson.h"
@@ -63,11 +64,7 @@ cv::Mat sharedGradient(const std::vector<cv::Mat>& g) {
         const bool sameSign = values[0] * values[1] > 0;
         out = sameSign ? (std::abs(values[0]) < std::abs(values[1]) ? values[0] : values[1]) : 0;
       } else if (g.size() > 2) {
-        const size_t half = values.size() / 2;
-        std::nth_element(values.begin(), values.begin() + static_cast<ptrdiff_t>(half), values.end());
-        out = values[half];
-        if (values.size() % 2 == 0)
-          out = (out + *std::max_element(values.begin(), values.begin() + static_cast<ptrdiff_t>(half))) / 2;
+        out = static_cast<float>(interpolatedQuantile(std::span(values), .5));
       }
     }
   return shared;
