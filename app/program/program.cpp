@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <system_error>
 
 #include "app/program/interrupt.h"
@@ -12,7 +13,10 @@
 #include "core/base/out_of_memory.h"
 #include "core/base/parallel.h"
 #include "core/base/version.h"
-#include "core/simd/simd.h"
+#include "core/diagnosis/crash_report.h"
+#include "core/diagnosis/machine_facts.h"
+#include "core/file/user_folders.h"
+#include "core/image/io/picture_process.h"
 
 namespace swaplight {
 namespace {
@@ -20,6 +24,7 @@ namespace {
 constexpr int kBadInput = 2;
 constexpr int kOutOfResources = 3;
 constexpr int kMostThreads = 1024;
+constexpr const char* kTrustPictures = "--trust-pictures";
 constexpr const char* kNoMemory = "out of memory; close other programs, or work at a smaller size";
 
 /// A message may quote a number of 100,000 digits, or 2,000 names: its beginning and its end say enough.
@@ -60,6 +65,11 @@ CLI::App& Program::addVerb(const std::string& name, const std::string& descripti
       ->check(CLI::Range(0, kMostThreads).description(""))
       ->type_name("N")
       ->group("Common");
+  app->add_flag(kTrustPictures)
+      ->description(
+          "Decode pictures in this process: for farms that see only their own ($SWAPLIGHT_TRUST_PICTURES)")
+      ->envname("SWAPLIGHT_TRUST_PICTURES")
+      ->group("Common");
   return *app;
 }
 
@@ -89,12 +99,17 @@ int Program::run(int argc, const char* const* argv) {
 
 int Program::runVerb(Verb& verb) {
   catchInterrupts();
-  setThreads(verb.options.threads);
-  // A studio's graphics drivers have much to say that its users are asked for.
-  if (!verb.options.verbose && verb.app->get_name() != "studio") silenceLibraries();
   try {
-    // A level of processor that there is not is reported for what it is, not by the first who computes.
-    static_cast<void>(processorLevel());
+    std::optional<PictureProcesses> apart;  // before there are threads
+    if (verb.app->count(kTrustPictures) == 0) apart.emplace();
+    setThreads(verb.options.threads);
+    // A studio's graphics drivers have much to say that its users are asked for.
+    if (!verb.options.verbose && verb.app->get_name() != "studio") silenceLibraries();
+    setCrashFact("verb", verb.app->get_name());
+    setCrashFact("system", systemWords());
+    setCrashFact("processor", processorWords());
+    setCrashFact("pictures", pictureProcessWords());
+    reportCrashes(stateFolder() / "crash", standardError());
     Terminal terminal(verb.options);
     return verb.run(terminal);
   } catch (const Stopped&) {

@@ -34,10 +34,14 @@ class ExrZipReader {
   /// any order) and this size.
   [[nodiscard]] bool canRead(int part, const std::vector<std::string>& channels, int width, int height) const;
 
-  /// Reads a part of the file into planes (one a channel, nullptr: not wanted). Throws InputError where it is
-  /// damaged.
-  void read(int part, const std::vector<std::string>& channels, std::span<float* const> planes,
-            const std::function<void(int rows)>& done) const;
+  /// How readRows gives such a part's rows: the types of its channels in the file's order, and for each of
+  /// them its place in `channels`.
+  void layout(int part, const std::vector<std::string>& channels, std::vector<PixelType>& types,
+              std::vector<int>& places) const;
+
+  /// Unpacks rows y .. y + rows of a part, where y is a multiple of 16: each row's channels one after the
+  /// other. Throws InputError where it is damaged.
+  void readRows(int part, int y, int rows, std::byte* to) const;
 
  private:
   struct Impl;

@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <atomic>
-#include <cstring>
-#include <mutex>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -11,12 +8,6 @@
 
 namespace swaplight {
 namespace {
-
-/// A channel of the file, in the file's order, and where its pixels go.
-struct Row {
-  PixelType type = PixelType::Half;
-  float* plane = nullptr;
-};
 
 PixelType typeOf(exr_pixel_type_t type) {
   if (type == EXR_PIXEL_HALF) return PixelType::Half;
@@ -40,26 +31,22 @@ struct ExrZipReader::Impl {
   [[noreturn]] void fail() const {
     throw InputError("{}: damaged or not a valid openexr file: pixels are missing. Copy it again.", name);
   }
-  /// Reads and unpacks the chunk that begins at line y of the part; returns its count of lines.
-  int readChunk(int part, int y, size_t lineBytes, std::vector<std::byte>& packed,
-                std::vector<std::byte>& raw) const;
+  /// Reads and unpacks the chunk that begins at line y of the part, `bytes` of them, into `to`.
+  void readChunk(int part, int y, size_t bytes, std::byte* to) const;
 };
 
-int ExrZipReader::Impl::readChunk(int part, int y, size_t lineBytes, std::vector<std::byte>& packed,
-                                  std::vector<std::byte>& raw) const {
+void ExrZipReader::Impl::readChunk(int part, int y, size_t bytes, std::byte* to) const {
+  thread_local std::vector<std::byte> packed;
   exr_chunk_info_t info;
   if (exr_read_scanline_chunk_info(exr.get(), part, y, &info) != EXR_ERR_SUCCESS) fail();
-  const size_t expected = lineBytes * static_cast<size_t>(std::max(info.height, 0));
-  if (info.height <= 0 || info.unpacked_size != expected || info.packed_size > expected) fail();
-  raw.resize(expected);
-  if (info.packed_size == expected) {  // stored raw
-    if (exr_read_chunk(exr.get(), part, &info, raw.data()) != EXR_ERR_SUCCESS) fail();
-    return info.height;
+  if (info.start_y != y || info.unpacked_size != bytes || info.packed_size > bytes) fail();
+  if (info.packed_size == bytes) {  // stored raw
+    if (exr_read_chunk(exr.get(), part, &info, to) != EXR_ERR_SUCCESS) fail();
+    return;
   }
   packed.resize(info.packed_size);
   if (exr_read_chunk(exr.get(), part, &info, packed.data()) != EXR_ERR_SUCCESS) fail();
-  if (!unpackExrZip(packed, raw)) fail();
-  return info.height;
+  if (!unpackExrZip(packed, {to, bytes})) fail();
 }
 
 ExrZipReader::ExrZipReader(const std::filesystem::path& file) : m_impl(std::make_unique<Impl>()) {
@@ -87,8 +74,18 @@ bool ExrZipReader::canRead(int part, const std::vector<std::string>& channels, i
                      });
 }
 
-void ExrZipReader::read(int part, const std::vector<std::string>& channels, std::span<float* const> planes,
-                        const std::function<void(int rows)>& done) const {
+void ExrZipReader::layout(int part, const std::vector<std::string>& channels, std::vector<PixelType>& types,
+                          std::vector<int>& places) const {
+  const exr_attr_chlist_t* list = nullptr;
+  if (exr_get_channels(m_impl->exr.get(), part, &list) != EXR_ERR_SUCCESS) m_impl->fail();
+  for (int c = 0; c < list->num_channels; ++c) {
+    types.push_back(typeOf(list->entries[c].pixel_type));
+    const auto named = std::find(channels.begin(), channels.end(), list->entries[c].name.str);
+    places.push_back(static_cast<int>(named - channels.begin()));
+  }
+}
+
+void ExrZipReader::readRows(int part, int y, int rows, std::byte* to) const {
   const exr_context_t exr = m_impl->exr.get();
   exr_attr_box2i_t window;
   const exr_attr_chlist_t* list = nullptr;
@@ -97,32 +94,16 @@ void ExrZipReader::read(int part, const std::vector<std::string>& channels, std:
       exr_get_channels(exr, part, &list) != EXR_ERR_SUCCESS ||
       exr_get_scanlines_per_chunk(exr, part, &lines) != EXR_ERR_SUCCESS || lines <= 0)
     m_impl->fail();
-  const int width = window.max.x - window.min.x + 1;
-  const int height = window.max.y - window.min.y + 1;
-  std::vector<Row> rows;
   size_t lineBytes = 0;
-  for (int c = 0; c < list->num_channels; ++c) {
-    const auto named = std::find(channels.begin(), channels.end(), list->entries[c].name.str);
-    rows.push_back(
-        {typeOf(list->entries[c].pixel_type), planes[static_cast<size_t>(named - channels.begin())]});
-    lineBytes += bytesOf(rows.back().type) * static_cast<size_t>(width);
-  }
-  std::mutex reporting;
-  parallelRows((height + lines - 1) / lines, 1, [&](int begin, int end) {
-    thread_local std::vector<std::byte> packed;
-    thread_local std::vector<std::byte> raw;
+  for (int c = 0; c < list->num_channels; ++c)
+    lineBytes += bytesOf(typeOf(list->entries[c].pixel_type)) *
+                 static_cast<size_t>(int64_t{window.max.x} - window.min.x + 1);
+  parallelRows((rows + lines - 1) / lines, 1, [&](int begin, int end) {
     for (int chunk = begin; chunk < end; ++chunk) {
       const int first = chunk * lines;
-      const int count = m_impl->readChunk(part, window.min.y + first, lineBytes, packed, raw);
-      if (first + count > height) m_impl->fail();
-      const std::byte* from = raw.data();
-      for (int y = first; y < first + count; ++y)
-        for (const Row& row : rows) {
-          if (row.plane) unpackRow(from, row.type, row.plane + ptrdiff_t{y} * width, width);
-          from += bytesOf(row.type) * static_cast<size_t>(width);
-        }
-      const std::lock_guard lock(reporting);
-      done(count);
+      const auto count = static_cast<size_t>(std::min(lines, rows - first));
+      m_impl->readChunk(part, window.min.y + y + first, lineBytes * count,
+                        to + lineBytes * static_cast<size_t>(first));
     }
   });
 }
