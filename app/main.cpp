@@ -18,5 +18,6 @@ int main(int argc, char** argv) {
   addBenchVerb(program);
   addShadowsVerb(program);
   addBetaVerb(program);
+  addDoctorVerb(program);
   return program.run(argc, argv);
 }

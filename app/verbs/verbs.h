@@ -18,5 +18,6 @@ void addPlanVerb(Program& program);
 void addNewVerb(Program& program);
 void addShadowsVerb(Program& program);
 void addBetaVerb(Program& program);
+void addDoctorVerb(Program& program);
 
 }  // namespace swaplight

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <initializer_list>
 
+#include "ui/kit/font_files.h"
 #include "ui/kit/icons.h"
 
 namespace swaplight {
@@ -18,11 +19,6 @@ constexpr float kTitleSize = 38;
 
 // Latin with accents, Greek for beta and sigma, punctuation, arrows and mathematics.
 const ImWchar kTextRanges[] = {0x20, 0x17f, 0x391, 0x3c9, 0x2010, 0x2044, 0x2190, 0x2195, 0x2200, 0x2265, 0};
-
-const char* const kInterFolder = "/usr/share/fonts/opentype/inter/";
-const char* const kIconFile =
-    "/usr/share/fonts/truetype/material-design-icons-iconfont/MaterialIcons-Regular.ttf";
-const char* const kFallbackFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 // Only the icons in use: the font has thousands.
 const ImVector<ImWchar>& iconRanges() {
@@ -45,17 +41,16 @@ ImFont* loadFont(const char* interFace, float size) {
   ImFontConfig config;
   config.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
   ImFont* font = nullptr;
-  for (const std::filesystem::path& file :
-       {std::filesystem::path(kInterFolder) / interFace, std::filesystem::path(kFallbackFont)}) {
+  for (const std::filesystem::path& file : {kInterFolder / interFace, kFallbackFont}) {
     if (!font && std::filesystem::exists(file))
       font = atlas.AddFontFromFileTTF(file.c_str(), pixels, &config, kTextRanges);
   }
   if (!font) font = atlas.AddFontDefault();
-  if (std::filesystem::exists(kIconFile)) {
+  if (std::filesystem::exists(kIconFontFile)) {
     config.MergeMode = true;
     config.GlyphOffset = ImVec2(0, std::round(0.18F * pixels));
     config.GlyphMinAdvanceX = pixels * 1.15F;
-    atlas.AddFontFromFileTTF(kIconFile, std::round(pixels * 1.15F), &config, iconRanges().Data);
+    atlas.AddFontFromFileTTF(kIconFontFile.c_str(), std::round(pixels * 1.15F), &config, iconRanges().Data);
   }
   return font;
 }
