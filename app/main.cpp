@@ -19,5 +19,6 @@ int main(int argc, char** argv) {
   addShadowsVerb(program);
   addBetaVerb(program);
   addDoctorVerb(program);
+  addLookVerb(program);
   return program.run(argc, argv);
 }

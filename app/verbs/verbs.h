@@ -19,5 +19,6 @@ void addNewVerb(Program& program);
 void addShadowsVerb(Program& program);
 void addBetaVerb(Program& program);
 void addDoctorVerb(Program& program);
+void addLookVerb(Program& program);
 
 }  // namespace swaplight

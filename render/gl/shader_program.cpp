@@ -21,16 +21,14 @@ std::string infoLog(GetLength getLength, GetLog getLog, GLuint id) {
   return log;
 }
 
-void compile(GLuint shader, const std::string& file, const std::string& source) {
+/// Throws std::runtime_error with the compiler's words.
+void compile(GLuint shader, const std::string& source) {
   const char* text = source.c_str();
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
   GLint ok = GL_FALSE;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-  if (!ok)
-    throw std::runtime_error(fmt::format("the shader {} does not compile:\n{}\n{}", file,
-                                         infoLog(glGetShaderiv, glGetShaderInfoLog, shader),
-                                         numberedSource(source)));
+  if (!ok) throw std::runtime_error(infoLog(glGetShaderiv, glGetShaderInfoLog, shader));
 }
 
 std::string withInjected(std::string source, const std::string& injected) {
@@ -63,12 +61,30 @@ struct SetUniform {
 }  // namespace
 
 ShaderProgram::ShaderProgram(const std::string& vertexFile, const std::string& fragmentFile,
-                             const std::string& injected)
-    : m_program(GlProgram::make()) {
+                             const std::string& injected) {
+  const std::string vertex = shaderSource(vertexFile);
+  const std::string fragment = withInjected(shaderSource(fragmentFile), injected);
+  try {
+    link(vertex, fragment);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("the shaders {} and {} do not compile:\n{}\n{}\n{}", vertexFile,
+                                         fragmentFile, error.what(), numberedSource(vertex),
+                                         numberedSource(fragment)));
+  }
+}
+
+ShaderProgram ShaderProgram::fromSources(const std::string& vertex, const std::string& fragment) {
+  ShaderProgram program;
+  program.link(vertex, fragment);
+  return program;
+}
+
+void ShaderProgram::link(const std::string& vertexSource, const std::string& fragmentSource) {
+  m_program = GlProgram::make();
   const auto vertex = GlVertexShader::make();
   const auto fragment = GlFragmentShader::make();
-  compile(vertex.id(), vertexFile, shaderSource(vertexFile));
-  compile(fragment.id(), fragmentFile, withInjected(shaderSource(fragmentFile), injected));
+  compile(vertex.id(), vertexSource);
+  compile(fragment.id(), fragmentSource);
   glAttachShader(id(), vertex.id());
   glAttachShader(id(), fragment.id());
   glLinkProgram(id());
@@ -76,9 +92,7 @@ ShaderProgram::ShaderProgram(const std::string& vertexFile, const std::string& f
   glDetachShader(id(), fragment.id());
   GLint ok = GL_FALSE;
   glGetProgramiv(id(), GL_LINK_STATUS, &ok);
-  if (!ok)
-    throw std::runtime_error(fmt::format("the shaders {} and {} do not link:\n{}", vertexFile, fragmentFile,
-                                         infoLog(glGetProgramiv, glGetProgramInfoLog, id())));
+  if (!ok) throw std::runtime_error(infoLog(glGetProgramiv, glGetProgramInfoLog, id()));
 
   GLint count = 0, longest = 0;
   glGetProgramiv(id(), GL_ACTIVE_UNIFORMS, &count);

@@ -31,6 +31,8 @@ class ShaderProgram {
   /// Throws std::runtime_error with the compiler's words and the numbered source.
   ShaderProgram(const std::string& vertexFile, const std::string& fragmentFile,
                 const std::string& injected = "");
+  /// Out of sources. Throws std::runtime_error with the compiler's words alone.
+  [[nodiscard]] static ShaderProgram fromSources(const std::string& vertex, const std::string& fragment);
 
   [[nodiscard]] unsigned id() const { return m_program.id(); }
   explicit operator bool() const { return static_cast<bool>(m_program); }
@@ -41,6 +43,8 @@ class ShaderProgram {
   [[nodiscard]] bool hasUniform(std::string_view name) const { return m_locations.contains(name); }
 
  private:
+  void link(const std::string& vertex, const std::string& fragment);
+
   GlProgram m_program;
   std::map<std::string, int, std::less<>> m_locations;
 };

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/program/terminal.h"
+#include "core/export/frame_file.h"
+#include "core/filter/filter_library.h"
+#include "render/filter/pipeline_renderer.h"
+
+namespace swaplight {
+
+/// What `swaplight look` is asked for.
+struct LookArguments {
+  std::string action;
+  std::vector<std::string> names;    ///< of filters, looks or a frame, as the action has it
+  std::string look;                  ///< a .swaplook file
+  std::vector<std::string> filters;  ///< stages as typed
+  std::string output, save, name;
+  FrameOptions frame;
+  FilterTime time;
+  int tileSide = 4096;
+  int width = 240;  ///< of thumbnails, in pixels
+  double mostSeconds = 20;
+  bool alpha = false;
+};
+
+// An action each. They return the exit code and throw InputError.
+
+int listFilters(const LookArguments& arguments, Terminal& terminal);
+int showFilter(const LookArguments& arguments, Terminal& terminal);
+int lintFilters(const LookArguments& arguments, Terminal& terminal);
+int applyFilters(const LookArguments& arguments, Terminal& terminal);
+int drawThumbnails(const LookArguments& arguments, Terminal& terminal);
+
+}  // namespace swaplight

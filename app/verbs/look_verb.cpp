@@ -1,0 +1,68 @@
+#include "app/arguments/display_arguments.h"
+#include "app/program/number_range.h"
+#include "app/verbs/look_actions.h"
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+
+namespace swaplight {
+namespace {
+
+int run(const LookArguments& arguments, Terminal& terminal) {
+  if (arguments.action == "list") return listFilters(arguments, terminal);
+  if (arguments.action == "show") return showFilter(arguments, terminal);
+  if (arguments.action == "lint") return lintFilters(arguments, terminal);
+  if (arguments.action == "apply") return applyFilters(arguments, terminal);
+  if (arguments.action == "thumbnails") return drawThumbnails(arguments, terminal);
+  throw InputError("look {}: expected list, show, lint, apply or thumbnails", arguments.action);
+}
+
+}  // namespace
+
+void addLookVerb(Program& program) {
+  const auto a = std::make_shared<LookArguments>();
+  CLI::App& verb =
+      program.addVerb("look", "Camera shaders: list, show and check filters, and apply them to a frame",
+                      [a](Terminal& terminal) { return run(*a, terminal); });
+  verb.add_option("ACTION", a->action, "list, show NAME, lint FILES, apply FRAME, or thumbnails FRAME")
+      ->required();
+  verb.add_option("NAME", a->names,
+                  "list: words to look for; show: a filter or .swaplook; "
+                  "lint: files or folders; apply: the frame");
+  verb.add_option("--look", a->look, "apply: a camera look, by name or file")->type_name("NAME");
+  // One value an option: a filter is not to swallow the frame.
+  verb.add_option("--filter", a->filters, "apply: a filter, with its parameters; again for the next one")
+      ->type_name("NAME,param=value")
+      ->expected(1)
+      ->take_all();
+  verb.add_option(
+          "-o,--output", a->output,
+          "apply: the frame: EXR and HDR in light, PNG, TIFF and JPEG for a display; thumbnails: a folder")
+      ->type_name("FRAME");
+  verb.add_option("--save", a->save, "apply: also write the filters as a camera look")
+      ->type_name("FILE.swaplook");
+  verb.add_option("--name", a->name, "apply --save: the look's name (default: the file's)")
+      ->type_name("TEXT");
+  addDisplayOptions(verb, a->frame.display);
+  verb.add_option("--type", a->frame.write.pixelType,
+                  "apply: half, float, uint8 or uint16 (default: the format's)")
+      ->type_name("TYPE");
+  verb.add_option("--frame", a->time.frame, "apply: the frame's number, from which grain and flicker follow")
+      ->check(NumberRange(0, 1e8))
+      ->type_name("N");
+  verb.add_option("--fps", a->time.framesPerSecond, "apply: frames a second (default: 24)")
+      ->check(NumberRange(0.01, 10000))
+      ->type_name("X");
+  verb.add_option("--tile", a->tileSide,
+                  "apply: longest side of the parts of large frames (default: 4096 pixels)")
+      ->check(NumberRange(16, 16384))
+      ->type_name("N");
+  verb.add_option("--width", a->width, "thumbnails: width of a picture (default: 240 pixels)")
+      ->check(NumberRange(16, 4096))
+      ->type_name("N");
+  verb.add_option("--seconds", a->mostSeconds, "The longest that a filter may take for a part (default: 20)")
+      ->check(NumberRange(0.1, 1e5))
+      ->type_name("X");
+  verb.add_flag("--alpha", a->alpha, "apply: write alpha too (a matte)");
+}
+
+}  // namespace swaplight

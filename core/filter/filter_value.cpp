@@ -1,0 +1,190 @@
+#include "core/filter/filter_value.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/json.h"
+#include "core/file/json_fields.h"
+#include "core/file/json_file.h"
+
+namespace swaplight {
+namespace {
+
+struct TypeName {
+  FilterInputType type;
+  const char* name;
+  const char* expected;
+};
+
+constexpr std::array<TypeName, 9> kTypes = {{
+    {FilterInputType::Event, "event", "true or false"},
+    {FilterInputType::Bool, "bool", "true or false"},
+    {FilterInputType::Choice, "long", "a whole number"},
+    {FilterInputType::Float, "float", "a number"},
+    {FilterInputType::Point, "point2D", "two numbers"},
+    {FilterInputType::Color, "color", "three or four numbers (red, green, blue, alpha)"},
+    {FilterInputType::Image, "image", "the name of a picture's file"},
+    {FilterInputType::Audio, "audio", "sound"},
+    {FilterInputType::AudioSpectrum, "audioFFT", "sound"},
+}};
+
+const TypeName& rowOf(FilterInputType type) {
+  return kTypes[static_cast<size_t>(type)];
+}
+
+[[noreturn]] void fail(const std::string& where, const std::string& found, FilterInputType type) {
+  throw InputError("{}: is {}, expected {}", where, found, rowOf(type).expected);
+}
+
+std::optional<float> finite(const Json& json) {
+  if (!json.is_number()) return {};
+  const auto value = static_cast<float>(json.get<double>());
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// Numbers parted by ':' (or '/'); empty where one of them is none.
+std::vector<float> numbersOf(const std::string& text) {
+  std::vector<float> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at < end) {
+    float value = 0;
+    const auto [stop, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || !std::isfinite(value) || (stop < end && *stop != ':' && *stop != '/'))
+      return {};
+    numbers.push_back(value);
+    at = stop + (stop < end ? 1 : 0);
+  }
+  return numbers;
+}
+
+std::optional<FilterColor> hexColor(const std::string& text) {
+  if (text.size() != 7 || text[0] != '#') return {};
+  unsigned bits = 0;
+  const auto [stop, error] = std::from_chars(text.data() + 1, text.data() + 7, bits, 16);
+  if (error != std::errc() || stop != text.data() + 7) return {};
+  const auto part = [&](unsigned shift) { return static_cast<float>(bits >> shift & 255U) / 255.0F; };
+  return FilterColor{part(16), part(8), part(0), 1};
+}
+
+FilterValue booleanOf(const Json& json, FilterInputType type, const std::string& where) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number()) return json.get<double>() != 0;  // ISF files write 0 and 1
+  fail(where, describeJson(json), type);
+}
+
+FilterValue listOf(const Json& json, FilterInputType type, const std::string& where) {
+  const size_t most = type == FilterInputType::Point ? 2 : 4;
+  const size_t fewest = type == FilterInputType::Point ? 2 : 3;
+  if (!json.is_array() || json.size() < fewest || json.size() > most) fail(where, describeJson(json), type);
+  FilterColor values{0, 0, 0, 1};
+  for (size_t i = 0; i < json.size(); ++i) {
+    const std::optional<float> value = finite(json[i]);
+    if (!value) fail(where, describeJson(json[i]), type);
+    values[i] = *value;
+  }
+  if (type == FilterInputType::Point) return FilterPoint{values[0], values[1]};
+  return values;
+}
+
+}  // namespace
+
+const char* isfTypeName(FilterInputType type) {
+  return rowOf(type).name;
+}
+
+std::optional<FilterInputType> inputTypeFromIsf(const std::string& name) {
+  for (const TypeName& row : kTypes)
+    if (row.name == name) return row.type;
+  return {};
+}
+
+Json jsonFromFilterValue(const FilterValue& value) {
+  struct Writer {
+    Json operator()(bool v) const { return v; }
+    Json operator()(int v) const { return v; }
+    Json operator()(float v) const { return jsonNumber(v); }
+    Json operator()(const FilterPoint& v) const { return {jsonNumber(v[0]), jsonNumber(v[1])}; }
+    Json operator()(const FilterColor& v) const {
+      return {jsonNumber(v[0]), jsonNumber(v[1]), jsonNumber(v[2]), jsonNumber(v[3])};
+    }
+    Json operator()(const std::string& v) const { return v; }
+  };
+  return std::visit(Writer{}, value);
+}
+
+FilterValue filterValueFromJson(const Json& json, FilterInputType type, const std::string& where) {
+  switch (type) {
+    case FilterInputType::Event:
+    case FilterInputType::Bool:
+      return booleanOf(json, type, where);
+    case FilterInputType::Choice:
+      if (!json.is_number() || json.get<double>() != std::floor(json.get<double>()) ||
+          std::abs(json.get<double>()) > 1e9)
+        fail(where, describeJson(json), type);
+      return static_cast<int>(json.get<double>());
+    case FilterInputType::Float:
+      if (const std::optional<float> value = finite(json)) return *value;
+      fail(where, describeJson(json), type);
+    case FilterInputType::Point:
+    case FilterInputType::Color:
+      return listOf(json, type, where);
+    case FilterInputType::Image:
+    case FilterInputType::Audio:
+    case FilterInputType::AudioSpectrum:
+      if (!json.is_string()) fail(where, describeJson(json), type);
+      return json.get<std::string>();
+  }
+  return 0.0F;
+}
+
+std::string textFromFilterValue(const FilterValue& value) {
+  struct Writer {
+    std::string operator()(bool v) const { return v ? "on" : "off"; }
+    std::string operator()(int v) const { return fmt::format("{}", v); }
+    std::string operator()(float v) const { return fmt::format("{}", v); }
+    std::string operator()(const FilterPoint& v) const { return fmt::format("{}:{}", v[0], v[1]); }
+    std::string operator()(const FilterColor& v) const { return fmt::format("{}", fmt::join(v, ":")); }
+    std::string operator()(const std::string& v) const { return v; }
+  };
+  return std::visit(Writer{}, value);
+}
+
+FilterValue filterValueFromText(const std::string& text, FilterInputType type, const std::string& where) {
+  const std::string found = fmt::format("\"{}\"", text);
+  switch (type) {
+    case FilterInputType::Event:
+    case FilterInputType::Bool:
+      if (text == "on" || text == "true" || text == "yes" || text == "1") return true;
+      if (text == "off" || text == "false" || text == "no" || text == "0") return false;
+      throw InputError("{}: is {}, expected on or off", where, found);
+    case FilterInputType::Image:
+    case FilterInputType::Audio:
+    case FilterInputType::AudioSpectrum:
+      return text;
+    case FilterInputType::Color:
+      if (const std::optional<FilterColor> color = hexColor(text)) return *color;
+      break;
+    case FilterInputType::Choice:
+    case FilterInputType::Float:
+    case FilterInputType::Point:
+      break;
+  }
+  const std::vector<float> numbers = numbersOf(text);
+  if (type == FilterInputType::Float || type == FilterInputType::Choice) {
+    if (numbers.size() != 1) fail(where, found, type);
+    return filterValueFromJson(Json(numbers[0]), type, where);
+  }
+  const size_t fewest = type == FilterInputType::Point ? 2 : 3;
+  if (numbers.size() < fewest || numbers.size() > (type == FilterInputType::Point ? 2U : 4U))
+    fail(where,
+         found + (type == FilterInputType::Point ? " (write 0.5:0.5)" : " (write 1:0.5:0, or #ff8000)"),
+         type);
+  return filterValueFromJson(Json(numbers), type, where);
+}
+
+}  // namespace swaplight

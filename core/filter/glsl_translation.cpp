@@ -1,0 +1,261 @@
+#include "core/filter/glsl_translation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "core/filter/glsl_loops.h"
+#include "core/filter/glsl_tokens.h"
+
+namespace swaplight {
+namespace {
+
+using Tokens = std::vector<GlslToken>;
+
+/// Words that ISF's GLSL 1.20 leaves free and 4.10 does not.
+const std::set<std::string>& newlyReserved() {
+  static const std::set<std::string> words = {
+      "sample",   "patch",     "smooth", "flat",      "centroid", "noperspective", "subroutine", "layout",
+      "common",   "active",    "filter", "partition", "resource", "input",         "output",     "precise",
+      "uint",     "superp",    "half",   "fixed",     "template", "this",          "class",      "union",
+      "enum",     "packed",    "using",  "public",    "static",   "extern",        "external",   "interface",
+      "long",     "short",     "double", "unsigned",  "switch",   "case",          "default",    "inline",
+      "noinline", "namespace", "cast",   "sizeof",    "typedef"};
+  return words;
+}
+
+std::string replacementOf(const std::string& word, bool vertex) {
+  static const std::map<std::string, std::string> both = {{"vv_FragNormCoord", "isf_FragNormCoord"},
+                                                          {"vv_vertShaderInit", "isf_vertShaderInit"},
+                                                          {"texture2D", "texture"},
+                                                          {"texture2DRect", "texture"},
+                                                          {"sampler2DRect", "sampler2D"},
+                                                          {"main", "isf_userMain"}};
+  static const std::map<std::string, std::string> inFragment = {
+      {"gl_FragColor", "isf_FragColor"}, {"gl_FragCoord", "isf_FragCoord"}, {"varying", "in"}};
+  static const std::map<std::string, std::string> inVertex = {
+      {"varying", "out"}, {"attribute", "const"}, {"gl_Vertex", "isf_position"}};
+  for (const auto* table : {&both, vertex ? &inVertex : &inFragment})
+    if (const auto found = table->find(word); found != table->end()) return found->second;
+  return word;
+}
+
+/// A switch statement is legal where a program asks for a newer GLSL than ISF's; then words keep their
+/// meaning.
+bool asksForNewGlsl(const std::string& source) {
+  static const std::regex version("#\\s*version\\s+([0-9]+)");
+  std::smatch match;
+  return std::regex_search(source, match, version) && std::stoi(match[1].str().substr(0, 4)) >= 130;
+}
+
+/// Directives that the translation's own replace: to blanks, up to the end of the line.
+void dropDirectives(Tokens& tokens) {
+  for (size_t at = 0; at < tokens.size(); ++at) {
+    if (!tokens[at].is("#")) continue;
+    const size_t word = nextToken(tokens, at + 1);
+    if (word >= tokens.size() || !(tokens[word].is("version") || tokens[word].is("extension"))) continue;
+    for (size_t i = at; i < tokens.size() && tokens[i].text.find('\n') == std::string::npos; ++i)
+      tokens[i] = {GlslToken::Kind::Blank, " "};
+  }
+}
+
+struct ImageCall {
+  const char* isf;
+  const char* function;
+  bool elsewhere;
+};
+constexpr std::array<ImageCall, 5> kImageCalls = {{{"IMG_PIXEL", "isf_pixel", true},
+                                                   {"IMG_NORM_PIXEL", "isf_normPixel", true},
+                                                   {"IMG_THIS_PIXEL", "isf_thisPixel", false},
+                                                   {"IMG_THIS_NORM_PIXEL", "isf_thisPixel", false},
+                                                   {"IMG_SIZE", "isf_size", false}}};
+
+/// IMG_PIXEL(image, p) becomes isf_pixel(image, isf_window_image, p), and so on.
+bool replaceImageCalls(Tokens& tokens, const std::set<std::string>& images) {
+  bool elsewhere = false;
+  for (size_t at = 0; at < tokens.size(); ++at) {
+    const auto call = std::find_if(kImageCalls.begin(), kImageCalls.end(),
+                                   [&](const ImageCall& row) { return tokens[at].is(row.isf); });
+    if (tokens[at].is("texture2D") || tokens[at].is("texture2DRect") || tokens[at].is("texture"))
+      elsewhere = true;
+    if (call == kImageCalls.end()) continue;
+    const size_t open = nextToken(tokens, at + 1);
+    const size_t image = nextToken(tokens, open + 1);
+    if (image >= tokens.size() || !tokens[open].is("(") || tokens[image].kind != GlslToken::Kind::Word)
+      continue;
+    tokens[at].text = call->function;
+    elsewhere = elsewhere || call->elsewhere;
+    const std::string& name = tokens[image].text;
+    // The sampler may be the parameter of a function: then it is taken to be all of its image.
+    tokens[image].text = images.contains(name)
+                             ? fmt::format("{0}, isf_window_{0}", name)
+                             : fmt::format("{0}, vec4(0.0, 0.0, vec2(textureSize({0}, 0)))", name);
+  }
+  return elsewhere;
+}
+
+/// ISF's older names of an image's rectangle and size.
+void replaceImageNames(Tokens& tokens, const std::set<std::string>& images) {
+  for (GlslToken& token : tokens) {
+    if (token.kind != GlslToken::Kind::Word || token.text[0] != '_') continue;
+    for (const std::string& image : images) {
+      if (token.text == "_" + image + "_imgRect") token.text = "vec4(0.0, 0.0, 1.0, 1.0)";
+      if (token.text == "_" + image + "_imgSize") token.text = fmt::format("isf_window_{}.zw", image);
+      if (token.text == "_" + image + "_flip") token.text = "false";
+    }
+  }
+}
+
+std::string translateBody(const std::string& source, const std::set<std::string>& images, bool vertex,
+                          bool maySkipBounds, bool& elsewhere) {
+  const bool modern = asksForNewGlsl(source);
+  Tokens tokens = glslTokens(source);
+  dropDirectives(tokens);
+  elsewhere = replaceImageCalls(tokens, images) || elsewhere;
+  replaceImageNames(tokens, images);
+  for (GlslToken& token : tokens) {
+    if (token.kind != GlslToken::Kind::Word) continue;
+    token.text = replacementOf(token.text, vertex);
+    if (!modern && newlyReserved().contains(token.text)) token.text = "isf_word_" + token.text;
+  }
+  if (!maySkipBounds) boundLoops(tokens);
+  return glslText(tokens);
+}
+
+const char* glslType(FilterInputType type) {
+  switch (type) {
+    case FilterInputType::Event:
+    case FilterInputType::Bool:
+      return "bool";
+    case FilterInputType::Choice:
+      return "int";
+    case FilterInputType::Float:
+      return "float";
+    case FilterInputType::Point:
+      return "vec2";
+    case FilterInputType::Color:
+      return "vec4";
+    case FilterInputType::Image:
+    case FilterInputType::Audio:
+    case FilterInputType::AudioSpectrum:
+      return "sampler2D";
+  }
+  return "float";
+}
+
+std::vector<std::string> imagesOf(const Filter& filter) {
+  std::vector<std::string> images;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && std::find(images.begin(), images.end(), name) == images.end())
+      images.push_back(name);
+  };
+  if (filter.takesImage) add("inputImage");
+  for (const FilterInput& input : filter.inputs)
+    if (std::string(glslType(input.type)) == "sampler2D") add(input.name);
+  for (const FilterPass& pass : filter.passes) add(pass.target);
+  for (const FilterImport& import : filter.imports) add(import.name);
+  add(filter.overview);
+  return images;
+}
+
+std::string declarations(const Filter& filter, const std::vector<std::string>& images) {
+  std::string text =
+      "#version 410 core\n"
+      "uniform int PASSINDEX;\nuniform vec2 RENDERSIZE;\nuniform float TIME;\nuniform float TIMEDELTA;\n"
+      "uniform vec4 DATE;\nuniform int FRAMEINDEX;\nuniform vec2 isf_origin;\nuniform vec4 isf_target;\n"
+      "uniform vec2 isf_bounds;\n";
+  for (const FilterInput& input : filter.inputs)
+    if (std::string(glslType(input.type)) != "sampler2D")
+      text += fmt::format("uniform {} {};\n", glslType(input.type), input.name);
+  for (const std::string& image : images)
+    text += fmt::format("uniform sampler2D {0};\nuniform vec4 isf_window_{0};\n", image);
+  text += fmt::format("int isf_turns = 0;\nbool isf_go() {{ return ++isf_turns <= {}; }}\n", kMostLoopTurns);
+  // An image is read by the pixel of all of it; `window` says where its texture begins, and its whole size.
+  text += filter.nearest
+              ? "vec4 isf_pixel(sampler2D image, vec4 window, vec2 p) {\n"
+                "  return texelFetch(image, clamp(ivec2(floor(p - window.xy)), ivec2(0), "
+                "textureSize(image, 0) - 1), 0);\n}\n"
+              : "vec4 isf_pixel(sampler2D image, vec4 window, vec2 p) {\n"
+                "  return textureLod(image, (p - window.xy) / vec2(textureSize(image, 0)), 0.0);\n}\n";
+  return text +
+         "vec4 isf_normPixel(sampler2D image, vec4 window, vec2 p) { return isf_pixel(image, window, p * "
+         "window.zw); }\n"
+         "vec2 isf_size(sampler2D image, vec4 window) { return window.zw; }\n";
+}
+
+constexpr const char* kFragmentStart =
+    "out vec4 isf_FragColor;\n"
+    "#define isf_FragCoord vec4(gl_FragCoord.xy + isf_origin, gl_FragCoord.zw)\n"
+    "#define isf_FragNormCoord ((gl_FragCoord.xy + isf_origin) / RENDERSIZE)\n"
+    "vec4 isf_thisPixel(sampler2D image, vec4 window) {\n"
+    "  if (window.zw == RENDERSIZE)\n"
+    "    return texelFetch(image, clamp(ivec2(gl_FragCoord.xy + isf_origin - window.xy), ivec2(0), "
+    "textureSize(image, 0) - 1), 0);\n"
+    "  return isf_normPixel(image, window, isf_FragNormCoord);\n"
+    "}\n";
+
+constexpr const char* kFragmentEnd =
+    "\nvoid main() {\n"
+    "  isf_FragColor = vec4(0.0);\n"
+    "  isf_userMain();\n"
+    "  isf_FragColor = clamp(mix(isf_FragColor, vec4(0.0), isnan(isf_FragColor)), isf_bounds.x, "
+    "isf_bounds.y);\n"
+    "}\n";
+
+// A quad of four corners, so that what an author computes at them is interpolated as in other programs.
+constexpr const char* kVertexStart =
+    "vec2 isf_corner;\nvec2 isf_FragNormCoord;\nvec4 isf_position;\n"
+    "void isf_vertShaderInit() {\n"
+    "  gl_Position = vec4(isf_corner * 2.0 - 1.0, 0.0, 1.0);\n"
+    "  isf_position = gl_Position;\n"
+    "  isf_FragNormCoord = (isf_target.xy + isf_corner * isf_target.zw) / RENDERSIZE;\n"
+    "}\n"
+    "vec4 isf_thisPixel(sampler2D image, vec4 window) { return isf_normPixel(image, window, "
+    "isf_FragNormCoord); }\n";
+
+constexpr const char* kVertexEnd =
+    "\nvoid main() {\n"
+    "  isf_corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));\n"
+    "  isf_vertShaderInit();\n"
+    "  isf_userMain();\n"
+    "}\n";
+
+}  // namespace
+
+GlslTranslation translateFilter(const Filter& filter, bool maySkipBounds) {
+  GlslTranslation result;
+  result.images = imagesOf(filter);
+  const std::set<std::string> images(result.images.begin(), result.images.end());
+  const std::string head = declarations(filter, result.images);
+  result.fragment = head + kFragmentStart + fmt::format("#line {}\n", filter.sourceLine) +
+                    translateBody(filter.source, images, false, maySkipBounds, result.looksElsewhere) +
+                    kFragmentEnd;
+  const std::string vertex = filter.vertexSource.empty() ? "void main() {}" : filter.vertexSource;
+  bool ignored = false;
+  result.vertex = head + kVertexStart + "#line 1\n" +
+                  translateBody(vertex, images, true, maySkipBounds, ignored) + kVertexEnd;
+  if (!filter.vertexSource.empty()) result.looksElsewhere = true;
+  return result;
+}
+
+std::string compileErrorLine(const std::string& log, const std::string& file) {
+  static const std::regex mesa("[0-9]+:([0-9]+)\\([0-9]+\\): *error: *([^\\n]*)");
+  static const std::regex nvidia("[0-9]+\\(([0-9]+)\\) *: *error *[A-Z0-9]*:? *([^\\n]*)");
+  static const std::regex others("ERROR: *[0-9]+:([0-9]+): *([^\\n]*)");
+  static const std::regex renamed("isf_word_");
+  for (const std::regex& pattern : {mesa, nvidia, others}) {
+    std::smatch match;
+    if (!std::regex_search(log, match, pattern)) continue;
+    std::string words = std::regex_replace(match[2].str(), renamed, "");
+    words = std::regex_replace(words, std::regex("isf_userMain"), "main");
+    words = std::regex_replace(words, std::regex("isf_FragColor"), "gl_FragColor");
+    return fmt::format("{}:{}: {}", file, match[1].str(), words);
+  }
+  const size_t end = log.find('\n');
+  return fmt::format("{}: {}", file, end == std::string::npos ? log : log.substr(0, end));
+}
+
+}  // namespace swaplight

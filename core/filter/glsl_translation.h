@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/filter/filter.h"
+
+namespace swaplight {
+
+/// A filter as OpenGL 4.1 compiles it.
+///
+/// Uniforms: ISF's own (PASSINDEX, RENDERSIZE, TIME, TIMEDELTA, DATE, FRAMEINDEX) and every input by its
+/// name. `isf_origin` (vec2) is the pixel of the pass at which its left bottom corner lies: a tile's place.
+/// Every image X has `isf_window_X` (vec4): the pixel of X at which its texture begins, and the size of all
+/// of X. `isf_bounds` (vec2): what results are clamped to. What is not a number becomes 0.
+struct GlslTranslation {
+  std::string vertex, fragment;
+  std::vector<std::string> images;  ///< samplers: inputImage, inputs, targets, imports, the overview
+  bool looksElsewhere = false;      ///< it reads other pixels than the one it writes
+};
+
+/// `maySkipBounds`: loops stay as they are (the program's own filters are known to end).
+[[nodiscard]] GlslTranslation translateFilter(const Filter& filter, bool maySkipBounds = false);
+
+/// One line of a compiler's words that names the filter's own file and line: "soft.fs:12: ...", out of what
+/// Mesa ("0:12(3): error: ..."), NVIDIA ("0(12) : error ...") and others print.
+[[nodiscard]] std::string compileErrorLine(const std::string& log, const std::string& file);
+
+}  // namespace swaplight

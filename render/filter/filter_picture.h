@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/filter/filter.h"
+#include "core/image/image.h"
+
+namespace swaplight {
+
+/// A picture that a filter reads, R G B and alpha where it has one, in what the filter works on: floats hold
+/// light, other formats sRGB codes, each decoded or encoded as needed. A colour table (.cube, 3-D) becomes a
+/// picture of N * N x N pixels: red and green across (green slowest), blue upwards. Throws InputError that
+/// names the file.
+[[nodiscard]] Image readFilterPicture(const std::filesystem::path& file, FilterSpace space);
+
+}  // namespace swaplight

@@ -1,0 +1,202 @@
+#include "render/filter/filter_program.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/filter/glsl_translation.h"
+#include "core/filter/size_expression.h"
+#include "render/gl/gl_info.h"
+#include "render/gl/gl_scope.h"
+
+namespace swaplight {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+std::optional<double> numberOf(const FilterValue& value) {
+  if (const auto* number = std::get_if<float>(&value)) return *number;
+  if (const auto* choice = std::get_if<int>(&value)) return *choice;
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? 1 : 0;
+  return {};
+}
+
+double evaluate(const Filter& filter, std::span<const FilterValue> values, const std::string& expression,
+                int width, int height) {
+  return expressionValue(expression, [&](const std::string& name) -> std::optional<double> {
+    if (name == "WIDTH") return width;
+    if (name == "HEIGHT") return height;
+    for (size_t i = 0; i < filter.inputs.size(); ++i)
+      if (filter.inputs[i].name == name) return numberOf(values[i]);
+    return {};
+  });
+}
+
+struct SetFilterUniform {
+  const ShaderProgram& program;
+  const std::string& name;
+  void operator()(bool v) const { program.set({{name, v ? 1 : 0}}); }
+  void operator()(int v) const { program.set({{name, v}}); }
+  void operator()(float v) const { program.set({{name, v}}); }
+  void operator()(const FilterPoint& v) const { program.set({{name, glm::vec2(v[0], v[1])}}); }
+  void operator()(const FilterColor& v) const { program.set({{name, glm::vec4(v[0], v[1], v[2], v[3])}}); }
+  void operator()(const std::string& /*file*/) const {}  // bound as a texture
+};
+
+}  // namespace
+
+struct FilterProgram::Drawing {
+  const FilterTexture& input;
+  std::span<const FilterValue> values;
+  const FilterPictures& pictures;
+  const FilterTime& time;
+  double mostSeconds;
+  Clock::time_point begin = Clock::now();
+  std::map<std::string, FilterTexture> targets = {};
+  FilterTexture nothing = FilterTexture(FilterWindow::whole(1, 1));
+};
+
+FilterProgram::FilterProgram(std::shared_ptr<const Filter> filter)
+    : m_filter(std::move(filter)), m_vertexArray(GlVertexArray::make()) {
+  GlslTranslation translation = translateFilter(*m_filter, m_filter->builtIn);
+  try {
+    m_program = ShaderProgram::fromSources(translation.vertex, translation.fragment);
+  } catch (const std::runtime_error& error) {
+    throw InputError("{}", compileErrorLine(error.what(), m_filter->file.string()));
+  }
+  m_images = std::move(translation.images);
+  m_looksElsewhere = translation.looksElsewhere;
+}
+
+bool FilterProgram::tiles() const {
+  return m_filter->halo || (!m_looksElsewhere && m_filter->passes.size() == 1);
+}
+
+int FilterProgram::halo(std::span<const FilterValue> values, int wholeWidth, int wholeHeight) const {
+  if (!m_filter->halo) return 0;
+  const double pixels = evaluate(*m_filter, values, *m_filter->halo, wholeWidth, wholeHeight);
+  return static_cast<int>(std::clamp(std::ceil(pixels), 0.0, 1e5));
+}
+
+FilterWindow FilterProgram::windowOf(const FilterPass& pass, const Drawing& drawing) const {
+  const FilterWindow& in = drawing.input.window();
+  const auto side = [&](const std::string& expression, int standard) {
+    if (expression.empty()) return standard;
+    const double value = evaluate(*m_filter, drawing.values, expression, in.wholeWidth, in.wholeHeight);
+    return static_cast<int>(std::clamp(std::floor(value), 1.0, 32768.0));
+  };
+  const int width = side(pass.widthExpression, in.wholeWidth);
+  const int height = side(pass.heightExpression, in.wholeHeight);
+  // The pass's own grid of pixels is that of the whole frame, whatever part of it is drawn.
+  const auto scaled = [](int pixel, int of, int whole, bool up) {
+    const auto product = static_cast<int64_t>(pixel) * of;
+    return static_cast<int>((product + (up ? whole - 1 : 0)) / whole);
+  };
+  FilterWindow window{scaled(in.x, width, in.wholeWidth, false),
+                      scaled(in.y, height, in.wholeHeight, false),
+                      0,
+                      0,
+                      width,
+                      height};
+  window.width = scaled(in.x + in.width, width, in.wholeWidth, true) - window.x;
+  window.height = scaled(in.y + in.height, height, in.wholeHeight, true) - window.y;
+  return window;
+}
+
+void FilterProgram::setInputs(const Drawing& drawing) const {
+  for (size_t i = 0; i < m_filter->inputs.size(); ++i)
+    if (m_program.hasUniform(m_filter->inputs[i].name))
+      std::visit(SetFilterUniform{m_program, m_filter->inputs[i].name}, drawing.values[i]);
+}
+
+void FilterProgram::drawPass(int index, const FilterTexture& target, Drawing& drawing) const {
+  const FilterPass& pass = m_filter->passes[static_cast<size_t>(index)];
+  const FilterWindow& window = target.window();
+  const auto set = [&](const std::string& name, const UniformValue& value) {
+    if (m_program.hasUniform(name)) m_program.set({{name, value}});
+  };
+  const BoundProgram use(m_program.id(), m_vertexArray.id());
+  setInputs(drawing);
+  BoundTextures bound;
+  for (const std::string& image : m_images) {
+    const FilterTexture* texture = &drawing.nothing;
+    if (const auto found = drawing.targets.find(image); found != drawing.targets.end())
+      texture = &found->second;
+    else if (const auto picture = drawing.pictures.find(image); picture != drawing.pictures.end())
+      texture = picture->second.get();
+    else if (image == "inputImage")
+      texture = &drawing.input;
+    set(image, bound.add(GL_TEXTURE_2D, texture->texture()));
+    FilterWindow place = texture->window();
+    for (const FilterPass& other : m_filter->passes)  // a target not drawn yet is black, and has its size
+      if (texture == &drawing.nothing && other.target == image) place = windowOf(other, drawing);
+    set("isf_window_" + image, glm::vec4(place.x, place.y, place.wholeWidth, place.wholeHeight));
+  }
+  const double seconds = drawing.time.frame / drawing.time.framesPerSecond;
+  const bool display = m_filter->space == FilterSpace::Display && !pass.isFloat;
+  set("PASSINDEX", index);
+  set("RENDERSIZE", glm::vec2(window.wholeWidth, window.wholeHeight));
+  set("TIME", static_cast<float>(seconds));
+  set("TIMEDELTA", static_cast<float>(1 / drawing.time.framesPerSecond));
+  set("DATE", glm::vec4(1970, 1, 1, static_cast<float>(seconds)));  // no clock: every run draws the same
+  set("FRAMEINDEX", drawing.time.frame);
+  set("isf_origin", glm::vec2(window.x, window.y));
+  set("isf_target", glm::vec4(window.x, window.y, window.width, window.height));
+  set("isf_bounds",
+      display ? glm::vec2(0, 1) : glm::vec2(-FilterTexture::kBrightest, FilterTexture::kBrightest));
+  drawStrips(target, drawing);
+}
+
+/// A filter of unknown origin is drawn in strips of rows, between which the clock is looked at.
+void FilterProgram::drawStrips(const FilterTexture& target, Drawing& drawing) const {
+  constexpr int kFirstStrip = 8;
+  constexpr double kStripSeconds = 0.1;
+  const FilterWindow& window = target.window();
+  const OverwriteState overwrite;
+  const BoundFramebuffer bound(target.framebuffer(), window.width, window.height);
+  const Capability scissor(GL_SCISSOR_TEST, true);
+  int rows = m_filter->builtIn ? window.height : kFirstStrip;
+  for (int y = 0; y < window.height;) {
+    const Clock::time_point begin = Clock::now();
+    glScissor(0, y, window.width, rows);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    y += rows;
+    if (m_filter->builtIn) continue;
+    finishGl();
+    if (secondsSince(drawing.begin) > drawing.mostSeconds)
+      throw InputError(
+          "{}: takes longer than {:.0f} s for {} x {} pixels, and was stopped; look for a loop that does not "
+          "end, "
+          "or allow it more time",
+          m_filter->file.string(), drawing.mostSeconds, window.width, window.height);
+    if (secondsSince(begin) < kStripSeconds) rows *= 2;
+  }
+}
+
+FilterTexture FilterProgram::draw(const FilterTexture& input, std::span<const FilterValue> values,
+                                  const FilterPictures& pictures, const FilterTime& time,
+                                  double mostSeconds) const {
+  Drawing drawing{input, values, pictures, time, mostSeconds};
+  drawing.nothing.clear();
+  const int last = static_cast<int>(m_filter->passes.size()) - 1;
+  for (int i = 0; i < last; ++i) {
+    const FilterPass& pass = m_filter->passes[static_cast<size_t>(i)];
+    FilterTexture target(windowOf(pass, drawing));  // a new one: the pass may read what stood there before
+    drawPass(i, target, drawing);
+    drawing.targets[pass.target] = std::move(target);
+  }
+  FilterTexture result(input.window());
+  drawPass(last, result, drawing);
+  checkGl("while a filter is drawn");
+  return result;
+}
+
+}  // namespace swaplight

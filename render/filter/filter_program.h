@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <span>
+
+#include "core/filter/filter_library.h"
+#include "render/filter/filter_texture.h"
+#include "render/gl/shader_program.h"
+
+namespace swaplight {
+
+/// Where in time a frame stands. Grain and flicker follow from it alone, so that every machine of a farm
+/// draws the same.
+struct FilterTime {
+  int frame = 0;
+  double framesPerSecond = 24;
+  bool operator==(const FilterTime&) const = default;
+};
+
+/// Pictures that a filter reads, by the names that its shader gives them.
+using FilterPictures = std::map<std::string, std::shared_ptr<const FilterTexture>>;
+
+/// A filter, compiled for the current OpenGL context.
+class FilterProgram {
+ public:
+  /// Throws InputError that names the filter's file and the line where it does not compile.
+  explicit FilterProgram(std::shared_ptr<const Filter> filter);
+
+  [[nodiscard]] const Filter& filter() const { return *m_filter; }
+  /// Whether a part of the frame can be drawn from that part and its halo.
+  [[nodiscard]] bool tiles() const;
+  /// How far a pixel looks, in pixels of a frame of this size; 0 where it looks at itself alone.
+  [[nodiscard]] int halo(std::span<const FilterValue> values, int wholeWidth, int wholeHeight) const;
+
+  /// Draws the part of the frame that `input` is, all passes of it. `values` as filter().inputs. Throws
+  /// InputError where it takes longer than `mostSeconds`, and ResourceError where graphics memory is short.
+  [[nodiscard]] FilterTexture draw(const FilterTexture& input, std::span<const FilterValue> values,
+                                   const FilterPictures& pictures, const FilterTime& time,
+                                   double mostSeconds) const;
+
+ private:
+  struct Drawing;
+  [[nodiscard]] FilterWindow windowOf(const FilterPass& pass, const Drawing& drawing) const;
+  void drawPass(int index, const FilterTexture& target, Drawing& drawing) const;
+  void drawStrips(const FilterTexture& target, Drawing& drawing) const;
+  void setInputs(const Drawing& drawing) const;
+
+  std::shared_ptr<const Filter> m_filter;
+  std::vector<std::string> m_images;
+  bool m_looksElsewhere = false;
+  ShaderProgram m_program;
+  GlVertexArray m_vertexArray;
+};
+
+}  // namespace swaplight

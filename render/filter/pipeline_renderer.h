@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/filter/filter_library.h"
+#include "core/image/image.h"
+#include "render/filter/filter_program.h"
+
+namespace swaplight {
+
+/// The folder with the filters that come with the program.
+[[nodiscard]] std::filesystem::path builtInFilterFolder();
+/// Where camera looks lie that can be named: the person's, and the program's own.
+[[nodiscard]] std::vector<std::filesystem::path> installedLookFolders();
+/// The person's filters, the machine's and the program's own.
+[[nodiscard]] FilterLibrary installedFilters();
+
+/// A picture, and what its values mean.
+struct FilteredImage {
+  Image image;                                   ///< R G B, or R G B A
+  FilterSpace space = FilterSpace::SceneLinear;  ///< never Any
+};
+
+struct PipelineOptions {
+  /// Scene-linear light to display code values 0..1, in place, on R G B. Called at most once a frame.
+  std::function<void(ImageSpan)> displayFromScene;
+  FilterTime time;
+  int tileSide = 4096;             ///< larger frames are drawn in parts where the filters allow it
+  double mostSecondsPerTile = 20;  ///< for one filter that is not the program's own
+};
+
+/// Runs pipelines on pictures in the current OpenGL context, which must be the same as long as it lives.
+/// Compiled filters and pictures that were read are kept.
+///
+/// A filter works on what its SPACE says. Scene-linear light becomes display codes by the caller's view,
+/// before the first filter that wants codes. From then on the picture stays one for a display: a filter that
+/// works on light is given display light (the codes, decoded by sRGB's curve), and its result is encoded
+/// again.
+class PipelineRenderer {
+ public:
+  PipelineRenderer() = default;
+  PipelineRenderer(const PipelineRenderer&) = delete;
+  PipelineRenderer& operator=(const PipelineRenderer&) = delete;
+
+  /// Throws InputError that names the filter: it does not compile, takes too long, its picture cannot be
+  /// read, the frame is too large for one that sees it whole. ResourceError, Stopped.
+  [[nodiscard]] FilteredImage apply(FilteredImage frame, std::span<const ResolvedStage> stages,
+                                    const PipelineOptions& options, const Progress& progress = {});
+
+  /// Compiles a filter, or gives the one that is compiled already. Throws InputError.
+  const FilterProgram& program(const std::shared_ptr<const Filter>& filter);
+
+ private:
+  void drawRun(Image& image, std::span<const ResolvedStage> stages, const PipelineOptions& options,
+               const Progress& progress);
+  FilterPictures picturesOf(const ResolvedStage& stage, const Image& frame);
+  std::shared_ptr<const FilterTexture> pictureFrom(const std::filesystem::path& file, FilterSpace space);
+
+  std::map<const Filter*, std::unique_ptr<FilterProgram>> m_programs;
+  std::vector<std::shared_ptr<const Filter>> m_filters;  ///< keeps the keys of m_programs alive
+  std::map<std::string, std::shared_ptr<const FilterTexture>> m_pictures;  ///< by space and file
+};
+
+}  // namespace swaplight

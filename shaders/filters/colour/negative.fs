@@ -1,0 +1,17 @@
+/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "The opposite colours",
+  "CATEGORIES": ["Colour"],
+  "INPUTS": [
+    {"NAME": "inputImage", "TYPE": "image"}
+  ],
+  "SWAPLIGHT": {
+    "SPACE": "display",
+    "HALO": 0,
+    "SAMPLING": "nearest"
+  }
+}*/
+void main() {
+  vec4 c = IMG_THIS_PIXEL(inputImage);
+  gl_FragColor = vec4(1.0 - c.rgb, c.a);
+}

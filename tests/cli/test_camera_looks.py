@@ -1,0 +1,227 @@
+"""swaplight look: camera shaders from the command line."""
+import json
+import os
+
+import numpy as np
+
+from swaplight_cli import CliTest, main, read_image, read_rgb, write_image
+
+SOFT = '''/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}, {"NAME": "amount", "TYPE": "float", "DEFAULT": 1}]}*/
+void main() {
+  gl_FragColor = amount * IMG_THIS_PIXEL(inputImage);
+}
+'''
+
+
+def ramp(height=36, width=64, highest=4):
+    x = np.linspace(0, highest, width)[None, :, None]
+    y = np.linspace(.2, 1, height)[:, None, None]
+    return (x * y * np.array([1, .8, .6])).astype(np.float32)
+
+
+class CameraLookTest(CliTest):
+    def setUp(self):
+        super().setUp()
+        os.environ['XDG_DATA_HOME'] = self.path('data')
+        self.frame = self.path('frame.exr')
+        write_image(self.frame, ramp())
+
+    def write(self, name, text):
+        os.makedirs(os.path.dirname(self.path(name)), exist_ok=True)
+        with open(self.path(name), 'w') as file:
+            file.write(text)
+        return self.path(name)
+
+    def apply(self, *filters, output='out.exr', frame=None, options=()):
+        arguments = [part for filter in filters for part in ('--filter', filter)]
+        self.succeed('look', 'apply', frame or self.frame, *arguments, '-o', self.path(output), *options)
+        return read_rgb(self.path(output))
+
+
+class Library(CameraLookTest):
+    def test_at_least_sixty_filters_say_what_they_do(self):
+        filters = self.succeed_json('look', 'list')['filters']
+        built_in = [f for f in filters if f['built_in']]
+        self.assertGreaterEqual(len(built_in), 60)
+        for filter in built_in:
+            self.assertGreater(len(filter['description']), 10, filter['name'])
+            self.assertTrue(filter['categories'], filter['name'])
+
+    def test_every_filter_compiles_draws_what_is_finite_and_looks_no_further_than_its_halo(self):
+        """On dark to 65504, negative, infinite and missing values; whole against parts."""
+        folder = os.path.dirname(os.path.dirname(self.succeed_json('look', 'show', 'exposure')['file']))
+        result = self.succeed_json('look', 'lint', folder)
+        self.assertGreaterEqual(result['fine'], 60)
+        self.assertEqual(result['broken'], 0)
+
+    def test_a_persons_own_filter_is_found_and_hides_one_of_its_name(self):
+        self.write('data/swaplight/filters/Exposure.fs', SOFT)
+        self.assertEqual(self.succeed_json('look', 'show', 'exposure')['file'],
+                         self.path('data/swaplight/filters/Exposure.fs'))
+        self.write('data/ISF/My Soft.fs', SOFT)
+        self.assertEqual(self.succeed_json('look', 'list', 'my-soft')['filters'][0]['name'], 'My Soft')
+
+    def test_a_broken_file_is_skipped_and_named(self):
+        broken = self.write('data/swaplight/filters/Broken.fs', '/*{ "INPUTS": [ }*/')
+        result = self.succeed('look', 'list')
+        self.assertIn(broken + ':1: the header is not JSON', result.stderr)
+        self.assertIn('exposure', result.stdout)
+
+    def test_three_hundred_filters(self):
+        for i in range(300):
+            self.write(f'data/ISF/many {i}.fs', SOFT)
+        self.assertGreaterEqual(len(self.succeed_json('look', 'list')['filters']), 360)
+
+
+class Apply(CameraLookTest):
+    def test_light_goes_through_scene_linear_filters_as_light(self):
+        out = self.apply('exposure,stops=2', options=['--type', 'float'])
+        np.testing.assert_allclose(out, ramp() * 4, rtol=1e-6)
+
+    def test_codes_are_filtered_behind_the_view(self):
+        linear = ramp(highest=1)
+        write_image(self.frame, linear)
+        out = self.apply('negative', output='out.png')
+        codes = np.where(linear <= .0031308, linear * 12.92, 1.055 * np.maximum(linear, 1e-9) ** (1 / 2.4) - .055)
+        np.testing.assert_allclose(out, 1 - codes, atol=1 / 255)
+
+    def test_the_order_counts(self):
+        first = self.apply('negative', 'threshold,level=0.6', output='a.png')
+        second = self.apply('threshold,level=0.6', 'negative', output='b.png')
+        self.assertGreater(np.abs(first - second).max(), .9)
+
+    def test_blur_before_edges_changes_the_edges(self):
+        """The dissertation's figure 4.3: one filter's sigma changes what those after it show."""
+        random = np.random.default_rng(1)
+        write_image(self.frame, random.uniform(0, 1, (72, 128, 3)))
+        edges = [self.apply('grayscale', f'gaussian-blur,sigma={sigma}', 'sobel', 'threshold,level=0.1',
+                            output='e.png').mean() for sigma in (1, 40)]
+        self.assertGreater(edges[0], .2)
+        self.assertLess(edges[1], edges[0] / 4)
+
+    def test_parts_give_the_same_picture(self):
+        write_image(self.frame, np.random.default_rng(2).uniform(0, 2, (160, 240, 3)))
+        chain = ['exposure,stops=0.5', 'halation', 'film-grain', 'local-contrast,radius=10', 'sobel', 'negative']
+        whole = self.apply(*chain, output='a.exr', options=['--type', 'float'])
+        parts = self.apply(*chain, output='b.exr', options=['--type', 'float', '--tile', '64'])
+        np.testing.assert_allclose(parts, whole, atol=1e-3)
+
+    def test_bloom_and_halation_add_no_light(self):
+        pixels = np.full((90, 160, 3), .05, np.float32)
+        pixels[40:50, 75:85] = 50
+        write_image(self.frame, pixels)
+        for filter in ('bloom', 'halation', 'glare', 'diffusion', 'gaussian-blur', 'lens-blur,radius=20'):
+            out = self.apply(filter, options=['--type', 'float'])
+            self.assertGreater(np.abs(out - pixels).max(), .1, filter)
+            np.testing.assert_allclose(out.mean(), pixels.mean(), rtol=.01, err_msg=filter)
+
+    def test_grain_follows_from_the_frame_number_alone(self):
+        options = ['--type', 'float', '--frame']
+        first = self.apply('film-grain,amount=0.5', options=[*options, '7'])
+        np.testing.assert_array_equal(self.apply('film-grain,amount=0.5', options=[*options, '7']), first)
+        self.assertGreater(np.abs(self.apply('film-grain,amount=0.5', options=[*options, '8']) - first).max(), .01)
+        write_image(self.frame, np.full((360, 640, 3), .18))
+        grain = self.apply('film-grain,amount=0.25', options=[*options, '1'])
+        self.assertAlmostEqual(grain.mean() / .18, 1, delta=.01)
+
+    def test_chroma_key_puts_the_plate_behind_and_gives_the_matte(self):
+        front = np.full((40, 60, 3), [.1, .7, .2], np.float32)
+        front[:, 30:] = [.6, .4, .35]
+        write_image(self.path('front.png'), front, 'uint8')
+        write_image(self.path('plate.png'), np.full((40, 60, 3), .5), 'uint8')
+        out = self.apply(f'chroma-key,plate={self.path("plate.png")}', frame=self.path('front.png'), output='k.png')
+        np.testing.assert_allclose(out[:, :29], .5, atol=.01)
+        np.testing.assert_allclose(out[:, 31:], front[:, 31:], atol=.01)
+        matte = self.apply('chroma-key,show=1', frame=self.path('front.png'), output='m.png')
+        np.testing.assert_array_equal(matte[0, [5, 50], 0], [0, 1])
+        self.apply('chroma-key,show=2', frame=self.path('front.png'), output='a.png', options=['--alpha'])
+        np.testing.assert_array_equal(read_image(self.path('a.png'))['A'][0, [5, 50]], [0, 1])
+
+    def test_a_colour_table_that_swaps_red_and_blue(self):
+        lines = [f'{b} {g} {r}' for b in (0, 1) for g in (0, 1) for r in (0, 1)]
+        self.write('swap.cube', 'TITLE "swap"\nLUT_3D_SIZE 2\n' + '\n'.join(lines) + '\n')
+        write_image(self.path('in.png'), ramp(highest=1), 'uint8')
+        out = self.apply(f'lut,table={self.path("swap.cube")}', frame=self.path('in.png'), output='o.png')
+        np.testing.assert_allclose(out, read_rgb(self.path('in.png'))[..., ::-1], atol=2 / 255)
+
+    def test_a_look_is_saved_and_used_again(self):
+        first = self.apply('exposure,stops=1', 'sepia', output='a.png', options=['--save', self.path('warm.swaplook')])
+        with open(self.path('warm.swaplook')) as file:
+            look = json.load(file)
+        self.assertEqual(look['name'], 'warm')
+        self.assertEqual(look['filters'][0], {'filter': 'exposure', 'on': True, 'parameters': {'stops': 1.0}})
+        self.succeed('look', 'apply', self.frame, '--look', self.path('warm.swaplook'), '-o', self.path('b.png'))
+        np.testing.assert_array_equal(read_rgb(self.path('b.png')), first)
+        look['filters'][1]['on'] = False
+        self.write('warm.swaplook', json.dumps(look))
+        self.succeed('look', 'apply', self.frame, '--look', self.path('warm.swaplook'), '-o', self.path('c.exr'),
+                     '--type', 'float')
+        np.testing.assert_allclose(read_rgb(self.path('c.exr')), ramp() * 2, rtol=1e-6)
+        self.assertIn('warm', self.succeed('look', 'show', self.path('warm.swaplook')).stdout)
+
+    def test_looks_that_come_along_can_be_named(self):
+        for name in self.succeed_json('look', 'list')['camera_looks']:
+            self.succeed('look', 'apply', self.frame, '--look', name, '-o', self.path('o.png'))
+
+    def test_isf_of_several_passes_with_a_vertex_shader(self):
+        self.write('two.fs', '''/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}],
+          "PASSES": [{"TARGET": "small", "WIDTH": "$WIDTH / 4", "HEIGHT": "max(1, floor($HEIGHT / 4.0))"}, {}]}*/
+          varying vec2 left;
+          void main() {
+            if (PASSINDEX == 0) gl_FragColor = IMG_NORM_PIXEL(inputImage, isf_FragNormCoord);
+            else gl_FragColor = vec4(IMG_SIZE(small) / 100.0, left.x, 1.0);
+          }''')
+        self.write('two.vs', 'varying vec2 left;\nvoid main() { isf_vertShaderInit(); left = isf_FragNormCoord; }')
+        out = self.apply(self.path('two.fs'), output='o.png')
+        np.testing.assert_allclose(out[0, :, :2], np.tile([.16, .09], (64, 1)), atol=1 / 255)
+        np.testing.assert_allclose(out[0, :, 2], (np.arange(64) + .5) / 64, atol=1 / 255)
+
+
+class Refused(CameraLookTest):
+    def refuse(self, *filters, naming, options=()):
+        arguments = [part for filter in filters for part in ('--filter', filter)]
+        self.deny('look', 'apply', self.frame, *arguments, '-o', self.path('o.exr'), *options, naming=naming)
+
+    def test_what_is_asked_for(self):
+        self.deny('look', 'paint', naming='expected list, show, lint, apply')
+        self.deny('look', 'show', naming='name one filter')
+        self.deny('look', 'apply', self.frame, '-o', self.path('o.exr'), naming='--look NAME')
+        self.deny('look', 'apply', self.frame, '--filter', 'exposure', naming='-o FRAME')
+        self.deny('look', 'apply', self.frame, '--filter', 'exposure', '-o', self.frame, naming='frame.exr')
+        self.deny('look', 'apply', self.frame, '--look', 'nothing', '-o', self.path('o.exr'), naming='no camera look')
+
+    def test_filters_and_parameters(self):
+        self.refuse('exposrue', naming='did you mean exposure')
+        self.refuse('exposure,stosp=1', naming='it has stops')
+        self.refuse('exposure,stops=99', naming='expected -8 to 8 stops')
+        self.refuse('exposure,stops=bright', naming='expected a number')
+        self.refuse('sepia,amount', naming='NAME,parameter=value')
+        self.refuse('split-tone,shadows=1:2', naming='1:0.5:0')
+        self.refuse('blend,other=nowhere.png', naming='nowhere.png')
+        self.refuse('lut,table=' + self.write('short.cube', 'LUT_3D_SIZE 2\n0 0 0\n'), naming='not complete')
+
+    def test_a_syntax_error_is_at_the_line_of_the_persons_file(self):
+        bad = self.write('bad.fs', SOFT.replace('amount *', 'amuont *'))
+        self.refuse(bad, naming=[bad + ':3:', 'amuont'])
+        result = self.deny_lint(bad)
+        self.assertIn(bad + ':3:', result)
+
+    def deny_lint(self, *files):
+        from swaplight_cli import run
+        result = run('look', 'lint', *files)
+        self.assertEqual(result.returncode, 2)
+        return result.stdout
+
+    def test_a_loop_without_an_end_ends(self):
+        endless = self.write('endless.fs', SOFT.replace('gl_FragColor', 'float x = 0.0; while (x >= 0.0) x += 1e-9;\n'
+                                                                        '  gl_FragColor'))
+        self.refuse(endless, naming=['endless.fs', 'loop that does not end'], options=['--seconds', '0.1'])
+
+    def test_lint_finds_a_halo_that_is_too_small(self):
+        short = self.write('short.fs', '''/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}], "SWAPLIGHT": {"HALO": 1}}*/
+          void main() { gl_FragColor = IMG_PIXEL(inputImage, gl_FragCoord.xy + vec2(9.0, 0.0)); }''')
+        self.assertIn('looks further than its HALO', self.deny_lint(short))
+
+
+if __name__ == '__main__':
+    main()

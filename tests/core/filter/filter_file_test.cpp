@@ -1,0 +1,154 @@
+#include "core/filter/filter_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "core/base/error.h"
+#include "core/filter/glsl_translation.h"
+#include "core/filter/size_expression.h"
+
+namespace swaplight {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+Filter filterOf(const std::string& header, const std::string& body = "void main() {}") {
+  return filterFromText("/*" + header + "*/\n" + body, "folder/soft.fs");
+}
+
+std::string errorOf(const std::function<void()>& function) {
+  try {
+    function();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+TEST(FilterFile, ReadsWhatIsf2Defines) {
+  const Filter filter = filterOf(R"({
+    "ISFVSN": "2", "DESCRIPTION": "Soft", "CATEGORIES": ["Blur", "Film"],
+    "INPUTS": [{"NAME": "inputImage", "TYPE": "image"},
+               {"NAME": "amount", "TYPE": "float", "DEFAULT": 0.5, "MIN": 0, "MAX": 2, "LABEL": "How much"},
+               {"NAME": "mode", "TYPE": "long", "VALUES": [3, 5], "LABELS": ["a", "b"], "DEFAULT": 5},
+               {"NAME": "at", "TYPE": "point2D", "DEFAULT": [0.1, 0.2]},
+               {"NAME": "tint", "TYPE": "color", "DEFAULT": [1, 0, 0, 0.5]},
+               {"NAME": "on", "TYPE": "bool", "DEFAULT": 1}],
+    "PASSES": [{"TARGET": "small", "WIDTH": "floor($WIDTH / 4.0)", "HEIGHT": 12, "FLOAT": true}, {}]
+})");
+  EXPECT_EQ(filter.name, "soft");
+EXPECT_TRUE(filter.takesImage);
+EXPECT_FALSE(filter.ours);
+EXPECT_EQ(filter.space, FilterSpace::Display);
+ASSERT_EQ(filter.inputs.size(), 5U);
+EXPECT_EQ(filter.inputs[0].label, "How much");
+EXPECT_EQ(std::get<float>(filter.inputs[0].standard), 0.5F);
+EXPECT_EQ(std::get<int>(filter.inputs[1].standard), 5);
+EXPECT_EQ(std::get<FilterPoint>(filter.inputs[2].standard), (FilterPoint{0.1F, 0.2F}));
+EXPECT_EQ(std::get<FilterColor>(filter.inputs[3].standard), (FilterColor{1, 0, 0, 0.5F}));
+EXPECT_TRUE(std::get<bool>(filter.inputs[4].standard));
+ASSERT_EQ(filter.passes.size(), 2U);
+EXPECT_EQ(filter.passes[0].target, "small");
+EXPECT_TRUE(filter.passes[0].isFloat);
+}
+
+TEST(FilterFile, ReadsPersistentBuffersOfIsf1) {
+  const Filter filter =
+      filterOf(R"({"INPUTS": [], "PERSISTENT_BUFFERS": ["last"], "PASSES": [{"TARGET": "last"}, {}]})");
+  EXPECT_TRUE(filter.passes[0].persistent);
+  EXPECT_THAT(filter.notes, testing::SizeIs(2));  // it remembers, and it has no picture
+}
+
+TEST(FilterFile, OwnKeyNamesSpaceHaloAndUnits) {
+  const Filter filter = filterOf(R"({"INPUTS": [{"NAME": "sigma", "TYPE": "float"}],
+    "SWAPLIGHT": {"SPACE": "scene_linear", "HALO": "ceil(3 * $sigma)", "UNIT": {"sigma": "px"}, "SAMPLING": "nearest"
+}
+})");
+  EXPECT_EQ(filter.space, FilterSpace::SceneLinear);
+EXPECT_EQ(filter.halo, "ceil(3 * $sigma)");
+EXPECT_EQ(filter.inputs[0].unit, "px");
+EXPECT_TRUE(filter.nearest);
+}
+
+TEST(FilterFile, ErrorsNameFileLineAndWhatToDo) {
+  const auto error = [](const std::string& header) { return errorOf([&] { filterOf(header); }); };
+  EXPECT_THAT(errorOf([] { filterFromText("void main() {}", "soft.fs"); }),
+              HasSubstr("soft.fs: no ISF header"));
+  EXPECT_THAT(error("{\n\"INPUTS\": [}\n"), HasSubstr("folder/soft.fs:2: the header is not JSON"));
+  EXPECT_THAT(error(R"({"INPUTS": [{"TYPE": "float"}]})"), HasSubstr("input 1: \"NAME\""));
+  EXPECT_THAT(error(R"({"INPUTS": [{"NAME": "a", "TYPE": "flaot"}]})"),
+              HasSubstr("\"flaot\", expected event"));
+  EXPECT_THAT(error(R"({"INPUTS": [{"NAME": "a", "TYPE": "color", "DEFAULT": "red"}]})"),
+              HasSubstr("three or four"));
+  EXPECT_THAT(error(R"({"INPUTS": [{"NAME": "a", "TYPE": "float"}, {"NAME": "a", "TYPE": "float"}]})"),
+              HasSubstr("two inputs are called \"a\""));
+  EXPECT_THAT(error(R"({"PASSES": [{"TARGET": "a", "WIDTH": "$WIDHT / 2"}, {}]})"), HasSubstr("WIDHT"));
+  EXPECT_THAT(error(R"({"SWAPLIGHT": {"SPACE": "linear"}})"), HasSubstr("scene_linear, display or any"));
+  EXPECT_THAT(error(R"({"SWAPLIGHT": {"UNIT": {"x": "px"}}})"), HasSubstr("no input \"x\""));
+}
+
+TEST(FilterInput, ChecksTypeRangeAndChoice) {
+  const Filter filter = filterOf(R"({"INPUTS": [{"NAME": "a", "TYPE": "float", "MIN": 0, "MAX": 2},
+    {"NAME": "m", "TYPE": "long", "VALUES": [1, 2], "LABELS": ["one", "two"]}]})");
+  EXPECT_NO_THROW(filter.inputs[0].check(1.5F, "a", true));
+  EXPECT_THAT(errorOf([&] { filter.inputs[0].check(2.5F, "a", true); }), HasSubstr("expected 0 to 2"));
+  EXPECT_NO_THROW(filter.inputs[0].check(2.5F, "a", false));
+  EXPECT_THAT(errorOf([&] { filter.inputs[1].check(3, "m", true); }), HasSubstr("1 (one), 2 (two)"));
+  EXPECT_THROW(filter.inputs[0].check(true, "a", true), InputError);
+}
+
+TEST(SizeExpression, FollowsThePrecedenceOfArithmetic) {
+  const ExpressionVariables variables = [](const std::string& name) -> std::optional<double> {
+    return name == "WIDTH" ? std::optional(1920.0) : std::nullopt;
+  };
+  EXPECT_EQ(expressionValue("1 + 2 * 3 - 8 / 4", variables), 5);
+  EXPECT_EQ(expressionValue("max(floor($WIDTH*0.25), 1.0)", variables), 480);
+  EXPECT_EQ(expressionValue("-(2 - 5) % 2", variables), 1);
+  EXPECT_EQ(expressionValue("1 / 0", variables), 0);
+  EXPECT_THAT(errorOf([&] { static_cast<void>(expressionValue("1 +", variables)); }), HasSubstr("its end"));
+  EXPECT_THAT(errorOf([&] { static_cast<void>(expressionValue("$x", variables)); }), HasSubstr("$WIDTH"));
+  EXPECT_THAT(errorOf([&] { static_cast<void>(expressionValue(std::string(1000, '('), variables)); }),
+              HasSubstr("fewer brackets"));
+}
+
+TEST(GlslTranslation, MakesIsfsWordsPlainGlsl) {
+  const Filter filter = filterOf(R"({"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}]})",
+                                 "varying vec2 c;\nvoid main() { float sample = 1.0;\n"
+                                 "gl_FragColor = sample * IMG_NORM_PIXEL(inputImage, f(c, 1.0)); }");
+  const GlslTranslation glsl = translateFilter(filter);
+  EXPECT_THAT(glsl.fragment, HasSubstr("in vec2 c;"));
+  EXPECT_THAT(glsl.fragment, HasSubstr("isf_normPixel(inputImage, isf_window_inputImage, f(c, 1.0))"));
+  EXPECT_THAT(glsl.fragment, HasSubstr("float isf_word_sample"));
+  EXPECT_THAT(glsl.fragment, Not(HasSubstr("varying")));
+  EXPECT_TRUE(glsl.looksElsewhere);
+  EXPECT_THAT(glsl.images, ElementsAre("inputImage"));
+}
+
+TEST(GlslTranslation, BoundsLoopsThatNeedNotEnd) {
+  const auto fragment = [](const std::string& body) {
+    return translateFilter(filterOf("{}", body)).fragment;
+  };
+  EXPECT_THAT(fragment("void main() { while (true) {} }"), HasSubstr("while (isf_go() && (true))"));
+  EXPECT_THAT(fragment("void main() { for (;;) {} }"), HasSubstr("for (;isf_go();)"));
+  EXPECT_THAT(fragment("void main() { do x(); while (a); }"), HasSubstr("while (isf_go() && (a))"));
+  EXPECT_THAT(fragment("void main() { for (int i = 0; i < 8; ++i) x(); }"),
+              HasSubstr("for (int i = 0; i < 8; ++i)"));
+  EXPECT_THAT(fragment("void main() { for (int i = 0; i < 8; ++i) { i -= 1; } }"),
+              HasSubstr("isf_go() && ( i < 8)"));
+  EXPECT_THAT(fragment("void main() { for (float x = 0.0; x < n; x += 0.1) y(); }"), HasSubstr("isf_go()"));
+}
+
+TEST(GlslTranslation, CompileErrorsNameTheAuthorsLine) {
+  EXPECT_EQ(compileErrorLine("0:12(3): error: `isf_word_sample' undeclared", "a.fs"),
+            "a.fs:12: `sample' undeclared");
+  EXPECT_EQ(compileErrorLine("0(7) : error C1008: undefined variable \"x\"", "a.fs"),
+            "a.fs:7: undefined variable \"x\"");
+  EXPECT_EQ(compileErrorLine("ERROR: 0:3: 'x' : undeclared", "a.fs"), "a.fs:3: 'x' : undeclared");
+}
+
+}  // namespace
+}  // namespace swaplight

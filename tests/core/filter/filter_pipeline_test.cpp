@@ -1,0 +1,94 @@
+#include "core/filter/filter_pipeline.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/json.h"
+#include "core/file/atomic_file.h"
+#include "core/filter/filter_library.h"
+#include "tests/support/temporary_folder.h"
+
+namespace swaplight {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kSoft = R"(/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"},
+  {"NAME": "amount", "TYPE": "float", "DEFAULT": 0.5, "MIN": 0, "MAX": 1},
+  {"NAME": "tint", "TYPE": "color"}], "SWAPLIGHT": {}}*/ void main() {})";
+
+template <typename Function>
+std::string errorOf(Function&& function) {
+  try {
+    function();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+class FilterPipelineTest : public testing::Test {
+ protected:
+  FilterPipelineTest() { writeFile(m_folder.path() / "Very Soft.fs", kSoft); }
+  [[nodiscard]] FilterLibrary library() const {
+    const std::vector<FilterFolder> folders = {{m_folder.path()}};
+    return FilterLibrary(folders);
+  }
+  test::TemporaryFolder m_folder;
+};
+
+TEST_F(FilterPipelineTest, ComesBackFromItsFileWithUnknownKeys) {
+  const Json json = Json::parse(R"({"format": "swaplight-look", "version": 1, "name": "Dream", "filters": [
+    {"filter": "very-soft", "on": false, "parameters": {"amount": 0.25, "tint": [1, 0.5, 0, 1]}, "colour": "later"}],
+    "author": "someone"})");
+  const FilterPipeline pipeline = pipelineFromJson(json, "a.swaplook");
+  EXPECT_EQ(jsonFromPipeline(pipeline), json);
+  writePipeline(pipeline, m_folder.path() / "a.swaplook");
+  FilterPipeline again = readPipeline(m_folder.path() / "a.swaplook");
+  again.folder.clear();
+  EXPECT_EQ(again, pipeline);
+}
+
+TEST_F(FilterPipelineTest, BadFilesAreOneLine) {
+  const auto error = [](const char* text) {
+    return errorOf([&] { static_cast<void>(pipelineFromJson(Json::parse(text), "a.swaplook")); });
+  };
+  EXPECT_THAT(error(R"({"format": "x"})"), HasSubstr("this is no camera look"));
+  EXPECT_THAT(error(R"({"format": "swaplight-look", "version": 9})"), HasSubstr("newer version"));
+  EXPECT_THAT(error(R"({"format": "swaplight-look", "filters": []})"), HasSubstr("\"name\" is missing"));
+  EXPECT_THAT(error(R"({"format": "swaplight-look", "name": "a", "filters": []})"),
+              HasSubstr("at least one"));
+  EXPECT_THAT(
+      error(R"({"format": "swaplight-look", "name": "a", "filters": [{"filter": "x", "parameters": 3}]})"),
+      HasSubstr("filter 1 (x): \"parameters\""));
+}
+
+TEST_F(FilterPipelineTest, ParametersAreTypedWhenTheFilterIsKnown) {
+  const FilterStage stage = stageFromText("very_soft,amount=0.75,tint=#ff8000");
+  const ResolvedStage resolved = resolveStage(library(), stage, {}, "--filter");
+  EXPECT_EQ(std::get<float>(resolved.values[0]), 0.75F);
+  EXPECT_EQ(std::get<FilterColor>(resolved.values[1])[0], 1.0F);
+  const auto error = [&](const char* text) {
+    return errorOf([&] { static_cast<void>(resolveStage(library(), stageFromText(text), {}, "--filter")); });
+  };
+  EXPECT_THAT(error("very-soft,amount=2"), HasSubstr("expected 0 to 1"));
+  EXPECT_THAT(error("very-soft,amount=lots"), HasSubstr("\"lots\", expected a number"));
+  EXPECT_THAT(error("very-soft,amuont=1"), HasSubstr("it has amount, tint"));
+  EXPECT_THAT(error("verysofd"), HasSubstr("did you mean Very Soft?"));
+  EXPECT_THROW(static_cast<void>(stageFromText("soft,amount")), InputError);
+}
+
+TEST_F(FilterPipelineTest, LibrarySkipsAndNamesBrokenFilesAndTakesTheFirstOfAName) {
+  writeFile(m_folder.path() / "Broken.fs", "/*{*/");
+  std::filesystem::create_directory(m_folder.path() / "z");
+  writeFile(m_folder.path() / "z" / "very-soft.fs", kSoft);
+  const FilterLibrary filters = library();
+  EXPECT_EQ(filters.filters().size(), 1U);
+  ASSERT_EQ(filters.problems().size(), 1U);
+  EXPECT_THAT(filters.problems()[0], HasSubstr("Broken.fs"));
+  EXPECT_THAT(errorOf([&] { static_cast<void>(filters.find("broken")); }), HasSubstr("not JSON"));
+}
+
+}  // namespace
+}  // namespace swaplight
