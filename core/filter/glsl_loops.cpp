@@ -1,5 +1,6 @@
 #include "core/filter/glsl_loops.h"
 
+#include <charconv>
 #include <string>
 
 namespace swaplight {
@@ -16,19 +17,34 @@ std::vector<std::string> wordsOf(const Tokens& tokens, size_t begin, size_t end)
 }
 
 bool isNumber(const std::string& word) {
-  return !word.empty() && (word[0] == '.' || (word[0] >= '0' && word[0] <= '9')) && word.size() <= 5;
+  return !word.empty() && (word[0] == '.' || (word[0] >= '0' && word[0] <= '9'));
+}
+
+/// So few turns that they need no counting.
+bool isSmallNumber(const std::string& word) {
+  constexpr double kFew = 256;
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return isNumber(word) && error == std::errc() && value <= kFew;
+}
+
+/// Whether a loop stands between here and there: loops in loops multiply.
+bool holdsLoop(const Tokens& tokens, size_t begin, size_t end) {
+  for (size_t i = begin; i < end; ++i)
+    if (tokens[i].is("for") || tokens[i].is("while")) return true;
+  return false;
 }
 
 /// "i < 8" or "i <= 8", and "i++", "++i" or "i += 1": it ends, unless the body changes i.
 bool plainlyEnds(const std::vector<std::string>& condition, const std::vector<std::string>& step) {
   const bool upTo = (condition.size() == 3 || (condition.size() == 4 && condition[2] == "=")) &&
-                    condition[1] == "<" && isNumber(condition.back());
+                    condition[1] == "<" && isSmallNumber(condition.back());
   if (!upTo) return false;
   const std::string& counter = condition[0];
   const auto is = [&](std::initializer_list<std::string> words) { return step == std::vector(words); };
   if (is({counter, "+", "+"}) || is({"+", "+", counter})) return true;
-  return step.size() == 4 && step[0] == counter && step[1] == "+" && step[2] == "=" && isNumber(step[3]) &&
-         step[3].find_first_of("123456789") != std::string::npos;
+  return step.size() == 4 && step[0] == counter && step[1] == "+" && step[2] == "=" && step[3][0] >= '1' &&
+         step[3][0] <= '9';
 }
 
 /// Whether something between here and there is assigned to a counter ("i =", "i -=", "i--").
@@ -93,8 +109,9 @@ bool boundLoops(Tokens& tokens) {
       size_t first = 0, second = 0;
       if (!semicolonsOf(tokens, open, close, first, second)) continue;
       const std::vector<std::string> condition = wordsOf(tokens, first + 1, second);
+      const size_t bodyEnd = endOfStatement(tokens, close + 1);
       if (plainlyEnds(condition, wordsOf(tokens, second + 1, close)) &&
-          !assigns(tokens, close + 1, endOfStatement(tokens, close + 1), condition[0]))
+          !holdsLoop(tokens, close + 1, bodyEnd) && !assigns(tokens, close + 1, bodyEnd, condition[0]))
         continue;
       begin = first + 1;
       end = second;

@@ -119,7 +119,7 @@ std::string translateBody(const std::string& source, const std::set<std::string>
   for (GlslToken& token : tokens) {
     if (token.kind != GlslToken::Kind::Word) continue;
     token.text = replacementOf(token.text, vertex);
-    if (!modern && newlyReserved().contains(token.text)) token.text = "isf_word_" + token.text;
+    if (!modern) token.text = glslName(token.text);
   }
   if (!maySkipBounds) boundLoops(tokens);
   return glslText(tokens);
@@ -169,7 +169,7 @@ std::string declarations(const Filter& filter, const std::vector<std::string>& i
       "uniform vec2 isf_bounds;\n";
   for (const FilterInput& input : filter.inputs)
     if (std::string(glslType(input.type)) != "sampler2D")
-      text += fmt::format("uniform {} {};\n", glslType(input.type), input.name);
+      text += fmt::format("uniform {} {};\n", glslType(input.type), glslName(input.name));
   for (const std::string& image : images)
     text += fmt::format("uniform sampler2D {0};\nuniform vec4 isf_window_{0};\n", image);
   text += fmt::format("int isf_turns = 0;\nbool isf_go() {{ return ++isf_turns <= {}; }}\n", kMostLoopTurns);
@@ -224,6 +224,10 @@ constexpr const char* kVertexEnd =
     "}\n";
 
 }  // namespace
+
+std::string glslName(const std::string& name) {
+  return newlyReserved().contains(name) ? "isf_word_" + name : name;
+}
 
 GlslTranslation translateFilter(const Filter& filter, bool maySkipBounds) {
   GlslTranslation result;

@@ -22,6 +22,9 @@ struct GlslTranslation {
 /// `maySkipBounds`: loops stay as they are (the program's own filters are known to end).
 [[nodiscard]] GlslTranslation translateFilter(const Filter& filter, bool maySkipBounds = false);
 
+/// An input's name as the translated shader has it: another one where GLSL 4.10 reserves the author's.
+[[nodiscard]] std::string glslName(const std::string& name);
+
 /// One line of a compiler's words that names the filter's own file and line: "soft.fs:12: ...", out of what
 /// Mesa ("0:12(3): error: ..."), NVIDIA ("0(12) : error ...") and others print.
 [[nodiscard]] std::string compileErrorLine(const std::string& log, const std::string& file);

@@ -40,16 +40,17 @@ double evaluate(const Filter& filter, std::span<const FilterValue> values, const
   });
 }
 
-struct SetFilterUniform {
-  const ShaderProgram& program;
-  const std::string& name;
-  void operator()(bool v) const { program.set({{name, v ? 1 : 0}}); }
-  void operator()(int v) const { program.set({{name, v}}); }
-  void operator()(float v) const { program.set({{name, v}}); }
-  void operator()(const FilterPoint& v) const { program.set({{name, glm::vec2(v[0], v[1])}}); }
-  void operator()(const FilterColor& v) const { program.set({{name, glm::vec4(v[0], v[1], v[2], v[3])}}); }
-  void operator()(const std::string& /*file*/) const {}  // bound as a texture
-};
+/// By tests of the type and not by std::visit, whose unreachable branch leaves an empty function that lld
+/// gives the unwinding table of its neighbour: what the neighbour throws would end the program.
+UniformValue uniformFrom(const FilterValue& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? 1 : 0;
+  if (const auto* choice = std::get_if<int>(&value)) return *choice;
+  if (const auto* number = std::get_if<float>(&value)) return *number;
+  if (const auto* point = std::get_if<FilterPoint>(&value)) return glm::vec2((*point)[0], (*point)[1]);
+  if (const auto* color = std::get_if<FilterColor>(&value))
+    return glm::vec4((*color)[0], (*color)[1], (*color)[2], (*color)[3]);
+  throw std::logic_error("a picture is no uniform");
+}
 
 }  // namespace
 
@@ -112,9 +113,11 @@ FilterWindow FilterProgram::windowOf(const FilterPass& pass, const Drawing& draw
 }
 
 void FilterProgram::setInputs(const Drawing& drawing) const {
-  for (size_t i = 0; i < m_filter->inputs.size(); ++i)
-    if (m_program.hasUniform(m_filter->inputs[i].name))
-      std::visit(SetFilterUniform{m_program, m_filter->inputs[i].name}, drawing.values[i]);
+  for (size_t i = 0; i < m_filter->inputs.size(); ++i) {
+    const std::string name = glslName(m_filter->inputs[i].name);
+    const bool picture = std::holds_alternative<std::string>(drawing.values[i]);
+    if (!picture && m_program.hasUniform(name)) m_program.set({{name, uniformFrom(drawing.values[i])}});
+  }
 }
 
 void FilterProgram::drawPass(int index, const FilterTexture& target, Drawing& drawing) const {
@@ -173,7 +176,7 @@ void FilterProgram::drawStrips(const FilterTexture& target, Drawing& drawing) co
     finishGl();
     if (secondsSince(drawing.begin) > drawing.mostSeconds)
       throw InputError(
-          "{}: takes longer than {:.0f} s for {} x {} pixels, and was stopped; look for a loop that does not "
+          "{}: takes longer than {:.3g} s for {} x {} pixels, and was stopped; look for a loop that does not "
           "end, "
           "or allow it more time",
           m_filter->file.string(), drawing.mostSeconds, window.width, window.height);

@@ -215,7 +215,14 @@ class Refused(CameraLookTest):
     def test_a_loop_without_an_end_ends(self):
         endless = self.write('endless.fs', SOFT.replace('gl_FragColor', 'float x = 0.0; while (x >= 0.0) x += 1e-9;\n'
                                                                         '  gl_FragColor'))
-        self.refuse(endless, naming=['endless.fs', 'loop that does not end'], options=['--seconds', '0.1'])
+        out = self.apply(endless, output='o.png')
+        np.testing.assert_allclose(out, self.apply(self.write('soft.fs', SOFT), output='p.png'))
+
+    def test_a_filter_that_takes_too_long_is_stopped_and_named(self):
+        write_image(self.frame, ramp(480, 640))
+        slow = self.write('slow.fs', SOFT.replace('gl_FragColor', 'float x = amount;\n  while (x > 0.0) x += sin(x) * 1e-6;\n'
+                                                                  '  gl_FragColor = x *').replace('* =', '* '))
+        self.refuse(slow, naming=['slow.fs', 'takes longer than 0.1 s'], options=['--seconds', '0.1'])
 
     def test_lint_finds_a_halo_that_is_too_small(self):
         short = self.write('short.fs', '''/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}], "SWAPLIGHT": {"HALO": 1}}*/

@@ -30,7 +30,7 @@ std::string errorOf(const std::function<void()>& function) {
 }
 
 TEST(FilterFile, ReadsWhatIsf2Defines) {
-  const Filter filter = filterOf(R"({
+  const Filter filter = filterOf(R"json({
     "ISFVSN": "2", "DESCRIPTION": "Soft", "CATEGORIES": ["Blur", "Film"],
     "INPUTS": [{"NAME": "inputImage", "TYPE": "image"},
                {"NAME": "amount", "TYPE": "float", "DEFAULT": 0.5, "MIN": 0, "MAX": 2, "LABEL": "How much"},
@@ -39,61 +39,64 @@ TEST(FilterFile, ReadsWhatIsf2Defines) {
                {"NAME": "tint", "TYPE": "color", "DEFAULT": [1, 0, 0, 0.5]},
                {"NAME": "on", "TYPE": "bool", "DEFAULT": 1}],
     "PASSES": [{"TARGET": "small", "WIDTH": "floor($WIDTH / 4.0)", "HEIGHT": 12, "FLOAT": true}, {}]
-})");
+})json");
   EXPECT_EQ(filter.name, "soft");
-EXPECT_TRUE(filter.takesImage);
-EXPECT_FALSE(filter.ours);
-EXPECT_EQ(filter.space, FilterSpace::Display);
-ASSERT_EQ(filter.inputs.size(), 5U);
-EXPECT_EQ(filter.inputs[0].label, "How much");
-EXPECT_EQ(std::get<float>(filter.inputs[0].standard), 0.5F);
-EXPECT_EQ(std::get<int>(filter.inputs[1].standard), 5);
-EXPECT_EQ(std::get<FilterPoint>(filter.inputs[2].standard), (FilterPoint{0.1F, 0.2F}));
-EXPECT_EQ(std::get<FilterColor>(filter.inputs[3].standard), (FilterColor{1, 0, 0, 0.5F}));
-EXPECT_TRUE(std::get<bool>(filter.inputs[4].standard));
-ASSERT_EQ(filter.passes.size(), 2U);
-EXPECT_EQ(filter.passes[0].target, "small");
-EXPECT_TRUE(filter.passes[0].isFloat);
+  EXPECT_TRUE(filter.takesImage);
+  EXPECT_FALSE(filter.ours);
+  EXPECT_EQ(filter.space, FilterSpace::Display);
+  ASSERT_EQ(filter.inputs.size(), 5U);
+  EXPECT_EQ(filter.inputs[0].label, "How much");
+  EXPECT_EQ(std::get<float>(filter.inputs[0].standard), 0.5F);
+  EXPECT_EQ(std::get<int>(filter.inputs[1].standard), 5);
+  EXPECT_EQ(std::get<FilterPoint>(filter.inputs[2].standard), (FilterPoint{0.1F, 0.2F}));
+  EXPECT_EQ(std::get<FilterColor>(filter.inputs[3].standard), (FilterColor{1, 0, 0, 0.5F}));
+  EXPECT_TRUE(std::get<bool>(filter.inputs[4].standard));
+  ASSERT_EQ(filter.passes.size(), 2U);
+  EXPECT_EQ(filter.passes[0].target, "small");
+  EXPECT_TRUE(filter.passes[0].isFloat);
 }
 
 TEST(FilterFile, ReadsPersistentBuffersOfIsf1) {
-  const Filter filter =
-      filterOf(R"({"INPUTS": [], "PERSISTENT_BUFFERS": ["last"], "PASSES": [{"TARGET": "last"}, {}]})");
+  const Filter filter = filterOf(
+      R"json({"INPUTS": [], "PERSISTENT_BUFFERS": ["last"], "PASSES": [{"TARGET": "last"}, {}]})json");
   EXPECT_TRUE(filter.passes[0].persistent);
   EXPECT_THAT(filter.notes, testing::SizeIs(2));  // it remembers, and it has no picture
 }
 
 TEST(FilterFile, OwnKeyNamesSpaceHaloAndUnits) {
-  const Filter filter = filterOf(R"({"INPUTS": [{"NAME": "sigma", "TYPE": "float"}],
+  const Filter filter = filterOf(R"json({"INPUTS": [{"NAME": "sigma", "TYPE": "float"}],
     "SWAPLIGHT": {"SPACE": "scene_linear", "HALO": "ceil(3 * $sigma)", "UNIT": {"sigma": "px"}, "SAMPLING": "nearest"
 }
-})");
+})json");
   EXPECT_EQ(filter.space, FilterSpace::SceneLinear);
-EXPECT_EQ(filter.halo, "ceil(3 * $sigma)");
-EXPECT_EQ(filter.inputs[0].unit, "px");
-EXPECT_TRUE(filter.nearest);
+  EXPECT_EQ(filter.halo, "ceil(3 * $sigma)");
+  EXPECT_EQ(filter.inputs[0].unit, "px");
+  EXPECT_TRUE(filter.nearest);
 }
 
 TEST(FilterFile, ErrorsNameFileLineAndWhatToDo) {
   const auto error = [](const std::string& header) { return errorOf([&] { filterOf(header); }); };
-  EXPECT_THAT(errorOf([] { filterFromText("void main() {}", "soft.fs"); }),
+  EXPECT_THAT(errorOf([] { static_cast<void>(filterFromText("void main() {}", "soft.fs")); }),
               HasSubstr("soft.fs: no ISF header"));
   EXPECT_THAT(error("{\n\"INPUTS\": [}\n"), HasSubstr("folder/soft.fs:2: the header is not JSON"));
-  EXPECT_THAT(error(R"({"INPUTS": [{"TYPE": "float"}]})"), HasSubstr("input 1: \"NAME\""));
-  EXPECT_THAT(error(R"({"INPUTS": [{"NAME": "a", "TYPE": "flaot"}]})"),
+  EXPECT_THAT(error(R"json({"INPUTS": [{"TYPE": "float"}]})json"), HasSubstr("input 1: \"NAME\""));
+  EXPECT_THAT(error(R"json({"INPUTS": [{"NAME": "a", "TYPE": "flaot"}]})json"),
               HasSubstr("\"flaot\", expected event"));
-  EXPECT_THAT(error(R"({"INPUTS": [{"NAME": "a", "TYPE": "color", "DEFAULT": "red"}]})"),
+  EXPECT_THAT(error(R"json({"INPUTS": [{"NAME": "a", "TYPE": "color", "DEFAULT": "red"}]})json"),
               HasSubstr("three or four"));
-  EXPECT_THAT(error(R"({"INPUTS": [{"NAME": "a", "TYPE": "float"}, {"NAME": "a", "TYPE": "float"}]})"),
-              HasSubstr("two inputs are called \"a\""));
-  EXPECT_THAT(error(R"({"PASSES": [{"TARGET": "a", "WIDTH": "$WIDHT / 2"}, {}]})"), HasSubstr("WIDHT"));
-  EXPECT_THAT(error(R"({"SWAPLIGHT": {"SPACE": "linear"}})"), HasSubstr("scene_linear, display or any"));
-  EXPECT_THAT(error(R"({"SWAPLIGHT": {"UNIT": {"x": "px"}}})"), HasSubstr("no input \"x\""));
+  EXPECT_THAT(
+      error(R"json({"INPUTS": [{"NAME": "a", "TYPE": "float"}, {"NAME": "a", "TYPE": "float"}]})json"),
+      HasSubstr("two inputs are called \"a\""));
+  EXPECT_THAT(error(R"json({"PASSES": [{"TARGET": "a", "WIDTH": "$WIDHT / 2"}, {}]})json"),
+              HasSubstr("WIDHT"));
+  EXPECT_THAT(error(R"json({"SWAPLIGHT": {"SPACE": "linear"}})json"),
+              HasSubstr("scene_linear, display or any"));
+  EXPECT_THAT(error(R"json({"SWAPLIGHT": {"UNIT": {"x": "px"}}})json"), HasSubstr("no input \"x\""));
 }
 
 TEST(FilterInput, ChecksTypeRangeAndChoice) {
-  const Filter filter = filterOf(R"({"INPUTS": [{"NAME": "a", "TYPE": "float", "MIN": 0, "MAX": 2},
-    {"NAME": "m", "TYPE": "long", "VALUES": [1, 2], "LABELS": ["one", "two"]}]})");
+  const Filter filter = filterOf(R"json({"INPUTS": [{"NAME": "a", "TYPE": "float", "MIN": 0, "MAX": 2},
+    {"NAME": "m", "TYPE": "long", "VALUES": [1, 2], "LABELS": ["one", "two"]}]})json");
   EXPECT_NO_THROW(filter.inputs[0].check(1.5F, "a", true));
   EXPECT_THAT(errorOf([&] { filter.inputs[0].check(2.5F, "a", true); }), HasSubstr("expected 0 to 2"));
   EXPECT_NO_THROW(filter.inputs[0].check(2.5F, "a", false));
@@ -116,7 +119,7 @@ TEST(SizeExpression, FollowsThePrecedenceOfArithmetic) {
 }
 
 TEST(GlslTranslation, MakesIsfsWordsPlainGlsl) {
-  const Filter filter = filterOf(R"({"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}]})",
+  const Filter filter = filterOf(R"json({"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}]})json",
                                  "varying vec2 c;\nvoid main() { float sample = 1.0;\n"
                                  "gl_FragColor = sample * IMG_NORM_PIXEL(inputImage, f(c, 1.0)); }");
   const GlslTranslation glsl = translateFilter(filter);
@@ -138,6 +141,9 @@ TEST(GlslTranslation, BoundsLoopsThatNeedNotEnd) {
   EXPECT_THAT(fragment("void main() { for (int i = 0; i < 8; ++i) x(); }"),
               HasSubstr("for (int i = 0; i < 8; ++i)"));
   EXPECT_THAT(fragment("void main() { for (int i = 0; i < 8; ++i) { i -= 1; } }"),
+              HasSubstr("isf_go() && ( i < 8)"));
+  EXPECT_THAT(fragment("void main() { for (int i = 0; i < 9999; ++i) x(); }"), HasSubstr("isf_go()"));
+  EXPECT_THAT(fragment("void main() { for (int i = 0; i < 8; ++i) for (int j = 0; j < 8; ++j) x(); }"),
               HasSubstr("isf_go() && ( i < 8)"));
   EXPECT_THAT(fragment("void main() { for (float x = 0.0; x < n; x += 0.1) y(); }"), HasSubstr("isf_go()"));
 }

@@ -39,9 +39,10 @@ class FilterPipelineTest : public testing::Test {
 };
 
 TEST_F(FilterPipelineTest, ComesBackFromItsFileWithUnknownKeys) {
-  const Json json = Json::parse(R"({"format": "swaplight-look", "version": 1, "name": "Dream", "filters": [
+  const Json json =
+      Json::parse(R"json({"format": "swaplight-look", "version": 1, "name": "Dream", "filters": [
     {"filter": "very-soft", "on": false, "parameters": {"amount": 0.25, "tint": [1, 0.5, 0, 1]}, "colour": "later"}],
-    "author": "someone"})");
+    "author": "someone"})json");
   const FilterPipeline pipeline = pipelineFromJson(json, "a.swaplook");
   EXPECT_EQ(jsonFromPipeline(pipeline), json);
   writePipeline(pipeline, m_folder.path() / "a.swaplook");
@@ -54,13 +55,15 @@ TEST_F(FilterPipelineTest, BadFilesAreOneLine) {
   const auto error = [](const char* text) {
     return errorOf([&] { static_cast<void>(pipelineFromJson(Json::parse(text), "a.swaplook")); });
   };
-  EXPECT_THAT(error(R"({"format": "x"})"), HasSubstr("this is no camera look"));
-  EXPECT_THAT(error(R"({"format": "swaplight-look", "version": 9})"), HasSubstr("newer version"));
-  EXPECT_THAT(error(R"({"format": "swaplight-look", "filters": []})"), HasSubstr("\"name\" is missing"));
-  EXPECT_THAT(error(R"({"format": "swaplight-look", "name": "a", "filters": []})"),
+  EXPECT_THAT(error(R"json({"format": "x"})json"), HasSubstr("this is no camera look"));
+  EXPECT_THAT(error(R"json({"format": "swaplight-look", "version": 9})json"), HasSubstr("newer version"));
+  EXPECT_THAT(error(R"json({"format": "swaplight-look", "filters": []})json"),
+              HasSubstr("\"name\" is missing"));
+  EXPECT_THAT(error(R"json({"format": "swaplight-look", "name": "a", "filters": []})json"),
               HasSubstr("at least one"));
   EXPECT_THAT(
-      error(R"({"format": "swaplight-look", "name": "a", "filters": [{"filter": "x", "parameters": 3}]})"),
+      error(
+          R"json({"format": "swaplight-look", "name": "a", "filters": [{"filter": "x", "parameters": 3}]})json"),
       HasSubstr("filter 1 (x): \"parameters\""));
 }
 
