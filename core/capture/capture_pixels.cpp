@@ -20,6 +20,10 @@ namespace {
 constexpr float kNoClip = std::numeric_limits<float>::infinity();
 constexpr int kGrain = 64;  // rows
 
+/// The light of half the code over that of the whole is 1/2 where codes are linear, .214 in sRGB, less in
+/// logs.
+constexpr float kProportional = 0.45F;
+
 /// In steps of a file's coding: values this little below white are saturated too. They stand for it after a
 /// decoder's rounding; a whole step below is a value of its own.
 constexpr float kWhiteMargin = 0.25F;
@@ -38,6 +42,7 @@ struct Picture {
   PixelCounts counts;
   float clip = kNoClip;  ///< of integer files
   float quantum = 0;
+  bool encoded = false;  ///< codes are not proportional to light
   std::shared_ptr<const CarriedData> carried;
   std::vector<std::string> warnings;
 };
@@ -49,11 +54,6 @@ float linearOf(const ColorConfig& config, float code, const std::string& from, c
   return std::min({pixel.plane(0)[0], pixel.plane(1)[0], pixel.plane(2)[0]});
 }
 
-/// Camera raw is linear whatever the manifest says.
-bool isEncoded(const ImageFileInfo& info, const Capture& capture) {
-  return capture.colorSpace == "srgb" && !info.isFloat && info.format != "raw";
-}
-
 /// Where an integer file saturates, and the step below that, in linear light.
 void describeCoding(const ColorConfig& config, Picture& picture, const std::string& from,
                     const std::string& to) {
@@ -63,6 +63,7 @@ void describeCoding(const ColorConfig& config, Picture& picture, const std::stri
   const float white = linearOf(config, 1, from, to);
   picture.quantum = white - linearOf(config, 1 - step, from, to);
   picture.clip = white - kWhiteMargin * picture.quantum;
+  picture.encoded = linearOf(config, 0.5F, from, to) < kProportional * white;
 }
 
 /// No sensor's noise makes pixels more negative than this.
@@ -205,7 +206,7 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
     pixels.clipLevel.push_back(pictures[k].clip);
     pixels.quantum.push_back(pictures[k].quantum);
     counts.push_back(pictures[k].counts);
-    if (isEncoded(pictures[k].info, capture)) pixels.encoded = true;
+    if (pictures[k].encoded) pixels.encoded = true;
   }
   const float floatClip = floatClipLevel(pixels.shots, counts);
   for (size_t k = 0; k < shotCount; ++k)

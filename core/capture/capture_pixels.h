@@ -24,7 +24,8 @@ struct CapturePixels {
   /// The step of the files' coding in linear light at full scale: 1/255 for 8 bits of linear light, 2.3/255
   /// for 8 bits of sRGB; 10, 12 and 14 bits in 16-bit files are recognised. 0 for floating point.
   std::vector<float> quantum;
-  /// True where the files were sRGB-encoded: the step in linear light then grows with the signal.
+  /// True where the files were encoded (sRGB, a gamma, a camera log): the step in linear light then grows
+  /// with the signal.
   bool encoded = false;
   /// What the first shot's file holds beside its colour; may be nothing.
   std::shared_ptr<const CarriedData> carried;

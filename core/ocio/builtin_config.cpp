@@ -3,6 +3,7 @@
 #include <initializer_list>
 
 #include "core/image/half.h"
+#include "core/ocio/camera_spaces.h"
 #include "core/ocio/color_config_impl.h"
 #include "core/ocio/tone_curve.h"
 
@@ -181,6 +182,9 @@ OCIO::ConstConfigRcPtr builtinConfig() {
                     "Logarithmic, ACES AP1 primaries",
                     group({builtin("ACEScct_to_ACES2065-1"), rec709FromAces()}),
                     {"ACEScct"}});
+  for (const CameraSpace& camera : cameraSpaces())
+    addSpace(config,
+             {camera.name, "Camera", camera.description, rec709FromCamera(camera.name), {camera.alias}});
   addSpace(config, {"raw", "Data", "Numbers that are no colours: never converted", {}, {}});
   config->setRole("default", "raw");
   config->setRole("data", "raw");

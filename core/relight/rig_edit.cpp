@@ -6,20 +6,13 @@
 
 #include "core/capture/capture_pixels.h"
 #include "core/color/srgb.h"
+#include "core/ocio/convert_color.h"
 
 namespace swaplight {
 namespace {
 
 constexpr float kMostGain = 16;
 constexpr float kDarkest = 1e-6F;  // below, a channel of a pixel tells nothing
-
-Rgb converted(const ColorConfig& config, const Rgb& color, const std::string& from, const std::string& to) {
-  if (from == to) return color;
-  Image pixel(ImageSpec::rgb(1, 1));
-  for (int c = 0; c < 3; ++c) pixel.plane(c)[0] = color[c];
-  config.convert(pixel.span(), from, to);
-  return {pixel.plane(0)[0], pixel.plane(1)[0], pixel.plane(2)[0]};
-}
 
 LightColor linearColor(const Rgb& rec709) {
   LightColor color;
@@ -36,7 +29,7 @@ Rig rigOfShot(const ColorConfig& config, Rig rig, const SolvedSet& set, size_t s
     if (!taken.lightColors[i]) continue;
     LightSetting& light = rig.lights[i];
     light.color = linearColor(
-        converted(config, *taken.lightColors[i], linearSpaceOf(set.capture.colorSpace), "lin_rec709"));
+        convertColor(config, *taken.lightColors[i], linearSpaceOf(set.capture.colorSpace), "lin_rec709"));
     light.stops = taken.exposureStops;
     light.multiplier = 1;
     light.on = true;
@@ -106,7 +99,7 @@ std::vector<Rgb> relitShares(const ColorConfig& config, const Rig& rig, const Pi
 }
 
 LightColor lightColorOfPixel(const ColorConfig& config, const Rgb& pixel, const std::string& colorSpace) {
-  const Rgb linear = glm::max(converted(config, pixel, colorSpace, "lin_rec709"), Rgb(0));
+  const Rgb linear = glm::max(convertColor(config, pixel, colorSpace, "lin_rec709"), Rgb(0));
   const float brightest = std::max({linear.r, linear.g, linear.b});
   LightColor color;
   if (!(brightest > 0)) return color;
@@ -129,8 +122,8 @@ std::optional<Rig> neutralizePixel(const ColorConfig& config, Rig rig, const Pix
   const Rgb gain = glm::clamp((Rgb(level) - byOthers) / byChosen, Rgb(1 / kMostGain), Rgb(kMostGain));
   for (const size_t i : chosen) {
     LightSetting& light = rig.lights.at(i);
-    const Rgb inSet = gain * converted(config, colorFactor(light.color), "lin_rec709", colorSpace);
-    light.color = linearColor(converted(config, inSet, colorSpace, "lin_rec709"));
+    const Rgb inSet = gain * convertColor(config, colorFactor(light.color), "lin_rec709", colorSpace);
+    light.color = linearColor(convertColor(config, inSet, colorSpace, "lin_rec709"));
   }
   return rig;
 }
