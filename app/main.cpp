@@ -20,5 +20,7 @@ int main(int argc, char** argv) {
   addBetaVerb(program);
   addDoctorVerb(program);
   addLookVerb(program);
+  addLightsVerb(program);
+  addBalanceVerb(program);
   return program.run(argc, argv);
 }

@@ -12,7 +12,15 @@
 namespace swaplight {
 namespace {
 
-/// "read=.002,full_well=20000".
+/// True for the second of two words, false for the first.
+bool chosen(const char* option, const std::string& text, const char* off, const char* on) {
+  if (text != off && text != on)
+    throw InputError("{}: '{}' is not known; known: {}, {}", option, text, off, on);
+  return text == on;
+}
+
+}  // namespace
+
 SensorNoise noiseFromText(const std::string& text) {
   const auto wrong = [&](const std::string& part) {
     return InputError(
@@ -38,15 +46,6 @@ SensorNoise noiseFromText(const std::string& text) {
   }
   return noise;
 }
-
-/// True for the second of two words, false for the first.
-bool chosen(const char* option, const std::string& text, const char* off, const char* on) {
-  if (text != off && text != on)
-    throw InputError("{}: '{}' is not known; known: {}, {}", option, text, off, on);
-  return text == on;
-}
-
-}  // namespace
 
 void SolveArguments::addTo(CLI::App& verb) {
   const auto add = [&](CLI::Option* option) {

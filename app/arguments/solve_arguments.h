@@ -8,6 +8,9 @@
 
 namespace swaplight {
 
+/// "read=.002,full_well=20000", as --noise has it. Throws InputError that says what would be right.
+[[nodiscard]] SensorNoise noiseFromText(const std::string& text);
+
 /// The options of solving, for every verb that solves. They are texts until the verb runs, so that a mistake
 /// is said as every other one.
 class SolveArguments {

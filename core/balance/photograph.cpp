@@ -1,0 +1,42 @@
+#include "core/balance/photograph.h"
+
+#include "core/base/error.h"
+#include "core/color/chromaticities.h"
+#include "core/image/io/image_io.h"
+
+namespace swaplight {
+
+std::string colorSpaceOfPhotograph(const ColorConfig& config, const Capture& capture,
+                                   const std::filesystem::path& file) {
+  if (std::string ruled = config.colorSpaceOfFile(file); !ruled.empty()) return ruled;
+  ImageFileInfo info;
+  const ImageSpec spec = readImageSpec(file, &info);
+  const bool coded = !info.isFloat && info.format != "raw";
+  if (coded && !chromaticitiesOf(capture.colorSpace)) return capture.colorSpace;
+  return spec.colorSpace;
+}
+
+CapturePixels loadPhotographOf(const ColorConfig& config, const SolvedSet& set,
+                               const std::filesystem::path& file, const std::string& colorSpace,
+                               const Progress& progress) {
+  Capture photograph;
+  photograph.file = file;
+  photograph.colorSpace = colorSpace.empty() ? colorSpaceOfPhotograph(config, set.capture, file) : colorSpace;
+  photograph.frame = set.capture.frame;
+  photograph.noise = set.capture.noise;
+  photograph.shots.push_back({std::filesystem::absolute(file).string(), {}, 0, {}});
+  CapturePixels pixels = loadCapturePixels(config, photograph, progress);
+  Image& image = pixels.shots.front();
+  if (image.width() != set.width() || image.height() != set.height())
+    throw InputError(
+        "{}: is {} x {} pixels, the set is {} x {}. Take a photograph from the same camera, at the set's "
+        "size.",
+        file.string(), image.width(), image.height(), set.width(), set.height());
+  if (image.spec().colorSpace != set.colorSpace()) {
+    config.convert(image.span(), image.spec().colorSpace, set.colorSpace());
+    image.setColorSpace(set.colorSpace());
+  }
+  return pixels;
+}
+
+}  // namespace swaplight
