@@ -4,12 +4,14 @@
 usage: balance_table.py SWAPLIGHT SHARED [--tables lamps,white,swaps,errors] [--max-size 480] [--keep FOLDER]
 
 lamps: tables 6.1 and 6.2 of the dissertation: the second lamp's colour (and, by `lights`, the first's) in 8-bit codes,
-error = Euclidean distance. Of two swapped photographs and a known beta: mean over all pixels and mode (in bins of 3 codes, over those
-that tell: beta off 1/2, not dark) of l_1 B / A, as published, and least squares; of one photograph of the solved set: `swaplight lights`.
+error = Euclidean distance. Of two swapped photographs and a known beta: mean over all pixels and mode (in bins of 3
+codes, over those that tell: beta off 1/2, not dark) of l_1 B / A, as published, and least squares; of one photograph of
+the solved set: `swaplight lights`.
 errors: how often two standard errors of `lights` cover the truth.
 white: mean CIEDE2000 and angular error (degrees) against every lamp white at its own luminance.
 swaps: the same on gels really swapped, balanced to white. The truth is the sum of photographs with each lamp white:
-(w_r + r_w + w_b + b_w - r_b - b_r) / 2, by linearity; both pictures at one luminance a pixel, since lamps keep theirs.
+(w_r + r_w + w_b + b_w - r_b - b_r) / 2, by linearity; both pictures at one luminance a pixel, since lamps keep theirs;
+pixels above a twentieth of the brightest, since the truth has the noise of six photographs.
 """
 import argparse
 import json
@@ -159,13 +161,14 @@ class Bench:
         if same_luminance:
             truth = truth * ((picture @ WEIGHTS) / np.maximum(truth @ WEIGHTS, 1e-6))[..., None]
         scale = .9 / np.percentile(truth, 99.5)
+        bright = truth @ WEIGHTS > (.05 * np.percentile(truth @ WEIGHTS, 99.5) if same_luminance else -1)
         length = np.linalg.norm(picture, axis=-1) * np.linalg.norm(truth, axis=-1)
-        seen = length > 1e-6
+        seen = (length > 1e-6) & bright
         angle = np.degrees(np.arccos(np.clip((picture * truth).sum(-1)[seen] / length[seen], -1, 1)))
-        return de2000(lab(picture * scale), lab(truth * scale)).mean(), angle.mean()
+        return de2000(lab(picture * scale), lab(truth * scale))[bright].mean(), angle.mean()
 
     def every_way(self, photo, solved, given):
-        out = os.path.join(self.work, 'balanced.exr')
+        out = os.path.join(self.work, f'balanced_{os.getpid()}.exr')  # others may use the folder
         yield 'nothing', rgb(photo)
         for method in METHODS:
             self.run('balance', photo, '--method', method, '-o', out)
@@ -199,14 +202,14 @@ class Bench:
             pictures = {pair: rgb(os.path.join(folder, f'photo_{pair}.exr'))
                         for pair in ('w_r', 'r_w', 'w_b', 'b_w', 'r_b', 'b_r')}
             wanted = sum(pictures[p] for p in ('w_r', 'r_w', 'w_b', 'b_w')) / 2 - (pictures['r_b'] + pictures['b_r']) / 2
-            solved = os.path.join(self.work, f'swapped_{scene}.exr')
+            solved = os.path.join(self.work, f'swapped_{scene}_w_b.exr')
             if not os.path.exists(solved):
-                self.run('solve', os.path.join(folder, 'capture_r_b.json'), '-o', solved)
-            with open(os.path.join(folder, 'capture_r_b.json')) as file:
-                given = json.load(file)['relight_tests'][1]['light_colors']  # r_w
-            for way, balanced in self.every_way(os.path.join(folder, 'photo_r_w.exr'), solved, given):
+                self.run('solve', os.path.join(folder, 'capture_w_b.json'), '-o', solved)
+            with open(os.path.join(folder, 'capture_w_b.json')) as file:
+                given = {t['image']: t['light_colors'] for t in json.load(file)['relight_tests']}['photo_r_b.exr']
+            for way, balanced in self.every_way(os.path.join(folder, 'photo_r_b.exr'), solved, given):
                 table.setdefault(way, []).append(self.score(balanced, np.maximum(wanted, 0), True))
-        print('\n| photograph r_w, solved from r_b and b_r | ' + ' | '.join(scenes) + ' | mean |\n|---' + '|---' * 5 + '|')
+        print('\n| photograph r_b, solved from w_b and b_w | ' + ' | '.join(scenes) + ' | mean |\n|---' + '|---' * 5 + '|')
         for way, scores in table.items():
             print(f'| {way} | ' + ' | '.join('{:.2f} / {:.2f}'.format(*s) for s in [*scores, np.mean(scores, 0)]) + ' |')
 

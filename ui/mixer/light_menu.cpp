@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/balance/white_point.h"
 #include "core/relight/rig_edit.h"
 #include "ui/control/light_edit.h"
 #include "ui/kit/action_widgets.h"
@@ -96,6 +97,14 @@ void unitMenu(LightsContext& studio) {
 
 }  // namespace
 
+void drawWhiteMenu(const ActionTable& actions) {
+  const bool open = ImGui::BeginMenu("White point");
+  markItem("menu.white_point");
+  if (!open) return;
+  for (const NamedWhite& named : namedWhites()) actionMenuItem(actions, std::string("white.") + named.name);
+  ImGui::EndMenu();
+}
+
 void beginRename(LightsContext& studio, size_t light) {
   studio.mixer.renaming = static_cast<int>(light);
   studio.mixer.name = studio.document().rig.lights[light].title();
@@ -127,12 +136,18 @@ void drawLightMenu(LightsContext& studio, size_t light) {
   ImGui::Separator();
   for (const char* id : {"light.copy", "light.paste", "light.reset"}) actionMenuItem(studio.actions, id);
   ImGui::Separator();
-  for (const char* id : {"light.neutral", "light.match"}) actionMenuItem(studio.actions, id);
+  for (const char* id : {"light.neutralize", "light.neutral", "light.match"})
+    actionMenuItem(studio.actions, id);
 }
 
 void drawMixerMenu(LightsContext& studio) {
   shotMenu(studio);
   for (const char* id : {"mixer.all_white", "mixer.all_off"}) actionMenuItem(studio.actions, id);
+  actionMenuItem(studio.actions, "mixer.read_photograph");
+  ImGui::Separator();
+  for (const char* id : {"mixer.neutralize_all", "mixer.neutralize_others"})
+    actionMenuItem(studio.actions, id);
+  drawWhiteMenu(studio.actions);
   ImGui::Separator();
   unitMenu(studio);
   actionMenuItem(studio.actions, "mixer.import_gels");

@@ -6,6 +6,7 @@
 
 #include "ui/kit/action_widgets.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/mixer/light_menu.h"
 #include "ui/viewer/viewer_bar.h"
 
 namespace swaplight {
@@ -37,6 +38,12 @@ const std::vector<Menu>& menus() {
         "light.neutral",
         "light.match",
         "-",
+        "light.neutralize",
+        "mixer.neutralize_all",
+        "mixer.neutralize_others",
+        "white_point",
+        "-",
+        "mixer.read_photograph",
         "mixer.as_captured",
         "mixer.all_white",
         "mixer.all_off",
@@ -114,6 +121,8 @@ void drawMenuBar(ViewerContext& studio, const std::vector<PanelInfo>& panels) {
         submenu("B", studio.set(), [&] { drawSubjectMenu(studio, true); });
       else if (item == "display")
         submenu("Display and view", studio.set(), [&] { drawDisplayMenu(studio); });
+      else if (item == "white_point")
+        drawWhiteMenu(studio.actions);
       else if (item == "panels")
         for (const PanelInfo& panel : panels) actionMenuItem(studio.actions, panel.id);
       else

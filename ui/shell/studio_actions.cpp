@@ -15,6 +15,7 @@ void StudioWindow::addActions() {
   addEditActions(m_actions, m_context,
                  m_chooser);  // before the lights': F2 is for the list that was clicked last
   addLightActions(m_actions, m_lights, m_chooser);
+  addBalanceActions(m_actions, m_lights, m_lamps, m_chooser);
   addViewActions(m_actions, m_context, m_chooser);
   addCompareActions(m_actions, m_context);
   addLookActions(m_actions, m_lights);

@@ -74,6 +74,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
       m_lights{
           {m_editor, m_view}, m_session, m_messages, m_colors, m_layout, m_tool, m_mixer, m_looks, m_table,
           m_actions},
+      m_lamps([&window] { window.wake(); }),
       m_panels(allPanels()),
       m_export(stateFolder() / "export.json"),
       m_wizard([&window] { window.wake(); }),
@@ -188,6 +189,7 @@ void StudioWindow::exportAs(const ExportRequest& request) {
 void StudioWindow::update() {
   m_session.update();
   m_exports.update(m_messages);
+  m_lamps.update(m_lights);
   m_wizard.update(m_messages);
   m_subjects.update(m_messages);
   if (m_messages.expire()) m_window.requestFrames();

@@ -15,6 +15,7 @@
 #include "ui/kit/file_chooser.h"
 #include "ui/kit/keys_window.h"
 #include "ui/mixer/gallery_panel.h"
+#include "ui/mixer/lamp_reader.h"
 #include "ui/scopes/scopes_panel.h"
 #include "ui/shell/panel_info.h"
 #include "ui/shell/studio.h"
@@ -45,7 +46,7 @@ class StudioWindow {
   /// Something is being read, solved, guessed, looked for, saved or exported.
   [[nodiscard]] bool busy() const {
     return m_sets.busy() || m_wizard.busy() || m_edits.busy() || m_shadows.busy() || m_session.saving() ||
-           m_exports.busy();
+           m_exports.busy() || m_lamps.busy();
   }
 
   /// Ends the studio, after asking what to do with unsaved work.
@@ -112,6 +113,7 @@ class StudioWindow {
   GalleryPanel m_gallery;
   ViewerContext m_context;
   LightsContext m_lights;
+  LampReader m_lamps;
   std::vector<PanelInfo> m_panels;
 
   FileChooser m_chooser;
