@@ -15,7 +15,8 @@ struct TwoColorBalance {
 /// beta = a / (a + b), and out = y Y(I) / I w / Y(w) with I = beta l_1 + (1 - beta) l_2: scale-free, unlike
 /// the projection on the line between the colours (Lindsay 2013, 6.4.3), which is right for white surfaces
 /// only. A surface's own colour is partly taken for light: where surfaces are coloured and the lamps nearly
-/// white, this is worse than leaving the picture alone (docs/balance.md, four times the error of a solved set).
+/// white, this is worse than leaving the picture alone (docs/balance.md, four times the error of a solved
+/// set).
 ///
 /// Colours in the photograph's primaries, not black and not alike (their directions differ); `white` of any
 /// luminance; NaN and infinity become 0.
