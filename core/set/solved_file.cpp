@@ -202,7 +202,7 @@ class PlaneFinder {
     for (size_t c = 0; c < channels.size(); ++c) {
       const size_t index = indexOf(channels[c]);
       if (index >= m_planes.size())
-        throw InputError("{}: is no whole solved set: the channel {} is missing. Solve again.", m_file,
+        throw InputError("{}: is not a complete solved set: the channel {} is missing. Solve again.", m_file,
                          channels[c]);
       m_planes[index] = image.plane(static_cast<int>(c));
     }

@@ -130,7 +130,7 @@ std::string pngFault(ByteStream& in) {
 void checkIntegrity(const std::filesystem::path& file, const std::string& format) {
   if (format == "openexr")
     if (const std::string fault = exrHeaderFault(file); !fault.empty())
-      throw InputError("{}: is broken or no openexr file: {}. Copy it again.", file.string(), fault);
+      throw InputError("{}: is damaged or not a valid openexr file: {}. Copy it again.", file.string(), fault);
   std::string fault;
   if (format == "png" || format == "jpeg") {
     ByteStream in(file);
@@ -138,7 +138,7 @@ void checkIntegrity(const std::filesystem::path& file, const std::string& format
     if (format == "jpeg" && !jpegIsComplete(in)) fault = "the file ends in the middle of the picture";
   }
   if (!fault.empty())
-    throw InputError("{}: is no whole {} file: {}. Copy it again.", file.string(), format, fault);
+    throw InputError("{}: is not a complete {} file: {}. Copy it again.", file.string(), format, fault);
 }
 
 }  // namespace swaplight

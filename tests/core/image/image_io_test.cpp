@@ -243,7 +243,7 @@ TEST(ImageIo, WhatIsNoPictureIsSaid) {
   EXPECT_THAT(errorOf("text.exr", "hello"), HasSubstr("text.exr: is not a picture that this program reads"));
   EXPECT_THAT(errorOf("empty.png", ""), HasSubstr("empty.png: is empty"));
   EXPECT_THAT(errorOf("head.png", "\x89PNG\r\n\x1a\n"),
-              HasSubstr("head.png: is no whole png file: the file ends"));
+              HasSubstr("head.png: is not a complete png file: the file ends"));
   EXPECT_THAT(errorOf("head.exr", "\x76\x2f\x31\x01 rest"), HasSubstr("damaged or not a valid openexr file"));
   EXPECT_THAT(errorOf("camera.dng", "this is no photograph"), HasSubstr("damaged or not a valid raw file"));
   EXPECT_THAT(inputError([&] { (void)readImage(folder / "none.exr"); }), HasSubstr("none.exr: no such file"));
