@@ -42,8 +42,8 @@ RC_GTEST_PROP(Properties, ASessionComesBackFromJson, ()) {
   const Json json = Json::parse(jsonFromSession(session, "/sets").dump());
   const Session read = sessionFromJson(json, "/sets", "any.swaplight");
   RC_ASSERT(read.document == session.document);
-  constexpr const char* kLater = "written by a later version";
-  RC_ASSERT(jsonFromSession(read, "/sets").at(kLater) == json.at(kLater));
+  RC_ASSERT(read.unknown == session.unknown);
+  RC_ASSERT(read.warnings.size() == 1U);
 }
 
 RC_GTEST_PROP(Properties, UndoAfterAnyGestureIsAsIfNothingHadBeenDone, ()) {
