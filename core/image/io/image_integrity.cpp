@@ -130,7 +130,8 @@ std::string pngFault(ByteStream& in) {
 void checkIntegrity(const std::filesystem::path& file, const std::string& format) {
   if (format == "openexr")
     if (const std::string fault = exrHeaderFault(file); !fault.empty())
-      throw InputError("{}: is damaged or not a valid openexr file: {}. Copy it again.", file.string(), fault);
+      throw InputError("{}: is damaged or not a valid openexr file: {}. Copy it again.", file.string(),
+                       fault);
   std::string fault;
   if (format == "png" || format == "jpeg") {
     ByteStream in(file);
