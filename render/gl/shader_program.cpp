@@ -21,16 +21,6 @@ std::string infoLog(GetLength getLength, GetLog getLog, GLuint id) {
   return log;
 }
 
-/// Throws std::runtime_error with the compiler's words.
-void compile(GLuint shader, const std::string& source) {
-  const char* text = source.c_str();
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  GLint ok = GL_FALSE;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-  if (!ok) throw std::runtime_error(infoLog(glGetShaderiv, glGetShaderInfoLog, shader));
-}
-
 std::string withInjected(std::string source, const std::string& injected) {
   constexpr std::string_view kMark = "#pragma injected";
   const size_t at = source.find(kMark);
@@ -62,24 +52,30 @@ struct SetUniform {
 
 ShaderProgram::ShaderProgram(const std::string& vertexFile, const std::string& fragmentFile,
                              const std::string& injected) {
-  const std::string vertex = shaderSource(vertexFile);
-  const std::string fragment = withInjected(shaderSource(fragmentFile), injected);
-  try {
-    link(vertex, fragment);
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("the shaders {} and {} do not compile:\n{}\n{}\n{}", vertexFile,
-                                         fragmentFile, error.what(), numberedSource(vertex),
-                                         numberedSource(fragment)));
-  }
+  link({vertexFile, shaderSource(vertexFile)},
+       {fragmentFile, withInjected(shaderSource(fragmentFile), injected)});
 }
 
 ShaderProgram ShaderProgram::fromSources(const std::string& vertex, const std::string& fragment) {
   ShaderProgram program;
-  program.link(vertex, fragment);
+  program.link({"", vertex}, {"", fragment});
   return program;
 }
 
-void ShaderProgram::link(const std::string& vertexSource, const std::string& fragmentSource) {
+void ShaderProgram::compile(GLuint shader, const Source& source) {
+  const char* text = source.text.c_str();
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  GLint ok = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+  if (ok) return;
+  const std::string words = infoLog(glGetShaderiv, glGetShaderInfoLog, shader);
+  if (source.file.empty()) throw std::runtime_error(words);
+  throw std::runtime_error(fmt::format("the shader {} does not compile:\n{}\n{}", source.file, words,
+                                       numberedSource(source.text)));
+}
+
+void ShaderProgram::link(const Source& vertexSource, const Source& fragmentSource) {
   m_program = GlProgram::make();
   const auto vertex = GlVertexShader::make();
   const auto fragment = GlFragmentShader::make();
@@ -92,7 +88,12 @@ void ShaderProgram::link(const std::string& vertexSource, const std::string& fra
   glDetachShader(id(), fragment.id());
   GLint ok = GL_FALSE;
   glGetProgramiv(id(), GL_LINK_STATUS, &ok);
-  if (!ok) throw std::runtime_error(infoLog(glGetProgramiv, glGetProgramInfoLog, id()));
+  if (!ok) {
+    const std::string words = infoLog(glGetProgramiv, glGetProgramInfoLog, id());
+    if (fragmentSource.file.empty()) throw std::runtime_error(words);
+    throw std::runtime_error(
+        fmt::format("the shaders {} and {} do not link:\n{}", vertexSource.file, fragmentSource.file, words));
+  }
 
   GLint count = 0, longest = 0;
   glGetProgramiv(id(), GL_ACTIVE_UNIFORMS, &count);

@@ -43,7 +43,12 @@ class ShaderProgram {
   [[nodiscard]] bool hasUniform(std::string_view name) const { return m_locations.contains(name); }
 
  private:
-  void link(const std::string& vertex, const std::string& fragment);
+  struct Source {
+    std::string file;  ///< named in errors, which show the text then; empty: no file of ours
+    std::string text;
+  };
+  static void compile(unsigned shader, const Source& source);
+  void link(const Source& vertex, const Source& fragment);
 
   GlProgram m_program;
   std::map<std::string, int, std::less<>> m_locations;
