@@ -17,6 +17,7 @@
 #include "core/diagnosis/machine_facts.h"
 #include "core/file/user_folders.h"
 #include "core/image/io/picture_process.h"
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {
@@ -100,6 +101,8 @@ int Program::run(int argc, const char* const* argv) {
 int Program::runVerb(Verb& verb) {
   catchInterrupts();
   try {
+    // A level of processor that there is not is reported for what it is, not by the first who computes.
+    static_cast<void>(processorLevel());
     std::optional<PictureProcesses> apart;  // before there are threads
     if (verb.app->count(kTrustPictures) == 0) apart.emplace();
     setThreads(verb.options.threads);
