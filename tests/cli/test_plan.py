@@ -64,7 +64,7 @@ class PlanTest(cli.CliTest):
         self.assertIsNone(rgbw['predicted']['transport']['contribution'])
         self.assertIsNotNone(rgbw['predicted']['lambert']['contribution'])
         bright = self.succeed('plan', '--lights', 2, '--exposure', 3).stdout
-        self.assertIn('reach full scale', bright)
+        self.assertIn('typical pixels clip', bright)
 
     def test_bad_input_is_one_line(self):
         self.deny('plan', naming='--lights')
