@@ -4,7 +4,10 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <new>
+
+#include "core/base/error.h"
 #ifndef __linux__
 #include <random>
 #include <string>
@@ -23,8 +26,14 @@ OwnedDescriptor namelessMemory() {
 }
 
 SharedMemory::SharedMemory(size_t bytes) : m_descriptor(namelessMemory()), m_size(bytes) {
-  if (!m_descriptor || ::ftruncate(m_descriptor.get(), static_cast<off_t>(bytes)) != 0)
+  if (!m_descriptor || ::ftruncate(m_descriptor.get(), static_cast<off_t>(bytes)) != 0) {
+    if (m_descriptor && errno == EFBIG)
+      throw ResourceError(
+          "a decoded picture is larger than this shell lets a file be (ulimit -f), memory that processes "
+          "share "
+          "included; raise the limit, or give --trust-pictures");
     throw std::bad_alloc();
+  }
 #ifdef __linux__
   // Who has it cannot cut it under the other's eyes.
   if (::fcntl(m_descriptor.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0)

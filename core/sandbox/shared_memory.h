@@ -14,7 +14,7 @@ namespace swaplight {
 class SharedMemory {
  public:
   SharedMemory() = default;
-  /// Makes it. Throws std::bad_alloc.
+  /// Makes it. Throws std::bad_alloc, and ResourceError where the limit of file sizes forbids it.
   explicit SharedMemory(size_t bytes);
   /// Maps what another process has made. Throws std::bad_alloc.
   SharedMemory(OwnedDescriptor descriptor, size_t bytes);

@@ -92,7 +92,8 @@ class LimitTest(cli.CliTest):
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
         for name in ('o.exr', 'o.tif', 'o.png'):
             verb = ('solve', capture.path) if name == 'o.exr' else ('relight', capture.path)
-            self.deny(*verb, '-o', self.path(name), '-q', naming=name, code=3, preexec_fn=limit)
+            self.deny(*verb, '-o', self.path(name), '-q', naming='ulimit -f', code=3, preexec_fn=limit)
+            self.deny(*verb, '-o', self.path(name), '-q', '--trust-pictures', naming=name, code=3, preexec_fn=limit)
 
     def test_too_little_memory_for_threads(self):
         capture = cli.Capture(self.path('set'))
