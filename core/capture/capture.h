@@ -24,7 +24,7 @@ enum class Role { Key, Fill, Back, Practical, Kicker, Background, Other };
 struct Light {
   std::string name;  ///< [A-Za-z][A-Za-z0-9_]*
   Role role = Role::Other;
-  KeptJson extra;  ///< keys we do not know, kept
+  KeptJson extra = {};  ///< keys we do not know, kept
 };
 
 struct Shot {

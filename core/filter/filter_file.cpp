@@ -76,7 +76,7 @@ FilterValue standardValue(FilterInputType type) {
       return 0;
     case FilterInputType::Float:
       return 0.0F;
-    case FilterInputType::Point:
+    case FilterInputType::Point2D:
       return FilterPoint{0, 0};
     case FilterInputType::Color:
       return FilterColor{0, 0, 0, 1};
@@ -99,7 +99,7 @@ void readChoices(FilterInput& input, JsonFields& fields) {
 }
 
 bool hasRange(FilterInputType type) {
-  return type == FilterInputType::Float || type == FilterInputType::Point;
+  return type == FilterInputType::Float || type == FilterInputType::Point2D;
 }
 
 FilterInput inputFromJson(const Json& json, const std::string& where) {

@@ -19,7 +19,7 @@ FilterValue anyValueFromJson(const Json& json, const std::string& where) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number()) return filterValueFromJson(json, FilterInputType::Float, where);
   if (json.is_string()) return json.get<std::string>();
-  if (json.is_array() && json.size() == 2) return filterValueFromJson(json, FilterInputType::Point, where);
+  if (json.is_array() && json.size() == 2) return filterValueFromJson(json, FilterInputType::Point2D, where);
   return filterValueFromJson(json, FilterInputType::Color, where);
 }
 

@@ -25,7 +25,7 @@ constexpr std::array<TypeName, 9> kTypes = {{
     {FilterInputType::Bool, "bool", "true or false"},
     {FilterInputType::Choice, "long", "a whole number"},
     {FilterInputType::Float, "float", "a number"},
-    {FilterInputType::Point, "point2D", "two numbers"},
+    {FilterInputType::Point2D, "point2D", "two numbers"},
     {FilterInputType::Color, "color", "three or four numbers (red, green, blue, alpha)"},
     {FilterInputType::Image, "image", "the name of a picture's file"},
     {FilterInputType::Audio, "audio", "sound"},
@@ -78,8 +78,8 @@ FilterValue booleanOf(const Json& json, FilterInputType type, const std::string&
 }
 
 FilterValue listOf(const Json& json, FilterInputType type, const std::string& where) {
-  const size_t most = type == FilterInputType::Point ? 2 : 4;
-  const size_t fewest = type == FilterInputType::Point ? 2 : 3;
+  const size_t most = type == FilterInputType::Point2D ? 2 : 4;
+  const size_t fewest = type == FilterInputType::Point2D ? 2 : 3;
   if (!json.is_array() || json.size() < fewest || json.size() > most) fail(where, describeJson(json), type);
   FilterColor values{0, 0, 0, 1};
   for (size_t i = 0; i < json.size(); ++i) {
@@ -87,7 +87,7 @@ FilterValue listOf(const Json& json, FilterInputType type, const std::string& wh
     if (!value) fail(where, describeJson(json[i]), type);
     values[i] = *value;
   }
-  if (type == FilterInputType::Point) return FilterPoint{values[0], values[1]};
+  if (type == FilterInputType::Point2D) return FilterPoint{values[0], values[1]};
   return values;
 }
 
@@ -130,7 +130,7 @@ FilterValue filterValueFromJson(const Json& json, FilterInputType type, const st
     case FilterInputType::Float:
       if (const std::optional<float> value = finite(json)) return *value;
       fail(where, describeJson(json), type);
-    case FilterInputType::Point:
+    case FilterInputType::Point2D:
     case FilterInputType::Color:
       return listOf(json, type, where);
     case FilterInputType::Image:
@@ -171,7 +171,7 @@ FilterValue filterValueFromText(const std::string& text, FilterInputType type, c
       break;
     case FilterInputType::Choice:
     case FilterInputType::Float:
-    case FilterInputType::Point:
+    case FilterInputType::Point2D:
       break;
   }
   const std::vector<float> numbers = numbersOf(text);
@@ -179,10 +179,10 @@ FilterValue filterValueFromText(const std::string& text, FilterInputType type, c
     if (numbers.size() != 1) fail(where, found, type);
     return filterValueFromJson(Json(numbers[0]), type, where);
   }
-  const size_t fewest = type == FilterInputType::Point ? 2 : 3;
-  if (numbers.size() < fewest || numbers.size() > (type == FilterInputType::Point ? 2U : 4U))
+  const size_t fewest = type == FilterInputType::Point2D ? 2 : 3;
+  if (numbers.size() < fewest || numbers.size() > (type == FilterInputType::Point2D ? 2U : 4U))
     fail(where,
-         found + (type == FilterInputType::Point ? " (write 0.5:0.5)" : " (write 1:0.5:0, or #ff8000)"),
+         found + (type == FilterInputType::Point2D ? " (write 0.5:0.5)" : " (write 1:0.5:0, or #ff8000)"),
          type);
   return filterValueFromJson(Json(numbers), type, where);
 }

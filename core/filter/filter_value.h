@@ -17,7 +17,7 @@ using FilterColor = std::array<float, 4>;  ///< R G B A, in the filter's colour 
 using FilterValue = std::variant<bool, int, float, FilterPoint, FilterColor, std::string>;
 
 /// The types of ISF 2's INPUTS. https://docs.isf.video/ref_json.html
-enum class FilterInputType { Event, Bool, Choice, Float, Point, Color, Image, Audio, AudioSpectrum };
+enum class FilterInputType { Event, Bool, Choice, Float, Point2D, Color, Image, Audio, AudioSpectrum };
 
 /// ISF's name of a type: "float", "point2D" ...
 [[nodiscard]] const char* isfTypeName(FilterInputType type);

@@ -134,7 +134,7 @@ const char* glslType(FilterInputType type) {
       return "int";
     case FilterInputType::Float:
       return "float";
-    case FilterInputType::Point:
+    case FilterInputType::Point2D:
       return "vec2";
     case FilterInputType::Color:
       return "vec4";

@@ -7,8 +7,7 @@
 //
 // solve: model auto on the hard cases (swaplight bench --hard-cases), N pixels wide. shadows: a solved set
 // and the folder with its shadow_<light>.exr (Y: visibility). --only changes the constants whose names begin
-// so;
-// --set measures one change alone.
+// so, --set measures one change alone.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -13,23 +13,32 @@ Point squareEnd(Point from, Point to) {
   return {from[0] + std::copysign(side, dx), from[1] + std::copysign(side, dy)};
 }
 
+template <typename T>
+concept HasText = requires(T s) {
+  s.text;
+};
+template <typename T>
+concept HasFile = requires(T s) {
+  s.file;
+};
 // A selection is softened as a whole, not by the stencil.
 template <typename T>
-constexpr bool hasFeather = requires(T s) {
-  s.feather = 0.F;
-}
-&&!std::is_same_v<T, SelectionShape>;
+concept HasFeather = !std::is_same_v<T, SelectionShape> && requires(T s) {
+  s.feather;
+};
+template <typename T>
+concept DragsDirection = requires {
+  T::kDragsDirection;
+};
 
 std::vector<StencilKind> listedStencils() {
   std::vector<StencilKind> kinds;
   forEachShape([&]<typename T>(const T&) {
     if constexpr (requires { T::stencil; })
-      kinds.push_back({T::info, T::stencil, requires(T s) { s.text; }, requires(T s) {
-    s.file; },
-                       hasFeather<T>, std::is_same_v<T, PatternShape>
-});
-});
-return kinds;
+      kinds.push_back(
+          {T::info, T::stencil, HasText<T>, HasFile<T>, HasFeather<T>, std::is_same_v<T, PatternShape>});
+  });
+  return kinds;
 }
 
 }  // namespace
@@ -51,8 +60,7 @@ MaskShape draggedShape(const Stencil& stencil, Point from, Point to, bool even) 
   forEachShape([&]<typename T>(const T& shape) {
     if constexpr (requires(T s, StencilDrag drag) { s.place(drag); }) {
       if (stencil.shape != T::info.name) return;
-      if (even && requires { T::kDragsDirection; }) to = evenDirection(from, to);
-      if (even && !requires { T::kDragsDirection; }) to = squareEnd(from, to);
+      if (even) to = DragsDirection<T> ? evenDirection(from, to) : squareEnd(from, to);
       T next = std::get<T>(withStencil({shape, false}, stencil).shape);
       next.place(StencilDrag(from, to));
       placed = {std::move(next), false};
@@ -94,9 +102,9 @@ MaskShape withStencil(const MaskShape& shape, const Stencil& stencil) {
   MaskShape changed = shape;
   std::visit(
       [&]<typename T>(T& s) {
-        if constexpr (hasFeather<T>) s.feather = stencil.feather;
-        if constexpr (requires { s.text = stencil.text; }) s.text = stencil.text;
-        if constexpr (requires { s.file = stencil.file; }) s.file = stencil.file;
+        if constexpr (HasFeather<T>) s.feather = stencil.feather;
+        if constexpr (HasText<T>) s.text = stencil.text;
+        if constexpr (HasFile<T>) s.file = stencil.file;
         if constexpr (std::is_same_v<T, PatternShape>) s.kind = stencil.pattern;
       },
       changed.shape);

@@ -25,9 +25,9 @@ namespace swaplight {
 //   static constexpr ShapeInfo info            its names
 //   static constexpr auto fields()             its values in files
 //   float valueAt(float x, float y) const      a formula, with PixelRect bounds() const where it ends; or
-//   MaskRaster draw(int width, int height) const   pixels, drawn once; shadows and what is similar are drawn
-//   on
-//                                              the set instead: see mask_context.cpp
+//   MaskRaster draw(int width, int height) const   pixels, drawn once
+//
+// (shadows, what is similar and selections need the set to be drawn: MaskGround::raster)
 //
 // and, where it needs them,
 //

@@ -24,11 +24,15 @@ namespace swaplight {
 //
 // and, where it needs them,
 //
-//   int reach() const                             how many pixels around it a pixel looks: fills
-//   BetaRow::blurred std::vector<float> tabulate() const           made once for all rows: fills
-//   BetaRow::table std::string summary() const                   a few words for the list of edits instead of
-//   its name static T initial()                            what the studio starts with instead of T{} static
-//   constexpr bool kSwapsTwoLights = true  of two lights it makes them change places
+//   int reach() const                       pixels around it that a pixel looks at: fills BetaRow::blurred
+//
+//   std::vector<float> tabulate() const     made once for all rows: fills BetaRow::table
+//
+//   std::string summary() const             a few words for the list of edits, instead of its name
+//
+//   static T initial()                      what the studio starts with, instead of T{}
+//
+//   static constexpr bool kSwapsTwoLights   of two lights: they change places
 //
 // and it is listed here. Whatever handles edits visits the list, so that one that is not handled does not
 // compile.

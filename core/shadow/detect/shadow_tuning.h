@@ -55,9 +55,8 @@ struct ShadowThresholdTuning {
   double lengthBonus = .3;  ///< exponent of the contour's length
   double areaBonus = .15;   ///< exponent of the lit share: a light is there to light something
   double fullRatio = 1.5;  ///< log ratio to the other lights by which a shadow surely falls behind lit pixels
-  double leastTrust = .05;  ///< in levels that divide at the same ratio
-  double usualLevel =
-      .06;  ///< what bounced light leaves in a shadow, of what surfaces get that see the light
+  double leastTrust = .05;   ///< in levels that divide at the same ratio
+  double usualLevel = .06;   ///< bounced light in a shadow, of what surfaces get that see the light
   double spreadBelow = 2.2;  ///< log: it may be so much less; there may be little to bounce from
   double spreadAbove = 1;    ///< log: or so much more
   double leastEdge = .02;    ///< unshared log step a pixel along a contour: less is shading

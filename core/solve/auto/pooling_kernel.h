@@ -13,11 +13,10 @@ inline constexpr int kPoolRadius = 2;  // steps; the window is 5 x 5
 /// picture). Pointers are to the first pixel of the picture.
 struct PoolBand {
   int lights = 0;
-  int stride = 0;  ///< floats from a row to the next
-  int step = 1;    ///< pixels between neighbours that are looked at
-  float rejectChi2 =
-      9;              ///< (beta - beta')^2 over its variance, beyond which two pixels have nothing in common
-  float overlap = 1;  ///< of neighbours' errors: the variance of their mean over that of independent ones
+  int stride = 0;        ///< floats from a row to the next
+  int step = 1;          ///< pixels between neighbours that are looked at
+  float rejectChi2 = 9;  ///< (beta - beta')^2 over its variance: beyond, pixels have nothing in common
+  float overlap = 1;     ///< of neighbours' errors: the variance of their mean over that of independent ones
   float hiddenVariance = 0;  ///< fraction of the variance that differences too small to be seen may hide
   bool clampAtZero = false;  ///< no share is below zero after this
   float guideScale = 0;      ///< 1 / squared difference of guides, beyond which likewise
