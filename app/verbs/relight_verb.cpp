@@ -41,7 +41,7 @@ FrameOptions outputOf(const Arguments& arguments, const std::optional<Session>& 
 Json writeHistogram(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
                     const std::string& file) {
   const std::vector<NamedHistogram> histograms = {
-      {"before", luminanceHistogram(allWhite(set))},
+      {"before", luminanceHistogram(sumAtUnitWhite(set))},
       {"after", luminanceHistogram(relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient))}};
   writeImage(drawLuminanceHistograms(histograms), file);
   return {{"before", jsonFromHistogram(histograms[0].histogram)},

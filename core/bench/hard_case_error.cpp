@@ -16,8 +16,8 @@ std::vector<std::string> hardCaseModels() {
 }
 
 HardCaseError measureHardCase(const HardCase& test) {
-  const LightPlan plan = planFromCapture(test.capture);
-  const BoundedTruth truth(benchTruth(test.capture, test.truth), plan, test.noise,
+  const LightingMatrix lighting = lightingFromCapture(test.capture);
+  const BoundedTruth truth(benchTruth(test.capture, test.truth), lighting, test.noise,
                            test.pixels.clipLevel.front());
   HardCaseError row{test.name, test.group, test.matte, test.mixed, truth.relativeBound, {}};
   for (const std::string& model : hardCaseModels()) {
@@ -25,7 +25,7 @@ HardCaseError measureHardCase(const HardCase& test) {
     if (model != "published") {
       options.model = modelFromName(model);
     } else {
-      if (plan.lights != 2 || plan.shots != 2) continue;
+      if (lighting.lights != 2 || lighting.shots != 2) continue;
       options.solver = model;
     }
     row.answers.push_back({model, compareSolution(solve(test.capture, test.pixels, options), truth)});

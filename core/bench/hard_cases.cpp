@@ -11,7 +11,7 @@
 #include "core/bench/bench_scene.h"
 #include "core/bench/bench_truth.h"
 #include "core/color/srgb.h"
-#include "core/solve/model/light_plan.h"
+#include "core/solve/model/lighting_matrix.h"
 
 namespace swaplight {
 namespace {
@@ -136,9 +136,10 @@ const std::vector<Recipe>& recipes() {
 }
 
 /// What no light shows is not asked for.
-void darkenUnseenChannels(const LightPlan& plan, std::vector<Image>& truth) {
+void darkenUnseenChannels(const LightingMatrix& lighting, std::vector<Image>& truth) {
   for (int c = 0; c < 3; ++c)
-    if (std::all_of(plan.colors.begin(), plan.colors.end(), [c](const Rgb& color) { return color[c] == 0; }))
+    if (std::all_of(lighting.colors.begin(), lighting.colors.end(),
+                    [c](const Rgb& color) { return color[c] == 0; }))
       for (Image& t : truth) std::fill_n(t.plane(c), t.pixelCount(), 0.0F);
 }
 
@@ -238,7 +239,7 @@ HardCase makeHardCase(int index, unsigned seed, int width) {
   made.truth = recipe.random
                    ? randomTruth(recipe.picture.width, recipe.picture.height, recipe.picture.lights, 0)
                    : renderBenchPicture(recipe.picture);
-  darkenUnseenChannels(planFromCapture(made.capture), made.truth);
+  darkenUnseenChannels(lightingFromCapture(made.capture), made.truth);
   const float gain = recipe.clipped > 0 ? 1 / brightValue(made.capture, made.truth, recipe.clipped)
                                         : recipe.gain * .9F / brightValue(made.capture, made.truth, .005F);
   multiply(made.truth, gain);

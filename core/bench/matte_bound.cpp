@@ -6,21 +6,21 @@
 
 namespace swaplight {
 
-MatteBound matteBound(const LightPlan& plan, const NoiseModel& noise, float clip, std::span<const float> beta,
-                      const Rgb& rho) {
+MatteBound matteBound(const LightingMatrix& lighting, const NoiseModel& noise, float clip,
+                      std::span<const float> beta, const Rgb& rho) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const int free = plan.lights - 1;
+  const int free = lighting.lights - 1;
   const int parameters = 3 + free;
   Eigen::MatrixXd fisher = Eigen::MatrixXd::Zero(parameters, parameters);
-  for (int k = 0; k < plan.shots; ++k)
+  for (int k = 0; k < lighting.shots; ++k)
     for (int c = 0; c < 3; ++c) {
-      const double last = plan.color(k, free)[c];
+      const double last = lighting.color(k, free)[c];
       double g = 0;
-      for (int i = 0; i < plan.lights; ++i) g += double(plan.color(k, i)[c]) * beta[size_t(i)];
+      for (int i = 0; i < lighting.lights; ++i) g += double(lighting.color(k, i)[c]) * beta[size_t(i)];
       if (g * rho[c] >= double(clip)) continue;
       Eigen::VectorXd j = Eigen::VectorXd::Zero(parameters);
       j[c] = g;
-      for (int i = 0; i < free; ++i) j[3 + i] = rho[c] * (plan.color(k, i)[c] - last);
+      for (int i = 0; i < free; ++i) j[3 + i] = rho[c] * (lighting.color(k, i)[c] - last);
       fisher += j * j.transpose() / double(noise.variance(float(g * rho[c])));
     }
   for (int c = 0; c < 3; ++c)
@@ -31,8 +31,8 @@ MatteBound matteBound(const LightPlan& plan, const NoiseModel& noise, float clip
   const Eigen::MatrixXd shares = covariance.bottomRightCorner(free, free);
   MatteBound bound;
   // The last light's share is one less the others': its variance is that of their sum.
-  bound.beta = (shares.trace() + shares.sum()) / plan.lights;
-  for (int i = 0; i < plan.lights; ++i)
+  bound.beta = (shares.trace() + shares.sum()) / lighting.lights;
+  for (int i = 0; i < lighting.lights; ++i)
     for (int c = 0; c < 3; ++c) {
       Eigen::VectorXd j = Eigen::VectorXd::Zero(parameters);  // of T = beta rho
       j[c] = beta[size_t(i)];

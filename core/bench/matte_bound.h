@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/color/rgb.h"
-#include "core/solve/model/light_plan.h"
+#include "core/solve/model/lighting_matrix.h"
 #include "core/solve/model/noise_model.h"
 
 namespace swaplight {
@@ -17,7 +17,7 @@ struct MatteBound {
 
 /// `beta` sums to 1; `rho` is the sum of all lights. Values at and above `clip` tell nothing. Infinite where
 /// nothing is known.
-[[nodiscard]] MatteBound matteBound(const LightPlan& plan, const NoiseModel& noise, float clip,
+[[nodiscard]] MatteBound matteBound(const LightingMatrix& lighting, const NoiseModel& noise, float clip,
                                     std::span<const float> beta, const Rgb& rho);
 
 }  // namespace swaplight

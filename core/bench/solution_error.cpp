@@ -109,7 +109,8 @@ size_t notFiniteIn(const Image& image) {
 
 }  // namespace
 
-BoundedTruth::BoundedTruth(SolvedSet truth, const LightPlan& plan, const NoiseModel& noise, float clip)
+BoundedTruth::BoundedTruth(SolvedSet truth, const LightingMatrix& lighting, const NoiseModel& noise,
+                           float clip)
     : set(std::move(truth)), betaBound(set.beta.pixelCount()) {
   const int lights = set.lightCount();
   std::vector<double> contributionBound(betaBound.size());
@@ -126,7 +127,7 @@ BoundedTruth::BoundedTruth(SolvedSet truth, const LightPlan& plan, const NoiseMo
           power[p] += double(t) * t;
         }
       }
-      const MatteBound bound = matteBound(plan, noise, clip, beta, rho);
+      const MatteBound bound = matteBound(lighting, noise, clip, beta, rho);
       betaBound[p] = bound.beta;
       contributionBound[p] = std::min(bound.contribution, power[p]);
     }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/set/solved_set.h"
-#include "core/solve/model/light_plan.h"
+#include "core/solve/model/lighting_matrix.h"
 #include "core/solve/model/noise_model.h"
 
 namespace swaplight {
@@ -16,7 +16,7 @@ struct BoundedTruth {
   double relativeBound = 0;
 
   /// `clip`: full scale of the shots, or infinity.
-  BoundedTruth(SolvedSet truth, const LightPlan& plan, const NoiseModel& noise, float clip);
+  BoundedTruth(SolvedSet truth, const LightingMatrix& lighting, const NoiseModel& noise, float clip);
 };
 
 /// How wrong a solved set is.

@@ -11,13 +11,13 @@ namespace swaplight {
 
 std::vector<SolverError> measureSolverError(Capture capture, unsigned seed, const Progress& progress) {
   const HardCase test = hardCaseOfCapture(std::move(capture), seed);
-  const LightPlan plan = planFromCapture(test.capture);
-  const BoundedTruth truth(benchTruth(test.capture, test.truth), plan, test.noise,
+  const LightingMatrix lighting = lightingFromCapture(test.capture);
+  const BoundedTruth truth(benchTruth(test.capture, test.truth), lighting, test.noise,
                            test.pixels.clipLevel.front());
   std::vector<SolverError> rows;
   for (const EstimatorInfo& info : estimators()) {
     const bool twoOnly = info.name == "brute-force" || info.name == "published" || info.name == "closed-form";
-    if (twoOnly && (plan.lights != 2 || plan.shots != 2)) continue;
+    if (twoOnly && (lighting.lights != 2 || lighting.shots != 2)) continue;
     progress.update(float(rows.size()) / float(estimators().size()), std::string(info.name));
     SolveOptions options;
     options.solver = std::string(info.name);

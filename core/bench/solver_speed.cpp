@@ -98,7 +98,7 @@ double streamLimit(const BenchScene& scene, SolvedSet& set, bool beta, double se
 }
 
 EstimatorContext contextOf(const BenchScene& scene) {
-  return {planFromCapture(scene.capture), noiseModel(*scene.capture.noise, scene.pixels, 0)};
+  return {lightingFromCapture(scene.capture), noiseModel(*scene.capture.noise, scene.pixels, 0)};
 }
 
 double solverSpeed(const std::string& solver, const BenchScene& scene, SolvedSet& set, bool beta,
@@ -109,8 +109,8 @@ double solverSpeed(const std::string& solver, const BenchScene& scene, SolvedSet
   const EstimatorInfo& info = estimatorInfo(solver);
   if (info.model == Model::Auto) {
     best = bestSeconds(seconds, [&] {
-      const ShotSignal signal(scene.pixels, context.plan, context.noise,
-                              std::vector<float>(size_t(context.plan.shots), 1.0F));
+      const ShotSignal signal(scene.pixels, context.lighting, context.noise,
+                              std::vector<float>(size_t(context.lighting.shots), 1.0F));
       solveAuto(context, signal, {}, {}, set, {});
     });
   } else {
@@ -120,7 +120,7 @@ double solverSpeed(const std::string& solver, const BenchScene& scene, SolvedSet
         SolvedRun out = runAt(set, first);
         out.residual = out.sigma = nullptr;
         estimator->estimate(inputAt(scene, first, count), out);
-        if (beta) writeBeta(context.plan.lights, count, out);
+        if (beta) writeBeta(context.lighting.lights, count, out);
       });
     });
   }

@@ -67,7 +67,7 @@ std::string cubeText(const ColorConfig& config, const GlobalLook& look, const Di
 }  // namespace
 
 GlobalLook globalLook(const ColorConfig& config, const SolvedSet& set, const Rig& rig) {
-  const Image white = allWhite(set);
+  const Image white = sumAtUnitWhite(set);
   const Image relit = relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient);
   GlobalLook look;
   double energy = 0;

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/intake/capture_draft.h"
-#include "core/solve/model/light_plan.h"
+#include "core/solve/model/lighting_matrix.h"
 #include "core/solve/registration/align_shots.h"
 
 namespace swaplight {
@@ -65,20 +65,20 @@ std::vector<std::string> colorWarnings(const CaptureDraft& draft) {
   std::vector<std::string> warnings;
   const Capture capture = captureOf(draft);
   std::vector<int> unknown;
-  const LightPlan plan = planFromCapture(capture, &unknown);
+  const LightingMatrix lighting = lightingFromCapture(capture, &unknown);
   for (const int entry : unknown) {
-    const int shot = entry / plan.lights, light = entry % plan.lights;
-    const Rgb& start = plan.color(shot, light);
+    const int shot = entry / lighting.lights, light = entry % lighting.lights;
+    const Rgb& start = lighting.color(shot, light);
     warnings.push_back(
         fmt::format("the colour of {} in {} is unknown: it is estimated from the pictures, starting at "
                     "{:.3f}/{:.3f}/{:.3f}",
-                    plan.names[static_cast<size_t>(light)], capture.shots[static_cast<size_t>(shot)].image,
-                    start.r, start.g, start.b));
+                    lighting.names[static_cast<size_t>(light)],
+                    capture.shots[static_cast<size_t>(shot)].image, start.r, start.g, start.b));
   }
   try {
-    checkSolvable(plan, "the colours");
+    checkSolvable(lighting, "the colours");
     if (unknown.empty())
-      for (const std::string& advice : conditioningOf(plan).advice) warnings.push_back(advice);
+      for (const std::string& advice : conditioningOf(lighting).advice) warnings.push_back(advice);
   } catch (const InputError& error) {
     warnings.emplace_back(error.what());
   }

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/solve/calibration/color_fit.h"
-#include "core/solve/model/light_plan.h"
+#include "core/solve/model/lighting_matrix.h"
 #include "core/solve/model/noise_model.h"
 #include "core/solve/model/shot_signal.h"
 
@@ -55,7 +55,7 @@ std::vector<std::vector<int>> plansToTry(int lights, size_t shots) {
 /// What the matte model leaves of bright pixels under a plan.
 double misfitOf(const CaptureDraft& draft, const CapturePixels& pixels, const NoiseModel& noise) {
   const Capture capture = captureOf(draft);
-  const EstimatorContext context{planFromCapture(capture), noise};
+  const EstimatorContext context{lightingFromCapture(capture), noise};
   std::vector<float> exposure;
   for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
   return fitColors(context, ShotSignal(pixels, context.plan, noise, exposure)).disagreement;

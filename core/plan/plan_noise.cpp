@@ -28,9 +28,9 @@ constexpr double kContributionPrior = 42;
 /// number: that shading is lights / 4 in the mean, see typicalPixels, and rho known no better than that.
 constexpr double kReflectancePrior = 16;
 
-double signalOf(const LightPlan& plan, const TypicalPixel& pixel, int shot, int c) {
+double signalOf(const LightingMatrix& lighting, const TypicalPixel& pixel, int shot, int c) {
   double y = 0;
-  for (int i = 0; i < plan.lights; ++i) y += plan.color(shot, i)[c] * pixel.shading[size_t(i)];
+  for (int i = 0; i < lighting.lights; ++i) y += lighting.color(shot, i)[c] * pixel.shading[size_t(i)];
   return y * pixel.albedo[size_t(c)];
 }
 
@@ -46,35 +46,35 @@ double powerOf(const TypicalPixel& pixel, int lights) {
 }
 
 /// Covariance of a channel's contributions at a pixel.
-Square channelCovariance(const LightPlan& plan, const SensorNoise& noise, const TypicalPixel& pixel, int c,
-                         double prior) {
-  const int n = plan.lights;
+Square channelCovariance(const LightingMatrix& lighting, const SensorNoise& noise, const TypicalPixel& pixel,
+                         int c, double prior) {
+  const int n = lighting.lights;
   Square gram = Square::Zero(n, n);
-  for (int k = 0; k < plan.shots; ++k) {
-    const double weight = 1 / varianceOf(noise, signalOf(plan, pixel, k, c));
+  for (int k = 0; k < lighting.shots; ++k) {
+    const double weight = 1 / varianceOf(noise, signalOf(lighting, pixel, k, c));
     for (int i = 0; i < n; ++i)
-      for (int j = 0; j <= i; ++j) gram(i, j) += weight * plan.color(k, i)[c] * plan.color(k, j)[c];
+      for (int j = 0; j <= i; ++j) gram(i, j) += weight * lighting.color(k, i)[c] * lighting.color(k, j)[c];
   }
   gram.diagonal().array() += prior;
   return gram.selfadjointView<Eigen::Lower>().llt().solve(Square::Identity(n, n));
 }
 
 /// Covariance of (rho, beta), the direction that only scales one against the other included.
-Square matteCovariance(const LightPlan& plan, const SensorNoise& noise, const TypicalPixel& pixel,
+Square matteCovariance(const LightingMatrix& lighting, const SensorNoise& noise, const TypicalPixel& pixel,
                        double total) {
-  const int n = plan.lights;
+  const int n = lighting.lights;
   Square fisher = Square::Zero(n + 3, n + 3);
   for (int c = 0; c < 3; ++c) {
     const double rho = pixel.albedo[size_t(c)] * total;
-    for (int k = 0; k < plan.shots; ++k) {
-      const double y = signalOf(plan, pixel, k, c);
+    for (int k = 0; k < lighting.shots; ++k) {
+      const double y = signalOf(lighting, pixel, k, c);
       const double weight = 1 / varianceOf(noise, y);
       const double lit = rho > 0 ? y / rho : 0;
       fisher(c, c) += weight * lit * lit;
       for (int i = 0; i < n; ++i) {
-        const double d = weight * rho * plan.color(k, i)[c];
+        const double d = weight * rho * lighting.color(k, i)[c];
         fisher(3 + i, c) += d * lit;
-        for (int j = 0; j <= i; ++j) fisher(3 + i, 3 + j) += d * rho * plan.color(k, j)[c];
+        for (int j = 0; j <= i; ++j) fisher(3 + i, 3 + j) += d * rho * lighting.color(k, j)[c];
       }
     }
   }
@@ -104,15 +104,16 @@ std::vector<TypicalPixel> typicalPixels(int lights, int count) {
   return pixels;
 }
 
-double matteCost(const LightPlan& plan, const SensorNoise& noise, const std::vector<TypicalPixel>& pixels) {
-  const int n = plan.lights;
+double matteCost(const LightingMatrix& lighting, const SensorNoise& noise,
+                 const std::vector<TypicalPixel>& pixels) {
+  const int n = lighting.lights;
   double error = 0;
   double power = 0;
   for (const TypicalPixel& pixel : pixels) {
     double total = 0;
     for (int i = 0; i < n; ++i) total += pixel.shading[size_t(i)];
     if (!(total > 0)) continue;
-    const Square covariance = matteCovariance(plan, noise, pixel, total);
+    const Square covariance = matteCovariance(lighting, noise, pixel, total);
     power += powerOf(pixel, n);
     for (int i = 0; i < n; ++i) {
       const double beta = pixel.shading[size_t(i)] / total;
@@ -126,35 +127,36 @@ double matteCost(const LightPlan& plan, const SensorNoise& noise, const std::vec
   return error / power;
 }
 
-double transportCost(const LightPlan& plan, const SensorNoise& noise,
+double transportCost(const LightingMatrix& lighting, const SensorNoise& noise,
                      const std::vector<TypicalPixel>& pixels) {
   double error = 0;
   double power = 0;
   for (const TypicalPixel& pixel : pixels) {
-    power += powerOf(pixel, plan.lights);
-    for (int c = 0; c < 3; ++c) error += channelCovariance(plan, noise, pixel, c, kContributionPrior).trace();
+    power += powerOf(pixel, lighting.lights);
+    for (int c = 0; c < 3; ++c)
+      error += channelCovariance(lighting, noise, pixel, c, kContributionPrior).trace();
   }
   return error / power;
 }
 
-PlanNoise predictedNoise(const LightPlan& plan, const SensorNoise& noise,
+PlanNoise predictedNoise(const LightingMatrix& lighting, const SensorNoise& noise,
                          const std::vector<TypicalPixel>& pixels, Model model) {
   const NoiseModel variance{float(noise.read * noise.read), float(1 / noise.fullWell), 0};
-  const auto solver = estimatorFor(model).make({plan, variance});
-  const int n = plan.lights;
+  const auto solver = estimatorFor(model).make({lighting, variance});
+  const int n = lighting.lights;
   const size_t count = pixels.size();
-  PlaneArena planes(count, size_t(3 * plan.shots + 4 * n));
+  PlaneArena planes(count, size_t(3 * lighting.shots + 4 * n));
 
   // Photograph the pixels and solve them.
   PixelRun shots;
   shots.count = int(count);
   std::mt19937 random(1);
   std::normal_distribution<double> gauss;
-  for (int k = 0; k < plan.shots; ++k)
+  for (int k = 0; k < lighting.shots; ++k)
     for (int c = 0; c < 3; ++c) {
       float* plane = planes.take(0);
       for (size_t p = 0; p < count; ++p) {
-        const double y = signalOf(plan, pixels[p], k, c);
+        const double y = signalOf(lighting, pixels[p], k, c);
         plane[p] = float(y + gauss(random) * std::sqrt(varianceOf(noise, y)));
       }
       shots.signal[k][c] = plane;
@@ -183,12 +185,12 @@ PlanNoise predictedNoise(const LightPlan& plan, const SensorNoise& noise,
   return {std::sqrt(error / power), std::sqrt(betaError / double(n) / double(count))};
 }
 
-double clippedFraction(const LightPlan& plan, const std::vector<TypicalPixel>& pixels) {
+double clippedFraction(const LightingMatrix& lighting, const std::vector<TypicalPixel>& pixels) {
   size_t clipped = 0;
   for (const TypicalPixel& pixel : pixels) {
     double brightest = 0;
-    for (int k = 0; k < plan.shots; ++k)
-      for (int c = 0; c < 3; ++c) brightest = std::max(brightest, signalOf(plan, pixel, k, c));
+    for (int k = 0; k < lighting.shots; ++k)
+      for (int c = 0; c < 3; ++c) brightest = std::max(brightest, signalOf(lighting, pixel, k, c));
     clipped += brightest >= 1;
   }
   return double(clipped) / double(pixels.size());

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "core/solve/model/light_plan.h"
+#include "core/solve/model/lighting_matrix.h"
 #include "core/solve/model/solve_options.h"
 
 namespace swaplight {
@@ -28,7 +28,7 @@ struct PlanNoise {
 /// seed) and solved. The inverse Fisher information says the same where noise is small, but beta and T that
 /// are held at >= 0 take errors back, those of all lights at once where a badly conditioned plan has them lie
 /// along one mixture of lights. A thousand pixels give the figure to a few per cent.
-[[nodiscard]] PlanNoise predictedNoise(const LightPlan& plan, const SensorNoise& noise,
+[[nodiscard]] PlanNoise predictedNoise(const LightingMatrix& lighting, const SensorNoise& noise,
                                        const std::vector<TypicalPixel>& pixels, Model model);
 
 /// What a search compares plans by: the mean squared error of T over the mean square of T by the matte model,
@@ -36,15 +36,15 @@ struct PlanNoise {
 /// the sensor's noise (Cramer-Rao). The pixels' own spread serves as a weak prior: it stands for the bounds
 /// beta >= 0, sum 1 that a solver keeps where a pixel is dark, and keeps a degenerate plan finite, hence
 /// comparable.
-[[nodiscard]] double matteCost(const LightPlan& plan, const SensorNoise& noise,
+[[nodiscard]] double matteCost(const LightingMatrix& lighting, const SensorNoise& noise,
                                const std::vector<TypicalPixel>& pixels);
 
 /// The same for a free contribution a light and channel: the trace of the inverse Gram matrix L'V^-1 L of
 /// each channel, with the pixels' own spread as a prior.
-[[nodiscard]] double transportCost(const LightPlan& plan, const SensorNoise& noise,
+[[nodiscard]] double transportCost(const LightingMatrix& lighting, const SensorNoise& noise,
                                    const std::vector<TypicalPixel>& pixels);
 
 /// The fraction of the typical pixels that would reach full scale in some shot.
-[[nodiscard]] double clippedFraction(const LightPlan& plan, const std::vector<TypicalPixel>& pixels);
+[[nodiscard]] double clippedFraction(const LightingMatrix& lighting, const std::vector<TypicalPixel>& pixels);
 
 }  // namespace swaplight

@@ -43,12 +43,12 @@ struct Space {
     return table;
   }
   [[nodiscard]] double costOf(const Ring& ring) const {
-    const LightPlan plan = planFromIndices(colors, tableOf(ring), options);
+    const LightingMatrix lighting = lightingFromIndices(colors, tableOf(ring), options);
     const double weight = options.model == Model::Lambert     ? 0
                           : options.model == Model::Transport ? 1
                                                               : kTransportWeight;
-    double cost = weight > 0 ? weight * transportCost(plan, options.noise, pixels) : 0;
-    if (weight < 1) cost += (1 - weight) * matteCost(plan, options.noise, pixels);
+    double cost = weight > 0 ? weight * transportCost(lighting, options.noise, pixels) : 0;
+    if (weight < 1) cost += (1 - weight) * matteCost(lighting, options.noise, pixels);
     return cost;
   }
   /// A ring that is turned gives the same shots in another order, where they are whole turns.
@@ -198,10 +198,10 @@ void check(const std::vector<PlanColor>& colors, const PlanSearchOptions& option
 
 }  // namespace
 
-LightPlan planFromIndices(const std::vector<PlanColor>& colors, const std::vector<int>& index,
-                          const PlanSearchOptions& options) {
+LightingMatrix lightingFromIndices(const std::vector<PlanColor>& colors, const std::vector<int>& index,
+                                   const PlanSearchOptions& options) {
   const int lights = int(options.lights.size());
-  LightPlan plan{int(index.size()) / lights, lights, options.lights, {}};
+  LightingMatrix plan{int(index.size()) / lights, lights, options.lights, {}};
   const float exposure = std::exp2(options.exposureStops);
   for (int c : index) plan.colors.push_back(exposure * colors[size_t(c)].color);
   return plan;
@@ -243,7 +243,7 @@ PlanChoice searchPlan(const std::vector<PlanColor>& colors, const PlanSearchOpti
     choice.cost = found.cost;
     choice.colorIndex = space.tableOf(found.ring);
   }
-  choice.plan = planFromIndices(colors, choice.colorIndex, options);
+  choice.plan = lightingFromIndices(colors, choice.colorIndex, options);
   return choice;
 }
 

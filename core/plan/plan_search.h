@@ -5,7 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/plan/plan_noise.h"
-#include "core/solve/model/light_plan.h"
+#include "core/solve/model/lighting_matrix.h"
 #include "core/solve/model/solve_options.h"
 
 namespace swaplight {
@@ -35,7 +35,7 @@ struct PlanSearchOptions {
 
 /// The best plan that was found.
 struct PlanChoice {
-  LightPlan plan;               ///< exposure included
+  LightingMatrix plan;          ///< exposure included
   std::vector<int> colorIndex;  ///< [shot * lights + light], into the colours at hand
   double cost = 0;              ///< what was minimised: the squared relative error of T at typical pixels
   size_t tried = 0;             ///< plans that were compared
@@ -51,8 +51,9 @@ struct PlanChoice {
                                     const Progress& progress = {});
 
 /// The plan that gives every light of every shot the named colour. For messages, tests and brute force.
-[[nodiscard]] LightPlan planFromIndices(const std::vector<PlanColor>& colors, const std::vector<int>& index,
-                                        const PlanSearchOptions& options);
+[[nodiscard]] LightingMatrix lightingFromIndices(const std::vector<PlanColor>& colors,
+                                                 const std::vector<int>& index,
+                                                 const PlanSearchOptions& options);
 
 /// The colours of an RGB panel that are worth trying: each channel at 10, 40 or 100 %, one at least at 100.
 [[nodiscard]] std::vector<PlanColor> panelColors();

@@ -48,7 +48,7 @@ LightSetting resetLight(const LightSetting& setting) {
   return fresh;
 }
 
-Rig allWhiteRig(Rig rig) {
+Rig unitWhiteRig(Rig rig) {
   for (LightSetting& light : rig.lights) light = resetLight(light);
   for (LightGroup& group : rig.groups) group = {group.name, 0, true};
   rig.ambient = 1;

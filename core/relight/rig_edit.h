@@ -16,7 +16,7 @@ namespace swaplight {
 /// stay as they are.
 [[nodiscard]] Rig rigOfShot(const ColorConfig& config, Rig rig, const SolvedSet& set, size_t shot);
 /// Every light on, at unit white, without stops; groups and ambient neutral.
-[[nodiscard]] Rig allWhiteRig(Rig rig);
+[[nodiscard]] Rig unitWhiteRig(Rig rig);
 [[nodiscard]] Rig allOffRig(Rig rig);
 
 /// One light as it was in the beginning.

@@ -185,7 +185,7 @@ std::string solverSection(const std::optional<SolveReport>& report) {
 
 SessionReport::SessionReport(ReportSubject subject)
     : m_subject(std::move(subject)),
-      m_white(taken(allWhite(m_subject.set), "before")),
+      m_white(taken(sumAtUnitWhite(m_subject.set), "before")),
       m_relit(taken(
           relight(m_subject.set, rigFactors(m_subject.config, m_subject.rig, m_subject.set.colorSpace()),
                   m_subject.rig.ambient),

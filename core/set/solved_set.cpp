@@ -7,7 +7,7 @@
 
 namespace swaplight {
 
-Image allWhite(const SolvedSet& set) {
+Image sumAtUnitWhite(const SolvedSet& set) {
   Image sum = set.contributions.front().clone();
   parallelRows(set.height(), 64, [&](int begin, int end) {
     const ptrdiff_t first = static_cast<ptrdiff_t>(begin) * set.width();

@@ -43,7 +43,7 @@ struct SolvedSet {
 };
 
 /// The set under every light at unit white: sum of T, and ambient.
-[[nodiscard]] Image allWhite(const SolvedSet& set);
+[[nodiscard]] Image sumAtUnitWhite(const SolvedSet& set);
 
 /// beta of neighbouring pixels: the sum over channels of each light's contribution (three planes a light)
 /// over that of all lights; 0 where there is none.

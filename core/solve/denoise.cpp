@@ -21,8 +21,8 @@ Image plane(const ImageSpec& like) {
 /// The root of the sum, whose noise is the same everywhere; and the variance of beta that is a pixel's own.
 void fillPlanes(const SolvedSet& set, const EstimatorContext& context, Image& guide, Image& variance) {
   float color = 0;
-  for (const Rgb& c : context.plan.colors)
-    color += (c.r + c.g + c.b) / (3 * float(context.plan.colors.size()));
+  for (const Rgb& c : context.lighting.colors)
+    color += (c.r + c.g + c.b) / (3 * float(context.lighting.colors.size()));
   const float* sigma = set.quality.plane(kSigma);
   for (size_t p = 0; p < guide.pixelCount(); ++p) {
     float sum = 0;

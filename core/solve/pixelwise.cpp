@@ -44,8 +44,8 @@ void solvePixelwise(const EstimatorInfo& info, const EstimatorContext& context, 
       const SolvedRun out = runAt(set, first);
       estimator->estimate(in, out);
       if (masking && signal.flagged(first, count))
-        repairRun(signal, first, count, *masking, context.plan.lights, context.plan.shots, out);
-      writeBeta(context.plan.lights, count, out);
+        repairRun(signal, first, count, *masking, context.lighting.lights, context.lighting.shots, out);
+      writeBeta(context.lighting.lights, count, out);
     }
     progress.update(float(done += end - begin) / float(runs), "Separating lights");
   });

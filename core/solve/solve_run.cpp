@@ -42,14 +42,14 @@ SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
 }
 
 /// A sentence for each colour that was not known: what it was found to be.
-std::vector<std::string> estimatedColors(const std::vector<int>& unknown, const LightPlan& plan) {
+std::vector<std::string> estimatedColors(const std::vector<int>& unknown, const LightingMatrix& lighting) {
   std::vector<std::string> sentences;
   for (const int entry : unknown) {
-    const int shot = entry / plan.lights, light = entry % plan.lights;
-    const Rgb& color = plan.color(shot, light);
+    const int shot = entry / lighting.lights, light = entry % lighting.lights;
+    const Rgb& color = lighting.color(shot, light);
     sentences.push_back(fmt::format(
         "The colour of {} in shot {} was not known: estimated from the pictures as {:.3f}/{:.3f}/{:.3f}",
-        plan.names[size_t(light)], shot + 1, color.r, color.g, color.b));
+        lighting.names[size_t(light)], shot + 1, color.r, color.g, color.b));
   }
   return sentences;
 }
@@ -65,11 +65,11 @@ SolveRun::SolveRun(const Capture& given, const CapturePixels& photographs, const
       m_progress(progress),
       m_info(options.solver.empty() ? estimatorFor(options.model) : estimatorInfo(options.solver)),
       m_capture(options.solveAmbient ? withAmbientLight(given, nameOf(given)) : given) {
-  m_context.plan = planFromCapture(m_capture, &m_unknownColors);
-  checkSolvable(m_context.plan, nameOf(given));
+  m_context.lighting = lightingFromCapture(m_capture, &m_unknownColors);
+  checkSolvable(m_context.lighting, nameOf(given));
   m_report.solver = m_info.name;
   m_report.model = modelName(m_info.model);
-  m_report.conditioning = conditioningOf(m_context.plan);
+  m_report.conditioning = conditioningOf(m_context.lighting);
   warn(m_capture.warnings);
   warn(photographs.warnings);
 }
@@ -107,20 +107,20 @@ void SolveRun::calibrateNoise() {
   std::vector<float> exposure;
   for (const Shot& shot : m_capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
   m_context.noise = noiseModel(m_report.noise, pixels(), 0);
-  m_signal.emplace(pixels(), m_context.plan, m_context.noise, exposure);
+  m_signal.emplace(pixels(), m_context.lighting, m_context.noise, exposure);
   if (!m_report.noiseGiven) m_context.noise = calibratedNoise(m_context, *m_signal, m_tuning.noise);
 }
 
 void SolveRun::calibrateColors() {
   if (m_options.solveAmbient) {
     m_ambientColor = ambientColor(m_context, *m_signal, m_tuning.ambient);
-    colorAmbient(m_context.plan, m_ambientColor);
+    colorAmbient(m_context.lighting, m_ambientColor);
   }
   m_report.colorUncertainty = m_options.colorUncertainty;
   fitLightColors();
   if (!m_unknownColors.empty()) {
-    m_report.estimated = estimatedColors(m_unknownColors, m_context.plan);
-    m_report.conditioning = conditioningOf(m_context.plan);
+    m_report.estimated = estimatedColors(m_unknownColors, m_context.lighting);
+    m_report.conditioning = conditioningOf(m_context.lighting);
   }
   m_context.noise.square += m_report.colorUncertainty * m_report.colorUncertainty;
 }
@@ -137,8 +137,8 @@ void SolveRun::fitLightColors() {
   if (refine) {
     // What was only a start says nothing of how well the colours are known: ask again with the found ones.
     m_report.colorChange = fit.change;
-    m_report.refinedColors = fit.plan.colors;
-    m_context.plan = fit.plan;
+    m_report.refinedColors = fit.lighting.colors;
+    m_context.lighting = fit.lighting;
     fit = fitColors(m_context, *m_signal, {}, m_tuning.colors);
   }
   m_report.colorDisagreement = fit.disagreement;

@@ -28,7 +28,7 @@
 #include "core/image/io/image_io.h"
 #include "core/set/solved_file.h"
 #include "core/shadow/detect/detect_shadows.h"
-#include "core/solve/model/light_plan.h"
+#include "core/solve/model/lighting_matrix.h"
 #include "core/solve/solve.h"
 
 using namespace swaplight;  // NOLINT(google-build-using-namespace)
@@ -121,7 +121,7 @@ struct SolveCase {
   BoundedTruth truth;
   explicit SolveCase(HardCase made)
       : test(std::move(made)),
-        truth(benchTruth(test.capture, test.truth), planFromCapture(test.capture), test.noise,
+        truth(benchTruth(test.capture, test.truth), lightingFromCapture(test.capture), test.noise,
               test.pixels.clipLevel.front()) {}
 };
 

@@ -46,7 +46,8 @@ Stroke randomStroke(std::mt19937& random, float radius) {
   return stroke;
 }
 
-/// Edits as a session has them: every kind, masks small and large, both meanings. `local`: some look around.
+/// Edits as a session has them: every kind, masks small and large, both energy modes. `local`: some look
+/// around.
 EditStack someEdits(bool lookAround) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> unit(0, 1);
@@ -55,7 +56,7 @@ EditStack someEdits(bool lookAround) {
     Edit edit;
     edit.name = fmt::format("edit {}", k);
     edit.lights = {fmt::format("light{}", k % kLights + 1)};
-    edit.meaning = k % 2 ? Meaning::Add : Meaning::Share;
+    edit.energy = k % 2 ? EnergyMode::Add : EnergyMode::Redistribute;
     edit.opacity = .5f + .5f * unit(random);
     const float x = unit(random) * kWidth;
     const float y = unit(random) * kHeight;

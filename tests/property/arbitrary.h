@@ -157,7 +157,7 @@ inline Edit anyEdit() {
   edit.on = anyBool();
   edit.opacity = anyFloat(0, 1);
   edit.lights = anyList<std::string>(3, [] { return anyText(); });
-  edit.meaning = anyBool() ? Meaning::Share : Meaning::Add;
+  edit.energy = anyBool() ? EnergyMode::Redistribute : EnergyMode::Add;
   edit.operation = anyOperation();
   edit.mask = anyList<MaskShape>(3, [] { return anyShape(); });
   return edit;

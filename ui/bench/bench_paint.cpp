@@ -33,7 +33,7 @@ void chooseBrush(ViewerContext& context, int turn) {
   constexpr Mode kModes[] = {Mode::Add, Mode::Remove, Mode::SetTo};
   BrushState& brush = context.editing.brush;
   brush.mode = kModes[turn % 3];
-  brush.meaning = turn % 2 == 0 ? Meaning::Add : Meaning::Share;
+  brush.energy = turn % 2 == 0 ? EnergyMode::Add : EnergyMode::Redistribute;
   const int lights = static_cast<int>(context.document().rig.lights.size());
   context.view.selectedLight = turn % std::min(lights, 4);
 }

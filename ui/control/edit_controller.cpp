@@ -75,7 +75,7 @@ void EditController::takeDrawn() {
   try {
     auto raster = m_drawing.take();
     if (!raster || m_drawingStale) return;
-    if (m_room.edited) m_room.edited->ground().keep(m_drawingShape, *raster);
+    if (m_room.edited) m_room.edited->context().keep(m_drawingShape, *raster);
     keepDrawn(std::move(*raster));
   } catch (const Stopped&) {
     keepDrawn(nullptr);
@@ -93,7 +93,7 @@ void EditController::keepDrawn(std::shared_ptr<const MaskRaster> raster) {
 }
 
 bool EditController::isDrawn(const MaskShape& shape) {
-  if (!isSlow(shape) || m_room.edited->ground().known(shape)) return true;
+  if (!isSlow(shape) || m_room.edited->context().known(shape)) return true;
   const auto failed = [&](const Drawn& drawn) { return !drawn.raster && drawn.shape.shape == shape.shape; };
   if (std::any_of(m_drawn.begin(), m_drawn.end(), failed)) return true;
   if (m_drawing.running()) return false;
@@ -101,8 +101,8 @@ bool EditController::isDrawn(const MaskShape& shape) {
   m_drawingStale = false;
   m_drawing.start(
       [set = m_set, found = m_found->all(), shape](const Progress&) {
-        MaskGround ground(*set, [&found](const std::string& light) { return shadowsOf(*found, light); });
-        return ground.raster(shape);
+        MaskContext context(*set, [&found](const std::string& light) { return shadowsOf(*found, light); });
+        return context.raster(shape);
       },
       m_wake);
   return false;
@@ -281,7 +281,7 @@ std::shared_ptr<const MaskRaster> EditController::raster(const MaskShape& shape)
     seekShadows();
     return nullptr;
   }
-  return isDrawn(shape) ? m_room.edited->ground().raster(shape) : nullptr;
+  return isDrawn(shape) ? m_room.edited->context().raster(shape) : nullptr;
 }
 
 bool EditController::shadowsCurrent() const {

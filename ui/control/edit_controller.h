@@ -50,7 +50,8 @@ class EditController {
   /// they are there. For the document's thresholds, or still for those before.
   std::shared_ptr<const LightShadows> shadows(const std::string& light);
   /// A shape of a mask as pixels; nullptr while there is no room for edits, the shadows are being looked
-  /// for or the shape is being drawn, and for shapes that are formulas. Throws InputError as MaskGround does.
+  /// for or the shape is being drawn, and for shapes that are formulas. Throws InputError as MaskContext
+  /// does.
   std::shared_ptr<const MaskRaster> raster(const MaskShape& shape);
   /// Whether shadows() are for the document's thresholds.
   [[nodiscard]] bool shadowsCurrent() const;

@@ -88,7 +88,7 @@ Document withShadowOperation(const EditingContext& studio, const std::string& li
     const bool one = studio.editing.shadow.chosen && studio.editing.shadow.light == light;
     edit.name = (one ? "A shadow of " : "Shadows of ") + light;
     edit.lights = {light};
-    edit.meaning = Meaning::Add;
+    edit.energy = EnergyMode::Add;
     edit.operation = operation;
     next.edits.append(std::move(edit));
   }

@@ -14,12 +14,12 @@ namespace {
 
 /// An edit of the chosen light, within the selection.
 Edit newEdit(const EditingContext& studio, const std::string& what, const Operation& operation,
-             Meaning meaning) {
+             EnergyMode energy) {
   const LightSetting& light = studio.document().rig.lights[shownLight(studio)];
   Edit edit;
   edit.name = what + ", " + light.title();
   edit.lights = {light.light};
-  edit.meaning = meaning;
+  edit.energy = energy;
   edit.operation = operation;
   edit.mask = maskWithin({}, studio.document().selection);
   // With three lights somebody has to say which two change places.
@@ -59,7 +59,7 @@ void drawAddEdit(EditingContext& studio, float width) {
   forEachOperation([&]<typename T>(const T& operation) {
     if (!T::info.inMenu) return;
     if (ImGui::MenuItem(T::info.title))
-      append(studio, T::info.title, newEdit(studio, T::info.title, operation, Meaning::Share));
+      append(studio, T::info.title, newEdit(studio, T::info.title, operation, EnergyMode::Redistribute));
     markItem({"add.", T::info.name});
     tooltip(T::info.tip);
   });
@@ -77,7 +77,7 @@ void drawAddEdit(EditingContext& studio, float width) {
 }
 
 void addPictureEdit(EditingContext& studio, const std::string& file) {
-  const Edit edit = newEdit(studio, "From a file", BetaMapOperation{file, ""}, Meaning::Share);
+  const Edit edit = newEdit(studio, "From a file", BetaMapOperation{file, ""}, EnergyMode::Redistribute);
   studio.edits.files().choose(edit, lightsOf(studio),
                               [&studio, edit] { append(studio, "From a file", edit); });
 }

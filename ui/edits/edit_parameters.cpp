@@ -93,21 +93,21 @@ void lights(const Parameters& of) {
 }
 
 /// What happens to the other lights.
-void meaning(const Parameters& of) {
+void energyMode(const Parameters& of) {
   label("Mode");
   const float width = std::floor((ImGui::GetContentRegionAvail().x - px(10)) / 2);
-  const auto button = [&](const char* words, Meaning meaning, const char* mark, const char* tip) {
-    if (choiceButton(words, of.edit.meaning == meaning, width, mark, tip) && of.edit.meaning != meaning) {
+  const auto button = [&](const char* words, EnergyMode energy, const char* mark, const char* tip) {
+    if (choiceButton(words, of.edit.energy == energy, width, mark, tip) && of.edit.energy != energy) {
       Edit next = of.edit;
-      next.meaning = meaning;
+      next.energy = energy;
       of.change(std::string("Mode: ") + words, std::move(next));
     }
   };
-  button("Keep total", Meaning::Share, "parameters.share",
+  button("Keep total", EnergyMode::Redistribute, "parameters.share",
          "What the light gains, the other lights lose, and vice versa. With every light at unit white the "
          "picture does not change.");
   ImGui::SameLine(0, px(4));
-  button("Add light", Meaning::Add, "parameters.add",
+  button("Add light", EnergyMode::Add, "parameters.add",
          "Adds or removes light; the other lights do not change. The picture gets brighter or darker.");
 }
 
@@ -243,7 +243,7 @@ void drawEditParameters(EditingContext& studio, size_t index, bool all) {
   }
   if (!all) return ImGui::PopID();
   lights(parameters);
-  if (!std::holds_alternative<ShadowOperation>(edit->operation)) meaning(parameters);
+  if (!std::holds_alternative<ShadowOperation>(edit->operation)) energyMode(parameters);
   std::visit([&](const auto& operation) { fields(parameters, operation); }, edit->operation);
   drawEditPlace(studio, index);
   ImGui::PopID();

@@ -37,20 +37,20 @@ void modes(BrushState& brush) {
   }
 }
 
-void meaning(BrushState& brush, const std::string& light) {
+void energyMode(BrushState& brush, const std::string& light) {
   const float gap = px(4);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
   if (choiceButton(
-          "Add light", brush.meaning == Meaning::Add, width, "brush.meaning.add",
+          "Add light", brush.energy == EnergyMode::Add, width, "brush.meaning.add",
           "Adds or removes light; the other lights do not change. The picture gets brighter or darker."))
-    brush.meaning = Meaning::Add;
+    brush.energy = EnergyMode::Add;
   ImGui::SameLine(0, gap);
-  if (choiceButton("Keep total", brush.meaning == Meaning::Share, width, "brush.meaning.share",
+  if (choiceButton("Keep total", brush.energy == EnergyMode::Redistribute, width, "brush.meaning.share",
                    ("What " + light +
                     " gains, the other lights lose, and vice versa. With every light at unit white the "
                     "picture does not change.")
                        .c_str()))
-    brush.meaning = Meaning::Share;
+    brush.energy = EnergyMode::Redistribute;
 }
 
 void amount(BrushState& brush) {
@@ -86,7 +86,7 @@ void drawPaintModes(EditingContext& studio) {
   tooltip("To paint with another light, select it in the mixer.");
   modes(brush);
   amount(brush);
-  meaning(brush, light);
+  energyMode(brush, light);
 }
 
 }  // namespace swaplight

@@ -85,7 +85,7 @@ void addLightActions(ActionTable& actions, LightsContext& studio, FileChooser& c
                },
                [&studio] { return studio.set() && !studio.set()->solved().capture.shots.empty(); }});
   actions.add({"mixer.all_white", "Reset all lights", "", "Turn every light on at unit white, 0 stops.",
-               [&studio] { editRig(studio, "Reset all lights", allWhiteRig(studio.document().rig)); },
+               [&studio] { editRig(studio, "Reset all lights", unitWhiteRig(studio.document().rig)); },
                hasLights});
   actions.add({"mixer.all_off", "All off", "", "Turn every light off.",
                [&studio] { editRig(studio, "All off", allOffRig(studio.document().rig)); }, hasLights});

@@ -31,7 +31,7 @@ void header(LightsContext& studio) {
   ImGui::SameLine(0, px(12));
   actionTextButton(studio.actions, "view.three_point", "Three-point", px(104));
   ImGui::SameLine(ImGui::GetContentRegionMax().x - side - px(20));
-  if (changedDot("##reset all", rig != allWhiteRig(rig),
+  if (changedDot("##reset all", rig != unitWhiteRig(rig),
                  "Some lights differ from unit white. Click to reset all."))
     studio.actions.run("mixer.all_white");
   markItem("mixer.reset_all");

@@ -12,7 +12,7 @@ struct BrushState {
   /// What the brush does to the chosen light.
   enum class Mode { Add, Remove, Soften, SetTo };
   Mode mode = Mode::Add;
-  Meaning meaning = Meaning::Add;
+  EnergyMode energy = EnergyMode::Add;
   float radius = 0;  ///< pixels of the picture; 0: not chosen yet, a part of the picture's height
   float hardness = 0.5F;
   float opacity = 1;

@@ -34,7 +34,7 @@ bool sameLimits(const Edit& a, const Edit& b) {
 /// Whether a stroke can go into an edit that is there.
 bool takesStroke(const Edit& edit, const Edit& wanted) {
   return paintingOf(edit) && edit.on && sameLimits(edit, wanted) && edit.lights == wanted.lights &&
-         edit.meaning == wanted.meaning && edit.operation == wanted.operation;
+         edit.energy == wanted.energy && edit.operation == wanted.operation;
 }
 
 /// Where the stroke goes: an edit of the list, or behind its end where a new one is needed; -1 where there is
@@ -154,7 +154,7 @@ void addPaintedLight(EditingContext& studio) {
   studio.view.selectedLight = static_cast<int>(next.rig.lights.size()) - 1;
   studio.view.selectedLights.clear();
   studio.editing.brush.mode = BrushState::Mode::Add;
-  studio.editing.brush.meaning = Meaning::Add;
+  studio.editing.brush.energy = EnergyMode::Add;
   studio.editing.brush.light = 1;  // as much as all others together: to be seen on a dark wall, too
   studio.editing.brush.erase = false;
   studio.tool = Tool::Brush;
@@ -166,7 +166,7 @@ Edit brushEdit(const EditingContext& studio) {
   const LightSetting& light = studio.document().rig.lights[shownLight(studio)];
   Edit edit;
   edit.lights = {light.light};
-  edit.meaning = brush.meaning;
+  edit.energy = brush.energy;
   switch (brush.mode) {
     case BrushState::Mode::Add:
       edit.name = "more " + light.title();

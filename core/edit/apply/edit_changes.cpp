@@ -22,7 +22,7 @@ std::optional<std::vector<PixelRect>> paintedDifference(const PreparedEdit& a, c
   const Mask& maskA = a.edit->mask;
   const Mask& maskB = b.edit->mask;
   if (maskA.size() != maskB.size() || a.edit->opacity != b.edit->opacity ||
-      a.edit->lights != b.edit->lights || a.edit->meaning != b.edit->meaning ||
+      a.edit->lights != b.edit->lights || a.edit->energy != b.edit->energy ||
       !(a.edit->operation == b.edit->operation) || a.beta != b.beta)
     return std::nullopt;
   std::vector<PixelRect> areas;

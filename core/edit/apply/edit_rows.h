@@ -5,7 +5,7 @@
 
 namespace swaplight {
 
-// The arithmetic of edits on rows of pixels. A light's row is R G B apart; beta is its sum over the all-white
+// The arithmetic of edits on rows of pixels. A light's row is R G B apart; beta is its sum over the sum at unit white
 // picture's.
 
 struct RgbRow {
@@ -22,8 +22,8 @@ struct ConstRgbRow {
 /// beta = (r + g + b) * inverseGrey.
 void betaOfRow(const ConstRgbRow& light, const float* inverseGrey, int count, float* beta);
 
-/// The meaning "add": beta goes the way mask * (target - beta). Light that goes keeps its colour; light that
-/// comes has the all-white picture's.
+/// Energy mode Add: beta goes the way mask * (target - beta). Light that goes keeps its colour; light that
+/// comes has the colour of the sum at unit white.
 void addRow(const RgbRow& light, const ConstRgbRow& white, const float* beta, const float* target,
             const float* mask, int count);
 
@@ -35,9 +35,9 @@ struct ShareScratch {
   std::vector<float> chosen, others, wanted, otherFactor, otherGift, gains, potR, potG, potB;
 };
 
-/// The meaning "share": beta of the lights `chosen` goes the way mask * (target - beta), the other lights
-/// keep their proportions among each other and give or take the rest; each channel's sum over the lights
-/// stays. Light that is moved keeps its colour. Overwrites what is in the scratch.
+/// Energy mode Redistribute: beta of the lights `chosen` goes the way mask * (target - beta), the other
+/// lights keep their proportions among each other and give or take the rest; each channel's sum over the
+/// lights stays. Light that is moved keeps its colour. Overwrites what is in the scratch.
 void shareRow(const std::vector<RgbRow>& lights, const std::vector<int>& chosen, const float* mask, int count,
               ShareScratch& scratch);
 

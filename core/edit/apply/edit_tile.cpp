@@ -142,7 +142,7 @@ void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, cons
   std::vector<std::vector<float>> blurred;
   if (const int radius = edit.reach(); radius > 0)
     for (const int light : edit.lights) blurred.push_back(blurredBeta(light, radius));
-  const bool share = edit.edit->meaning == Meaning::Share;
+  const bool share = edit.edit->energy == EnergyMode::Redistribute;
 
   std::vector<RgbRow> rows;
   ShareScratch scratch(static_cast<size_t>(m_lights), static_cast<size_t>(area.width));

@@ -104,10 +104,10 @@ EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
 SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowSource& shadows) {
   const EditedLights lights = editedLights(set, stack);
   const PixelRect all{0, 0, set.width(), set.height()};
-  MaskGround ground(set, shadows);
+  MaskContext context(set, shadows);
   BetaFiles files;
   EditTile picture(set, static_cast<int>(lights.names.size()), all);
-  for (const auto& edit : stack.edits) picture.apply(prepareEdit(edit, lights, ground, files), all);
+  for (const auto& edit : stack.edits) picture.apply(prepareEdit(edit, lights, context, files), all);
   SolvedSet result = emptyResult(set, lights);
   writeBack(picture, all, result);
   return result;
@@ -115,7 +115,7 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
 
 EditedSet::EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows)
     : m_set(std::move(set)),
-      m_ground(*m_set, std::move(shadows)),
+      m_context(*m_set, std::move(shadows)),
       m_result(emptyResult(*m_set, editedLights(*m_set, {}))),
       m_checkpoint(m_set->width(), m_set->height()) {
   const int rows = (m_set->height() + kTileSize - 1) / kTileSize;
@@ -130,7 +130,7 @@ void EditedSet::setStack(const EditStack& stack) {
   // Prepare what is new; what failed to prepare leaves the old stack in force.
   const bool sameShadows = stack.shadowThresholds == m_stack.shadowThresholds;
   const auto stays = [&](const Edit& edit) { return sameShadows || !usesShadows(edit); };
-  if (!sameShadows) m_ground.forgetDrawn();
+  if (!sameShadows) m_context.forgetDrawn();
   std::vector<Prepared> prepared;
   for (const auto& edit : stack.edits) {
     const auto known = std::find_if(m_prepared.begin(), m_prepared.end(),
@@ -146,7 +146,7 @@ void EditedSet::setStack(const EditStack& stack) {
     const PreparedEdit* earlier =
         place != m_prepared.end() && stays(*(*place)->edit) ? place->get() : nullptr;
     prepared.push_back(
-        std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_ground, m_files, earlier)));
+        std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_context, m_files, earlier)));
   }
   const bool otherShadows = !sameShadows && std::any_of(stack.edits.begin(), stack.edits.end(),
                                                         [](const auto& edit) { return usesShadows(*edit); });

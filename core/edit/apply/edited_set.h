@@ -45,7 +45,7 @@ class EditedSet {
   [[nodiscard]] const SolvedSet& result() const { return m_result; }
   [[nodiscard]] const SolvedSet& original() const { return *m_set; }
   /// What the masks of its edits are drawn on.
-  [[nodiscard]] MaskGround& ground() { return m_ground; }
+  [[nodiscard]] MaskContext& context() { return m_context; }
   /// The beta maps that its edits take from files.
   [[nodiscard]] BetaFiles& files() { return m_files; }
 
@@ -58,7 +58,7 @@ class EditedSet {
   void compute(const PixelRect& area);
 
   std::shared_ptr<const SolvedSet> m_set;
-  MaskGround m_ground;
+  MaskContext m_context;
   BetaFiles m_files;
   EditStack m_stack;
   std::vector<Prepared> m_prepared;

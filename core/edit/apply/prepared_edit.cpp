@@ -59,11 +59,11 @@ std::optional<BetaRequest> betaRequest(const Edit& edit, const EditedLights& lig
 
 void checkBeta(const Edit& edit, const EditedLights& lights, const BetaMaps& beta) {
   const auto& picture = std::get<BetaMapOperation>(edit.operation);
-  if (edit.meaning == Meaning::Share)
+  if (edit.energy == EnergyMode::Redistribute)
     checkProportions(beta, beta.maps.size() == lights.names.size(), picture.file);
 }
 
-PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights, MaskGround& ground,
+PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights, MaskContext& context,
                          BetaFiles& files, const PreparedEdit* earlier) {
   PreparedEdit prepared;
   prepared.lights = chosenLights(*edit, lights);
@@ -71,12 +71,12 @@ PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& l
   if (earlier && earlier->edit->mask == edit->mask && zoneOf(earlier->edit->operation, lights.width) == zone)
     prepared.mask = earlier->mask;
   else
-    prepared.mask = std::make_shared<PreparedMask>(edit->mask, ground, zone);
+    prepared.mask = std::make_shared<PreparedMask>(edit->mask, context, zone);
   std::visit(
       [&]<typename T>(const T& operation) {
         if constexpr (std::is_same_v<T, ShadowOperation>)
           prepared.shadows =
-              shadowChanges(operation, *edit, prepared.lights, lights, ground.shadows(), earlier);
+              shadowChanges(operation, *edit, prepared.lights, lights, context.shadows(), earlier);
         if constexpr (requires { operation.tabulate(); }) prepared.table = operation.tabulate();
       },
       edit->operation);

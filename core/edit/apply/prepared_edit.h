@@ -42,7 +42,7 @@ void checkBeta(const Edit& edit, const EditedLights& lights, const BetaMaps& bet
 /// `earlier`, if there is one, is what the edit was before: what has not changed is taken from it. Throws
 /// InputError: an unknown light (the known ones listed), a picture that does not fit, a curve that is none.
 [[nodiscard]] PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights,
-                                       MaskGround& ground, BetaFiles& files,
+                                       MaskContext& context, BetaFiles& files,
                                        const PreparedEdit* earlier = nullptr);
 
 }  // namespace swaplight

@@ -27,7 +27,7 @@ namespace swaplight {
 //   float valueAt(float x, float y) const      a formula, with PixelRect bounds() const where it ends; or
 //   MaskRaster draw(int width, int height) const   pixels, drawn once
 //
-// (shadows, what is similar and selections need the set to be drawn: MaskGround::raster)
+// (shadows, what is similar and selections need the set to be drawn: MaskContext::raster)
 //
 // and, where it needs them,
 //

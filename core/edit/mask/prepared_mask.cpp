@@ -26,11 +26,11 @@ PixelRect boundsOf(const MaskShape& mask, const MaskRaster* raster, const PixelR
 
 }  // namespace
 
-PreparedMask::PreparedMask(const Mask& mask, MaskGround& ground, int shadowZone)
-    : m_bounds{0, 0, ground.width(), ground.height()} {
+PreparedMask::PreparedMask(const Mask& mask, MaskContext& context, int shadowZone)
+    : m_bounds{0, 0, context.width(), context.height()} {
   const PixelRect all = m_bounds;
   for (const MaskShape& shape : mask) {
-    Part part{shape, ground.raster(shape, shadowZone)};
+    Part part{shape, context.raster(shape, shadowZone)};
     m_bounds = intersection(m_bounds, boundsOf(shape, part.raster.get(), all));
     m_parts.push_back(std::move(part));
   }

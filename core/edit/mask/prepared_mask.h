@@ -2,15 +2,15 @@
 
 #include <vector>
 
-#include "core/edit/mask/mask_ground.h"
+#include "core/edit/mask/mask_context.h"
 
 namespace swaplight {
 
 /// A mask ready to be asked for rows: text, lines and pictures are drawn, shadows found.
 class PreparedMask {
  public:
-  /// `shadowZone`: 0 for most edits; see MaskGround::raster. Throws InputError as the ground does.
-  PreparedMask(const Mask& mask, MaskGround& ground, int shadowZone = 0);
+  /// `shadowZone`: 0 for most edits; see MaskContext::raster. Throws InputError as the context does.
+  PreparedMask(const Mask& mask, MaskContext& context, int shadowZone = 0);
 
   /// Fills out[0..count) with the mask at the pixels x.. of row y. Returns whether any is above 0.
   bool row(int x, int y, int count, float* out) const;

@@ -29,13 +29,13 @@ void combine(SelectionPart::Combine how, const float* part, int count, float* su
 
 }  // namespace
 
-MaskRaster drawSelection(const SelectionShape& shape, MaskGround& ground) {
-  const int width = ground.width(), height = ground.height();
+MaskRaster drawSelection(const SelectionShape& shape, MaskContext& context) {
+  const int width = context.width(), height = context.height();
   const PixelRect all{0, 0, width, height};
   PixelRect area;
   std::vector<PreparedMask> parts;
   for (const SelectionPart& part : *shape.parts) {
-    parts.emplace_back(Mask{part.shape}, ground);
+    parts.emplace_back(Mask{part.shape}, context);
     if (part.how == SelectionPart::Combine::Add) area = enclosing(area, parts.back().bounds());
   }
   // With room for what is softened.

@@ -13,18 +13,18 @@
 namespace swaplight {
 
 /// What happens to the other lights.
-enum class Meaning {
-  Share,  ///< light is moved: what one light gets the others lose; the all-white picture stays
-  Add,    ///< light is added, or taken away; the others stay
+enum class EnergyMode {
+  Redistribute,  ///< light is moved: what one light gets the others lose; the sum at unit white stays
+  Add,           ///< light is added, or taken away; the others stay
 };
 
 /// One step of the stack. Immutable once it is in a stack.
 struct Edit {
   std::string name;
   bool on = true;
-  float opacity = 1;                 ///< 0..1
-  std::vector<std::string> lights;   ///< names; empty: all
-  Meaning meaning = Meaning::Share;  ///< shadow operations always add
+  float opacity = 1;                             ///< 0..1
+  std::vector<std::string> lights;               ///< names; empty: all
+  EnergyMode energy = EnergyMode::Redistribute;  ///< shadow operations always add
   Operation operation;
   Mask mask;
   bool operator==(const Edit&) const = default;

@@ -51,7 +51,7 @@ Json jsonFromEditStack(const EditStack& stack) {
     json["on"] = edit->on;
     json["opacity"] = jsonNumber(edit->opacity);
     json["lights"] = edit->lights;
-    json["meaning"] = edit->meaning == Meaning::Share ? "share" : "add";
+    json["meaning"] = edit->energy == EnergyMode::Redistribute ? "share" : "add";
     writeOperation(edit->operation, json);
     json["mask"] = jsonFromMask(edit->mask);
   }
@@ -78,7 +78,7 @@ EditStack editStackFromJson(const Json& json, int width, int height, const std::
     const std::string meaning = one.text("meaning").value_or("share");
     if (meaning != "share" && meaning != "add")
       throw InputError("{}: the meaning is \"{}\", expected share or add.", one.where(), meaning);
-    edit.meaning = meaning == "add" ? Meaning::Add : Meaning::Share;
+    edit.energy = meaning == "add" ? EnergyMode::Add : EnergyMode::Redistribute;
     edit.operation = readOperation(one);
     if (const Json* mask = one.find("mask")) edit.mask = maskFromJson(*mask, width, height, one.where());
     stack.append(std::move(edit));

@@ -29,7 +29,7 @@ struct SetEvidence {
   std::vector<ShadowEvidence> lights;
   std::vector<cv::Mat> contributions;  ///< R G B float, noise taken out, in units of `white`
   cv::Mat known;                       ///< 8-bit: not 0 where there is light enough to tell anything
-  float white = 1;                     ///< the 99th percentile of the all-white picture's grey
+  float white = 1;                     ///< the 99th percentile of the grey of the sum at unit white
 };
 
 /// Reflectance is what changes under all lights alike: the gradients of log contributions that the lights

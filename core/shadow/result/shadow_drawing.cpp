@@ -39,7 +39,7 @@ void outline(cv::Mat& picture, const LightShadows& shadows, ShadowLabel lightest
 }  // namespace
 
 Image drawShadowOutlines(const SolvedSet& set, const std::vector<NamedShadows>& lights) {
-  cv::Mat picture = displayed(allWhite(set));
+  cv::Mat picture = displayed(sumAtUnitWhite(set));
   const int height = std::clamp(picture.rows / 26, 10, 60);
   for (size_t i = 0; i < lights.size(); ++i) {
     const cv::Scalar& color = kColors[i % kColors.size()];

@@ -83,7 +83,7 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
                 const std::vector<ShotShift>& shifts, const AutoTuning& tuning, SolvedSet& set,
                 const Progress& progress) {
   Shrinkage shrinkage(context, signal, tuning.shrinkage);
-  const int lights = context.plan.lights;
+  const int lights = context.lighting.lights;
   const int runs = int((signal.pixelCount() + kRun - 1) / kRun);
   const auto eachRun = [&](float from, float to, const auto& work) {
     std::atomic<int> done = 0;

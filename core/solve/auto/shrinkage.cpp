@@ -14,22 +14,22 @@ namespace swaplight {
 
 Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal, const ShrinkageTuning& tuning)
     : m_tuning(tuning), m_matte(context) {
-  const int n = context.plan.lights;
-  const int k3 = 3 * context.plan.shots;
+  const int n = context.lighting.lights;
+  const int k3 = 3 * context.lighting.shots;
   const int d = 3 * n;
   m_plan.lights = n;
-  m_plan.shots = context.plan.shots;
+  m_plan.shots = context.lighting.shots;
   m_plan.constant = context.noise.constant;
   m_plan.linear = context.noise.linear;
   m_plan.square = context.noise.square;
-  for (int k = 0; k < context.plan.shots; ++k)
+  for (int k = 0; k < context.lighting.shots; ++k)
     for (int c = 0; c < 3; ++c)
-      for (int i = 0; i < n; ++i) m_plan.color.push_back(context.plan.color(k, i)[c]);
+      for (int i = 0; i < n; ++i) m_plan.color.push_back(context.lighting.color(k, i)[c]);
 
   // The shape of the noise over shots and channels: that of the set's mean signal.
   const std::vector<Rgb> mean = signal.meanSignal();
   Eigen::VectorXd shape(k3);
-  for (int k = 0; k < context.plan.shots; ++k)
+  for (int k = 0; k < context.lighting.shots; ++k)
     for (int c = 0; c < 3; ++c) shape[k * 3 + c] = double(context.noise.variance(mean[size_t(k)][c]));
   shape /= shape.mean();
   for (int m = 0; m < k3; ++m) m_plan.shape.push_back(float(1 / shape[m]));
@@ -39,7 +39,7 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal, 
       Eigen::Matrix3d::Constant(tuning.whiteness) + (1 - tuning.whiteness) * Eigen::Matrix3d::Identity();
   // What no light shows is not led by the other channels: it stays dark.
   for (int c = 0; c < 3; ++c)
-    if (context.plan.matrix(c).isZero()) {
+    if (context.lighting.matrix(c).isZero()) {
       m_plan.unseen[size_t(c)] = 1;
       prior.row(c).setZero();
       prior.col(c).setZero();
@@ -49,12 +49,12 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal, 
   const Eigen::Matrix3d root = eigen.operatorSqrt();
   const Eigen::Matrix3d inverseRoot = eigen.operatorInverseSqrt();
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(k3, d);
-  for (int k = 0; k < context.plan.shots; ++k)
+  for (int k = 0; k < context.lighting.shots; ++k)
     for (int c = 0; c < 3; ++c)
       for (int i = 0; i < n; ++i)
         for (int e = 0; e < 3; ++e)
           a(k * 3 + c, i * 3 + e) =
-              double(context.plan.color(k, i)[c]) * root(c, e) / std::sqrt(shape[k * 3 + c]);
+              double(context.lighting.color(k, i)[c]) * root(c, e) / std::sqrt(shape[k * 3 + c]);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const int rank = int(svd.singularValues().size());
   for (int m = 0; m < d; ++m) {

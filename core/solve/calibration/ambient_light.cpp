@@ -32,8 +32,8 @@ Capture withAmbientLight(const Capture& capture, const std::string& where) {
 }
 
 Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal, const AmbientTuning& tuning) {
-  const int n = context.plan.lights;
-  const PackedRun sample = pixelSample(signal, context.plan.shots, size_t(tuning.sample));
+  const int n = context.lighting.lights;
+  const PackedRun sample = pixelSample(signal, context.lighting.shots, size_t(tuning.sample));
   const size_t count = size_t(sample.run().count);
   std::vector<float> room(count * size_t(3 * n + 2));
   float* next = room.data();
@@ -75,8 +75,8 @@ Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal, cons
   return 3.0F * color / (color.r + color.g + color.b);
 }
 
-void colorAmbient(LightPlan& plan, const Rgb& color) {
-  for (int k = 0; k < plan.shots; ++k) plan.color(k, plan.lights - 1) *= color;
+void colorAmbient(LightingMatrix& lighting, const Rgb& color) {
+  for (int k = 0; k < lighting.shots; ++k) lighting.color(k, lighting.lights - 1) *= color;
 }
 
 void takeAmbientOut(const Capture& capture, const Rgb& color, SolvedSet& set) {

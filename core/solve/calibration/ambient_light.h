@@ -23,8 +23,8 @@ inline constexpr const char* kAmbientLight = "ambient light";
 [[nodiscard]] Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal,
                                const AmbientTuning& tuning = {});
 
-/// Gives the plan's last light a colour (in place of white).
-void colorAmbient(LightPlan& plan, const Rgb& color);
+/// Gives the last light a colour (in place of white).
+void colorAmbient(LightingMatrix& lighting, const Rgb& color);
 
 /// Moves the last light, of this colour, out of a solved set's lights into its ambient picture; proportions
 /// are those of the lights that are left. `capture`: the set's, without it.

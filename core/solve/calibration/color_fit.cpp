@@ -41,29 +41,29 @@ PackedRun brightSample(const ShotSignal& signal, int shots, size_t count, double
 
 PixelEquation equationOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit, int p,
                          double baseUncertainty) {
-  const LightPlan& plan = context.plan;
-  const int n = plan.lights;
-  const int values = 3 * plan.shots;
+  const LightingMatrix& lighting = context.lighting;
+  const int n = lighting.lights;
+  const int values = 3 * lighting.shots;
   Eigen::VectorXd residual(values);
   Eigen::MatrixXd own = Eigen::MatrixXd::Zero(values, 3 + n);
   Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(values, values * n);
   double power = 0;
   double weights = 0;
   double noise = 0;
-  for (int k = 0; k < plan.shots; ++k)
+  for (int k = 0; k < lighting.shots; ++k)
     for (int c = 0; c < 3; ++c) {
       const int row = k * 3 + c;
       const double rho = fit.reflectance[c][p];
       double g = 0;
-      for (int i = 0; i < n; ++i) g += double(plan.color(k, i)[c]) * fit.share[i][p];
+      for (int i = 0; i < n; ++i) g += double(lighting.color(k, i)[c]) * fit.share[i][p];
       const double variance = context.noise.variance(float(g * rho));
       const double w = 1 / std::sqrt(variance + std::pow(baseUncertainty * g * rho, 2));
       noise += variance;
       residual[row] = w * (in.signal[k][c][p] - g * rho);
       own(row, c) = w * g;
       for (int i = 0; i < n; ++i) {
-        const double t = double(plan.color(k, i)[c]) * fit.share[i][p] * rho;
-        if (fit.share[i][p] > 1e-4F) own(row, 3 + i) = w * double(plan.color(k, i)[c]) * rho;
+        const double t = double(lighting.color(k, i)[c]) * fit.share[i][p] * rho;
+        if (fit.share[i][p] > 1e-4F) own(row, 3 + i) = w * double(lighting.color(k, i)[c]) * rho;
         slope(row, (k * n + i) * 3 + c) = w * t;
       }
       power += g * rho * g * rho;
@@ -89,16 +89,16 @@ double medianOf(std::vector<double> values) {
 
 ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, const ColorFitOptions& options,
                    const ColorFitTuning& tuning) {
-  const int n = context.plan.lights;
-  const int values = 3 * context.plan.shots;
+  const int n = context.lighting.lights;
+  const int values = 3 * context.lighting.shots;
   const int unknowns = values * n;
   const double freedom = std::max(values - n - 2, 1);
   ColorFit result;
-  result.plan = context.plan;
+  result.lighting = context.lighting;
   if (n < 2 || values <= n + 2) return result;
   const size_t count =
       std::clamp(size_t(kWork / (double(values) * unknowns * unknowns)), size_t(300), size_t(tuning.sample));
-  const PackedRun sample = brightSample(signal, context.plan.shots, count, tuning.brightShare);
+  const PackedRun sample = brightSample(signal, context.lighting.shots, count, tuning.brightShare);
   const PixelRun& in = sample.run();
   if (in.count < 50) return result;
 
@@ -107,13 +107,13 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
   for (int entry : options.unknown)
     for (int c = 0; c < 3; ++c) precision[size_t(entry) * 3 + size_t(c)] = 1;
   Eigen::VectorXd given(unknowns);
-  const auto colorAt = [&](LightPlan& plan, int index) -> float& {
-    return plan.color(index / 3 / n, index / 3 % n)[index % 3];
+  const auto colorAt = [&](LightingMatrix& lighting, int index) -> float& {
+    return lighting.color(index / 3 / n, index / 3 % n)[index % 3];
   };
-  for (int j = 0; j < unknowns; ++j) given[j] = colorAt(result.plan, j);
+  for (int j = 0; j < unknowns; ++j) given[j] = colorAt(result.lighting, j);
 
   for (int round = 0; round < options.rounds; ++round) {
-    current.plan = result.plan;
+    current.lighting = result.lighting;
     const MatteFit matte(current);
     MatteScratch fit(n, in.count);
     matte.fit(in, fit.run());
@@ -133,7 +133,7 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
       }
       h = h.selfadjointView<Eigen::Lower>();
       for (int j = 0; j < unknowns; ++j) {
-        const double now = given[j] > 0 ? colorAt(result.plan, j) / given[j] - 1 : 0;
+        const double now = given[j] > 0 ? colorAt(result.lighting, j) / given[j] - 1 : 0;
         h(j, j) += precision[size_t(j)] + 1e-9 * h.trace() / unknowns;
         g[j] -= precision[size_t(j)] * now;
       }
@@ -156,13 +156,13 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
       result.systematic = std::sqrt(std::max(result.disagreement * result.disagreement - rest, 0.0));
     }
     for (int j = 0; j < unknowns; ++j) {
-      float& color = colorAt(result.plan, j);
+      float& color = colorAt(result.lighting, j);
       color *= float(std::clamp(1 + step[j], 0.5, 2.0));
     }
   }
   double change = 0;
   for (int j = 0; j < unknowns; ++j)
-    if (given[j] > 0) change += std::pow(colorAt(result.plan, j) / given[j] - 1, 2);
+    if (given[j] > 0) change += std::pow(colorAt(result.lighting, j) / given[j] - 1, 2);
   result.change = std::sqrt(change / unknowns);
   return result;
 }

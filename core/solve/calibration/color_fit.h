@@ -10,7 +10,7 @@ namespace swaplight {
 
 /// What the photographs say of the colours that the lights are said to have had.
 struct ColorFit {
-  LightPlan plan;  ///< with the refined colours
+  LightingMatrix lighting;  ///< with the refined colours
   double disagreement =
       0;             ///< RMS, relative to the signal: what the matte fit leaves in a typical bright pixel
   double noise = 0;  ///< what noise alone would leave there

@@ -43,10 +43,10 @@ double medianChiSquare(double freedom) {
 
 NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& signal,
                            const NoiseCalibrationTuning& tuning) {
-  const int lights = context.plan.lights;
+  const int lights = context.lighting.lights;
   const MatteFit matte(context);
   if (lights < 2 || matte.freedom() < 1) return context.noise;
-  const PackedRun sample = pixelSample(signal, context.plan.shots, size_t(tuning.sample));
+  const PackedRun sample = pixelSample(signal, context.lighting.shots, size_t(tuning.sample));
   const PixelRun& in = sample.run();
   if (in.count < 100 * kBins) return context.noise;
   MatteScratch fit(lights, in.count);
@@ -54,9 +54,9 @@ NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& si
   std::vector<std::pair<float, int>> order;
   for (int p = 0; p < in.count; ++p) {
     float sum = 0;
-    for (int k = 0; k < context.plan.shots; ++k)
+    for (int k = 0; k < context.lighting.shots; ++k)
       for (int c = 0; c < 3; ++c) sum += in.signal[k][c][p];
-    order.emplace_back(sum / float(3 * context.plan.shots), p);
+    order.emplace_back(sum / float(3 * context.lighting.shots), p);
   }
   std::sort(order.begin(), order.end());
 

@@ -15,13 +15,13 @@ constexpr double kSingular = 1e-4;
 }  // namespace
 
 Demultiplex::Demultiplex(const EstimatorContext& context, Bound bound)
-    : m_lights(context.plan.lights), m_shots(context.plan.shots), m_bound(bound), m_context(context) {
+    : m_lights(context.lighting.lights), m_shots(context.lighting.shots), m_bound(bound), m_context(context) {
   if (m_shots < m_lights)
     throw InputError(
         "{} lights cannot be demultiplexed from {} shots, one for each light is needed; use --model lambert",
         m_lights, m_shots);
   for (int c = 0; c < 3; ++c) {
-    Eigen::MatrixXd matrix = context.plan.matrix(c);
+    Eigen::MatrixXd matrix = context.lighting.matrix(c);
     // The mean signal of a shot sets its mean noise: proportional to the light in it.
     Eigen::VectorXd weight(m_shots);
     for (int k = 0; k < m_shots; ++k)
@@ -74,7 +74,7 @@ void Demultiplex::estimate(const PixelRun& in, const SolvedRun& out) const {
 
 void Demultiplex::assess(const PixelRun& in, const SolvedRun& out) const {
   if (!out.residual && !out.sigma) return;
-  const LightPlan& plan = m_context.plan;
+  const LightingMatrix& lighting = m_context.lighting;
   const float freedom = float(std::max(3 * (m_shots - m_lights), 1));
   std::vector<float> squared[3];
   for (int c = 0; c < 3; ++c)
@@ -92,7 +92,7 @@ void Demultiplex::assess(const PixelRun& in, const SolvedRun& out) const {
       for (int i = 0; i < m_lights; ++i) total += out.contribution[i][c][p];
       for (int k = 0; k < m_shots; ++k) {
         float predicted = 0;
-        for (int i = 0; i < m_lights; ++i) predicted += plan.color(k, i)[c] * out.contribution[i][c][p];
+        for (int i = 0; i < m_lights; ++i) predicted += lighting.color(k, i)[c] * out.contribution[i][c][p];
         const float noise = m_context.noise.variance(predicted);
         const float residual = in.signal[k][c][p] - predicted;
         misfit += residual * residual / noise;

@@ -10,21 +10,21 @@
 namespace swaplight {
 
 GlossFit::GlossFit(const EstimatorContext& context) : m_matte(context) {
-  const LightPlan& plan = context.plan;
-  if (!fits(plan))
+  const LightingMatrix& lighting = context.lighting;
+  if (!fits(lighting))
     throw InputError(
         "model gloss needs {} shots of {} lights, there are {}: photograph more, or use --model lambert, "
         "transport or auto",
-        (2 * plan.lights + 4) / 3, plan.lights, plan.shots);
-  for (int c = 0; c < 3; ++c) m_seen[size_t(c)] = !plan.matrix(c).isZero();
-  m_plan.lights = plan.lights;
-  m_plan.shots = plan.shots;
+        (2 * lighting.lights + 4) / 3, lighting.lights, lighting.shots);
+  for (int c = 0; c < 3; ++c) m_seen[size_t(c)] = !lighting.matrix(c).isZero();
+  m_plan.lights = lighting.lights;
+  m_plan.shots = lighting.shots;
   m_plan.constant = context.noise.constant;
   m_plan.linear = context.noise.linear;
   m_plan.square = context.noise.square;
-  for (int k = 0; k < plan.shots; ++k)
+  for (int k = 0; k < lighting.shots; ++k)
     for (int c = 0; c < 3; ++c)
-      for (int i = 0; i < plan.lights; ++i) m_plan.color.push_back(plan.color(k, i)[c]);
+      for (int i = 0; i < lighting.lights; ++i) m_plan.color.push_back(lighting.color(k, i)[c]);
 }
 
 void GlossFit::estimate(const PixelRun& in, const SolvedRun& out) const {

@@ -18,7 +18,9 @@ class GlossFit final : public Estimator {
   void estimate(const PixelRun& in, const SolvedRun& out) const override;
 
   /// Whether there are shots enough.
-  [[nodiscard]] static bool fits(const LightPlan& plan) { return 3 * plan.shots >= 2 * plan.lights + 2; }
+  [[nodiscard]] static bool fits(const LightingMatrix& lighting) {
+    return 3 * lighting.shots >= 2 * lighting.lights + 2;
+  }
 
  private:
   MatteFit m_matte;

@@ -12,8 +12,8 @@ constexpr double kRidge = 0.03;  // of the first guess, relative to the mean squ
 }  // namespace
 
 MatteFit::MatteFit(const EstimatorContext& context)
-    : m_lights(context.plan.lights), m_shots(context.plan.shots) {
-  const LightPlan& from = context.plan;
+    : m_lights(context.lighting.lights), m_shots(context.lighting.shots) {
+  const LightingMatrix& from = context.lighting;
   m_plan.lights = m_lights;
   m_plan.shots = m_shots;
   m_plan.constant = context.noise.constant;

@@ -35,14 +35,14 @@ float betaByBruteForce(const float shot1[3], const float shot2[3], const float c
 
 TwoLights::TwoLights(const EstimatorContext& context, BetaSearch search, Reflectance reflectance)
     : m_fit(context), m_search(search), m_reflectance(reflectance) {
-  if (context.plan.lights != 2 || context.plan.shots != 2)
+  if (context.lighting.lights != 2 || context.lighting.shots != 2)
     throw InputError(
         "brute-force, published and closed-form need two lights in two photographs; this capture has {} in "
         "{}: use --solver maximum-likelihood",
-        context.plan.lights, context.plan.shots);
+        context.lighting.lights, context.lighting.shots);
   for (int k = 0; k < 2; ++k)
     for (int i = 0; i < 2; ++i)
-      for (int c = 0; c < 3; ++c) m_color[k][i][c] = context.plan.color(k, i)[c];
+      for (int c = 0; c < 3; ++c) m_color[k][i][c] = context.lighting.color(k, i)[c];
 }
 
 void TwoLights::estimate(const PixelRun& in, const SolvedRun& out) const {

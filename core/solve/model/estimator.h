@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/set/solved_set.h"
-#include "core/solve/model/light_plan.h"
+#include "core/solve/model/lighting_matrix.h"
 #include "core/solve/model/noise_model.h"
 #include "core/solve/model/pixel_run.h"
 #include "core/solve/model/solve_options.h"
@@ -22,7 +22,7 @@ void writeBeta(int lights, int count, const SolvedRun& run);
 
 /// What every estimator needs to know of the capture.
 struct EstimatorContext {
-  LightPlan plan;
+  LightingMatrix lighting;
   NoiseModel noise;
 };
 
@@ -41,7 +41,7 @@ struct EstimatorInfo {
   bool standsForModel;       ///< what --model means, where several assume the same
   std::string_view summary;  ///< one line
   bool masks;                ///< copes with NaN in some of a pixel's values
-  /// Throws InputError where the estimator does not fit the plan (some know two lights only).
+  /// Throws InputError where the estimator does not fit the matrix (some know two lights only).
   std::unique_ptr<Estimator> (*make)(const EstimatorContext& context);
 };
 

@@ -39,10 +39,10 @@ void flagOutside(const float* y, size_t count, float lowest, float clip, uint8_t
 
 }  // namespace
 
-ShotSignal::ShotSignal(const CapturePixels& pixels, const LightPlan& plan, const NoiseModel& noise,
+ShotSignal::ShotSignal(const CapturePixels& pixels, const LightingMatrix& lighting, const NoiseModel& noise,
                        const std::vector<float>& exposure)
     : m_pixels(&pixels),
-      m_needed(plan.lights + 2),
+      m_needed(lighting.lights + 2),
       m_lowest(-std::max(6 * std::sqrt(noise.constant), 2e-3F)),
       m_exposure(exposure),
       m_pixelCount(pixels.shots.front().pixelCount()) {

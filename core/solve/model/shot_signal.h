@@ -13,7 +13,7 @@ namespace swaplight {
 /// the shots, and nothing is copied.
 class ShotSignal {
  public:
-  ShotSignal(const CapturePixels& pixels, const LightPlan& plan, const NoiseModel& noise,
+  ShotSignal(const CapturePixels& pixels, const LightingMatrix& lighting, const NoiseModel& noise,
              const std::vector<float>& exposure);
 
   /// PixelFlag bits of every pixel; empty where no pixel has any.

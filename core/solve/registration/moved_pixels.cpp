@@ -33,7 +33,7 @@ void eachMarked(const cv::Mat& marked, const ShotSignal& signal, const Estimator
       if (index.empty()) continue;
       PixelRun in;
       signal.run(first, count, masks, scratch, in);
-      const PixelBatch batch(in, std::move(index), context.plan.shots, context.plan.lights);
+      const PixelBatch batch(in, std::move(index), context.lighting.shots, context.lighting.lights);
       estimator.estimate(batch.in(), batch.out());
       for (size_t j = 0; j < batch.index().size(); ++j) use(first + size_t(batch.index()[j]), batch.out(), j);
     }
@@ -54,7 +54,7 @@ void dropSmall(cv::Mat& marked, int smallestArea) {
 
 size_t markMoved(const EstimatorContext& context, const ShotSignal& signal, SolvedSet& set,
                  const MotionTuning& tuning) {
-  if (context.plan.shots < context.plan.lights || context.plan.lights < 2) return 0;
+  if (context.lighting.shots < context.lighting.lights || context.lighting.lights < 2) return 0;
   const int width = set.quality.width();
   const int height = set.quality.height();
   const float* residual = set.quality.plane(kResidual);
@@ -71,7 +71,7 @@ size_t markMoved(const EstimatorContext& context, const ShotSignal& signal, Solv
   EstimatorContext lenient = context;
   lenient.noise.square = std::max(lenient.noise.square, tuning.colorError * tuning.colorError);
   const Demultiplex possible(lenient, Demultiplex::Bound::LeastSquares);
-  const float freedom = float(std::max(3 * (context.plan.shots - context.plan.lights), 1));
+  const float freedom = float(std::max(3 * (context.lighting.shots - context.lighting.lights), 1));
   const float limit = tuning.impossible / std::sqrt(freedom) + (freedom > 1 ? 1 : 0);
   cv::Mat witness = cv::Mat::zeros(height, width, CV_8U);
   std::atomic<int> witnesses = 0;
@@ -96,7 +96,7 @@ size_t markMoved(const EstimatorContext& context, const ShotSignal& signal, Solv
   if (count == 0) return 0;
 
   eachMarked(marked, signal, context, Lambert(context), true, [&](size_t p, const SolvedRun& run, size_t j) {
-    for (int i = 0; i < context.plan.lights; ++i)
+    for (int i = 0; i < context.lighting.lights; ++i)
       for (int c = 0; c < 3; ++c) set.contributions[size_t(i)].plane(c)[p] = run.contribution[i][c][j];
     set.quality.plane(kResidual)[p] = run.residual[j];
     set.quality.plane(kSigma)[p] = run.sigma[j];

@@ -99,7 +99,7 @@ TEST(BetaFile, AnEditOfAllLightsThatShareRefusesSumsButOneThatAddsTakesThem) {
   EditStack stack;
   stack.append(edit);
   EXPECT_THAT(test::inputError([&] { (void)applyEdits(set, stack); }), HasSubstr("pixel 3, 0"));
-  edit.meaning = Meaning::Add;
+  edit.energy = EnergyMode::Add;
   stack.replace(0, edit);
   const SolvedSet added = applyEdits(set, stack);
   const auto grey = [](const Image& light) {

@@ -61,7 +61,7 @@ EditStack everyKind() {
     edit.on = i % 2 == 0;
     edit.opacity = std::min(1.f, .1f * static_cast<float>(i));
     edit.lights = {"key", "sun"};
-    edit.meaning = i % 3 ? Meaning::Add : Meaning::Share;
+    edit.energy = i % 3 ? EnergyMode::Add : EnergyMode::Redistribute;
     edit.operation = operations[i % operations.size()];
     edit.mask = {shapes[i], shapes[(i + 3) % shapes.size()]};
     stack.append(edit);

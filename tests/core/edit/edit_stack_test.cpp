@@ -16,11 +16,11 @@ using testing::HasSubstr;
 constexpr int kWidth = 300;  // more than a tile
 constexpr int kHeight = 270;
 
-Edit makeEdit(const std::string& light, Operation operation, Meaning meaning, Mask mask = {}) {
+Edit makeEdit(const std::string& light, Operation operation, EnergyMode energy, Mask mask = {}) {
   Edit edit;
   edit.name = "test";
   if (!light.empty()) edit.lights = {light};
-  edit.meaning = meaning;
+  edit.energy = energy;
   edit.operation = std::move(operation);
   edit.mask = std::move(mask);
   return edit;
@@ -82,9 +82,9 @@ TEST(EditStack, EmptyIsTheIdentityToTheBit) {
 
 TEST(EditStack, EditsThatAreOffOrTransparentChangeNothing) {
   const SolvedSet set = smallSet(2, kWidth, kHeight);
-  Edit off = makeEdit("light1", FillOperation{0}, Meaning::Add);
+  Edit off = makeEdit("light1", FillOperation{0}, EnergyMode::Add);
   off.on = false;
-  Edit clear = makeEdit("light1", FillOperation{0}, Meaning::Share);
+  Edit clear = makeEdit("light1", FillOperation{0}, EnergyMode::Redistribute);
   clear.opacity = 0;
   EditStack stack;
   stack.append(off);
@@ -95,15 +95,15 @@ TEST(EditStack, EditsThatAreOffOrTransparentChangeNothing) {
 TEST(EditStack, SharingKeepsTheSumOfBetaAndTheAllWhitePicture) {
   for (const int lights : {2, 3, 4}) {
     const SolvedSet set = smallSet(lights, kWidth, kHeight);
-    const Image white = allWhite(set);
+    const Image white = sumAtUnitWhite(set);
     EditStack all;
     for (const Operation& operation : operations())
       for (const char* light : {"light2", ""}) {
         EditStack stack;
-        stack.append(makeEdit(light, operation, Meaning::Share, softEllipse()));
-        all.append(makeEdit(light, operation, Meaning::Share, softEllipse()));
+        stack.append(makeEdit(light, operation, EnergyMode::Redistribute, softEllipse()));
+        all.append(makeEdit(light, operation, EnergyMode::Redistribute, softEllipse()));
         const SolvedSet edited = applyEdits(set, stack);
-        ASSERT_LT(largestDifference(allWhite(edited), white), 3e-6f)
+        ASSERT_LT(largestDifference(sumAtUnitWhite(edited), white), 3e-6f)
             << operationName(operation) << light << lights;
         for (size_t p = 0; p < edited.beta.pixelCount(); ++p) {
           float sum = 0;
@@ -116,14 +116,14 @@ TEST(EditStack, SharingKeepsTheSumOfBetaAndTheAllWhitePicture) {
           ASSERT_NEAR(sum, before, 1e-5);
         }
       }
-    EXPECT_LT(largestDifference(allWhite(applyEdits(set, all)), white), 3e-5f);
+    EXPECT_LT(largestDifference(sumAtUnitWhite(applyEdits(set, all)), white), 3e-5f);
   }
 }
 
 TEST(EditStack, SharingGivesALightWhatItAsksFor) {
   const SolvedSet set = smallSet(3, kWidth, kHeight);
   EditStack stack;
-  stack.append(makeEdit("light2", FillOperation{.7f}, Meaning::Share));
+  stack.append(makeEdit("light2", FillOperation{.7f}, EnergyMode::Redistribute));
   const SolvedSet edited = applyEdits(set, stack);
   for (size_t p = 0; p < set.beta.pixelCount(); ++p) {
     if (set.beta.plane(1)[p] + set.beta.plane(0)[p] == 0) continue;
@@ -138,7 +138,7 @@ TEST(EditStack, AddingLeavesTheOtherLightsAloneToTheBit) {
   const SolvedSet set = smallSet(3, kWidth, kHeight);
   for (const Operation& operation : operations()) {
     EditStack stack;
-    stack.append(makeEdit("light2", operation, Meaning::Add, softEllipse()));
+    stack.append(makeEdit("light2", operation, EnergyMode::Add, softEllipse()));
     const SolvedSet edited = applyEdits(set, stack);
     EXPECT_EQ(largestDifference(edited.contributions[0], set.contributions[0]), 0);
     EXPECT_EQ(largestDifference(edited.contributions[2], set.contributions[2]), 0);
@@ -152,8 +152,8 @@ TEST(EditStack, AddedEditsOnDifferentLightsCommute) {
   for (const Operation& a : operations())
     for (const Operation& b : operations()) {
       EditStack one;
-      one.append(makeEdit("light1", a, Meaning::Add, softEllipse()));
-      one.append(makeEdit("light3", b, Meaning::Add, painted(150, 100)));
+      one.append(makeEdit("light1", a, EnergyMode::Add, softEllipse()));
+      one.append(makeEdit("light3", b, EnergyMode::Add, painted(150, 100)));
       EditStack other;
       other.edits = {one.edits[1], one.edits[0]};
       expectSameBits(applyEdits(set, one), applyEdits(set, other));
@@ -162,10 +162,10 @@ TEST(EditStack, AddedEditsOnDifferentLightsCommute) {
 
 TEST(EditStack, ChangesOnlyWhereItsMaskIs) {
   const SolvedSet set = smallSet(2, kWidth, kHeight);
-  for (const Meaning meaning : {Meaning::Share, Meaning::Add})
+  for (const EnergyMode energy : {EnergyMode::Redistribute, EnergyMode::Add})
     for (const Operation& operation : operations()) {
       EditStack stack;
-      stack.append(makeEdit("light1", operation, meaning, painted(100, 100)));
+      stack.append(makeEdit("light1", operation, energy, painted(100, 100)));
       const SolvedSet edited = applyEdits(set, stack);
       const auto& mask = std::get<PaintShape>(stack.edits[0]->mask[0].shape).painting->mask();
       for (int y = 0; y < kHeight; ++y)
@@ -179,7 +179,7 @@ TEST(EditStack, ChangesOnlyWhereItsMaskIs) {
 
 TEST(EditStack, InvertingTwoLightsLetsThemChangePlaces) {
   const SolvedSet set = smallSet(3, kWidth, kHeight);
-  Edit edit = makeEdit("light1", InvertOperation{}, Meaning::Share);
+  Edit edit = makeEdit("light1", InvertOperation{}, EnergyMode::Redistribute);
   edit.lights = {"light3", "light1"};
   EditStack stack;
   stack.append(edit);
@@ -194,11 +194,11 @@ TEST(EditStack, ANewLightIsPaintedInTheColoursOfTheSet) {
   EditStack stack;
   stack.newLights = {"sun"};
   stack.append(
-      makeEdit("sun", FillOperation{.5f}, Meaning::Add, {{RectangleShape{50, 50, 100, 100}, false}}));
+      makeEdit("sun", FillOperation{.5f}, EnergyMode::Add, {{RectangleShape{50, 50, 100, 100}, false}}));
   const SolvedSet edited = applyEdits(set, stack);
   ASSERT_EQ(edited.lightCount(), 3);
   EXPECT_EQ(edited.capture.lights[2].name, "sun");
-  const Image white = allWhite(set);
+  const Image white = sumAtUnitWhite(set);
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(edited.contributions[2].view().at(c, 100, 100), .5f * white.view().at(c, 100, 100), 1e-6);
     EXPECT_EQ(edited.contributions[2].view().at(c, 200, 100), 0);
@@ -208,7 +208,7 @@ TEST(EditStack, ANewLightIsPaintedInTheColoursOfTheSet) {
 TEST(EditStack, SaysWhichLightIsUnknown) {
   const SolvedSet set = smallSet(2, 20, 20);
   EditStack stack;
-  stack.append(makeEdit("moon", FillOperation{}, Meaning::Add));
+  stack.append(makeEdit("moon", FillOperation{}, EnergyMode::Add));
   const std::string message = test::inputError([&] { (void)applyEdits(set, stack); });
   EXPECT_THAT(message, HasSubstr("moon"));
   EXPECT_THAT(message, HasSubstr("light1, light2"));
@@ -235,7 +235,7 @@ TEST(EditedSet, EqualsTheReferenceAfterEveryChange) {
   int k = 0;
   for (const Operation& operation : operations()) {
     stack.append(makeEdit("light" + std::to_string(k % 3 + 1), operation,
-                          k % 2 ? Meaning::Add : Meaning::Share,
+                          k % 2 ? EnergyMode::Add : EnergyMode::Redistribute,
                           k % 3 == 0 ? softEllipse() : painted(60.f + 20.f * static_cast<float>(k), 240)));
     ++k;
     check("appended");
@@ -249,7 +249,7 @@ TEST(EditedSet, EqualsTheReferenceAfterEveryChange) {
   stack.edits.erase(stack.edits.begin() + 2);
   check("deleted");
   stack.newLights = {"sun"};
-  stack.append(makeEdit("sun", FillOperation{.5f}, Meaning::Share, painted(20, 20)));
+  stack.append(makeEdit("sun", FillOperation{.5f}, EnergyMode::Redistribute, painted(20, 20)));
   check("light added");
 }
 
@@ -258,15 +258,15 @@ TEST(EditedSet, EqualsTheReferenceWhileLightsComeAndGo) {
   EditedSet edited(set);
   EditStack stack;
   const auto check = [&](const char* what) { followsTheReference(edited, *set, stack, what); };
-  stack.append(makeEdit("", GainOperation{.5f, .1f}, Meaning::Add, painted(60, 240)));
-  stack.append(makeEdit("light2", FillOperation{0}, Meaning::Share, softEllipse()));
+  stack.append(makeEdit("", GainOperation{.5f, .1f}, EnergyMode::Add, painted(60, 240)));
+  stack.append(makeEdit("light2", FillOperation{0}, EnergyMode::Redistribute, softEllipse()));
   check("without");
   stack.newLights = {"sun"};
   check("a light for which nothing was painted, and which an edit of all lights reaches");
-  stack.append(makeEdit("sun", GainOperation{1, .5f}, Meaning::Add, painted(20, 20)));
+  stack.append(makeEdit("sun", GainOperation{1, .5f}, EnergyMode::Add, painted(20, 20)));
   check("painted");
   stack.newLights = {"sun", "moon"};
-  stack.append(makeEdit("moon", FillOperation{.4f}, Meaning::Share, painted(90, 50)));
+  stack.append(makeEdit("moon", FillOperation{.4f}, EnergyMode::Redistribute, painted(90, 50)));
   check("a second one");
   stack.edits.erase(stack.edits.begin() + 2);
   stack.newLights = {"moon"};
@@ -297,12 +297,12 @@ TEST(EditedSet, ComputesOnlyWhatAStrokeCanHaveChanged) {
   stroke.points = {{300, 300, 1}};
   painting.begin(stroke);
   const auto withPainting = [&] {
-    return makeEdit("light1", FillOperation{1}, Meaning::Add,
+    return makeEdit("light1", FillOperation{1}, EnergyMode::Add,
                     {{PaintShape{std::make_shared<const Painting>(painting)}, false}});
   };
   EditStack stack;
   stack.append(withPainting());
-  stack.append(makeEdit("light2", BlurOperation{5}, Meaning::Share));
+  stack.append(makeEdit("light2", BlurOperation{5}, EnergyMode::Redistribute));
   EditedSet edited(set);
   edited.setStack(stack);
   edited.update();
@@ -322,11 +322,11 @@ TEST(EditedSet, EqualsTheReferenceWhileAStrokeGoesOnInTheMiddleOfTheStack) {
   const auto set = std::make_shared<const SolvedSet>(smallSet(3, kWidth, kHeight));
   for (const bool blurAbove : {false, true}) {
     EditStack stack;
-    stack.append(makeEdit("light1", BlurOperation{6}, Meaning::Share));
-    stack.append(makeEdit("light2", GainOperation{.7f, .1f}, Meaning::Share, softEllipse()));
-    stack.append(makeEdit("light3", FillOperation{1}, Meaning::Share));
-    stack.append(makeEdit("light1", InvertOperation{}, Meaning::Add, softEllipse()));
-    if (blurAbove) stack.append(makeEdit("light2", SharpenOperation{4, 1}, Meaning::Share));
+    stack.append(makeEdit("light1", BlurOperation{6}, EnergyMode::Redistribute));
+    stack.append(makeEdit("light2", GainOperation{.7f, .1f}, EnergyMode::Redistribute, softEllipse()));
+    stack.append(makeEdit("light3", FillOperation{1}, EnergyMode::Redistribute));
+    stack.append(makeEdit("light1", InvertOperation{}, EnergyMode::Add, softEllipse()));
+    if (blurAbove) stack.append(makeEdit("light2", SharpenOperation{4, 1}, EnergyMode::Redistribute));
     EditedSet edited(set);
     Painting painting(kWidth, kHeight);
     painting.begin(Stroke{});
@@ -340,7 +340,7 @@ TEST(EditedSet, EqualsTheReferenceWhileAStrokeGoesOnInTheMiddleOfTheStack) {
       ASSERT_LT(largestDifference(edited.result(), applyEdits(*set, stack)), 2e-6f) << k;
     }
     // A change below the painted edit makes what was remembered untrue.
-    stack.replace(0, makeEdit("light1", GainOperation{.2f, 0}, Meaning::Share));
+    stack.replace(0, makeEdit("light1", GainOperation{.2f, 0}, EnergyMode::Redistribute));
     edited.setStack(stack);
     edited.update();
     ASSERT_LT(largestDifference(edited.result(), applyEdits(*set, stack)), 2e-6f);
@@ -352,7 +352,7 @@ TEST(EditedSet, IsLazy) {
   EditedSet edited(set);
   edited.update();
   EditStack stack;
-  stack.append(makeEdit("light1", FillOperation{0}, Meaning::Add));
+  stack.append(makeEdit("light1", FillOperation{0}, EnergyMode::Add));
   edited.setStack(stack);
   EXPECT_EQ(edited.update({10, 10, 20, 20}).size(), 1u);
   EXPECT_EQ(edited.update({10, 10, 20, 20}).size(), 0u);
@@ -368,7 +368,8 @@ TEST(EditedSet, UndoRestoresToTheBit) {
   int k = 0;
   for (const Operation& operation : operations()) {
     EditStack next = history.back();
-    next.append(makeEdit("light1", operation, k++ % 2 ? Meaning::Add : Meaning::Share, painted(100, 120)));
+    next.append(makeEdit("light1", operation, k++ % 2 ? EnergyMode::Add : EnergyMode::Redistribute,
+                         painted(100, 120)));
     edited.setStack(next);
     edited.update();
     history.push_back(next);
@@ -388,10 +389,10 @@ TEST(EditedSet, KeepsTheOldStackWhereTheNewOneIsBad) {
   const auto set = std::make_shared<const SolvedSet>(smallSet(2, kWidth, kHeight));
   EditedSet edited(set);
   EditStack good;
-  good.append(makeEdit("light1", FillOperation{0}, Meaning::Add));
+  good.append(makeEdit("light1", FillOperation{0}, EnergyMode::Add));
   edited.setStack(good);
   EditStack bad = good;
-  bad.append(makeEdit("moon", FillOperation{0}, Meaning::Add));
+  bad.append(makeEdit("moon", FillOperation{0}, EnergyMode::Add));
   EXPECT_THROW(edited.setStack(bad), InputError);
   EXPECT_EQ(edited.stack(), good);
   edited.update();

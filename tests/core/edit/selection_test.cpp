@@ -21,9 +21,9 @@ MaskShape box(float x, float y, float width, float height) {
 }
 
 float at(const Mask& mask, const SolvedSet& set, int x, int y) {
-  MaskGround ground(set);
+  MaskContext context(set);
   float value = 1;
-  PreparedMask(mask, ground).row(x, y, 1, &value);
+  PreparedMask(mask, context).row(x, y, 1, &value);
   return value;
 }
 
@@ -107,8 +107,8 @@ TEST(Selection, WhatIsAlikeInLightingDoesNotMindTheColour) {
 
 TEST(Selection, APlaceOutsideOfThePictureIsSaid) {
   const SolvedSet set = test::smallSet(2, kWidth, kHeight);
-  MaskGround ground(set);
-  EXPECT_THROW((void)ground.raster({SimilarShape{SimilarShape::By::Color, 500, 20, 0.1F, true}, false}),
+  MaskContext context(set);
+  EXPECT_THROW((void)context.raster({SimilarShape{SimilarShape::By::Color, 500, 20, 0.1F, true}, false}),
                InputError);
 }
 
@@ -137,7 +137,7 @@ TEST(Selection, AnEditStaysInsideOfIt) {
   const auto set = std::make_shared<const SolvedSet>(test::smallSet(2, kWidth, kHeight));
   Edit edit;
   edit.lights = {set->capture.lights[0].name};
-  edit.meaning = Meaning::Add;
+  edit.energy = EnergyMode::Add;
   edit.operation = GainOperation{1, 0.5F};
   edit.mask =
       selectionWith({}, {PolygonShape{{{50, 50}, {150, 60}, {90, 150}}, 0}, false}, SelectHow::Replace);

@@ -47,9 +47,9 @@ TEST(RigEdit, AsCapturedIsTheSameInEveryWorkingSpace) {
   EXPECT_EQ(own.colorSpace(), "lin_rec709") << "the set itself stays";
   EXPECT_EQ(rigOfShot(test::builtinColors(), defaultRig(wide.capture), wide, 0),
             rigOfShot(test::builtinColors(), defaultRig(own.capture), own, 0));
-  Image frame = allWhite(wide);
+  Image frame = sumAtUnitWhite(wide);
   test::builtinColors().convert(frame.span(), "acescg", "lin_rec709");
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(frame.plane(c)[0], allWhite(own).plane(c)[0], 1e-6F);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(frame.plane(c)[0], sumAtUnitWhite(own).plane(c)[0], 1e-6F);
 }
 
 TEST(RigEdit, AChosenLightMakesAPixelNeutralAndTheOthersStay) {

@@ -28,7 +28,7 @@ Edit paintedEdit(const Painting& painting) {
   Edit edit;
   edit.name = "Paint";
   edit.lights = {"key"};
-  edit.meaning = Meaning::Add;
+  edit.energy = EnergyMode::Add;
   edit.operation = GainOperation{1, .5F};
   edit.mask = {{PaintShape{std::make_shared<const Painting>(painting)}, false}};
   return edit;

@@ -72,11 +72,11 @@ TEST(GlossFit, IsScaledWithTheLight) {
 }
 
 TEST(GlossFit, SaysHowManyShotsItNeeds) {
-  EstimatorContext context{planFromCapture(rotatedCapture(8)), {}};
-  context.plan.shots = 5;
-  context.plan.colors.resize(40);
+  EstimatorContext context{lightingFromCapture(rotatedCapture(8)), {}};
+  context.lighting.shots = 5;
+  context.lighting.colors.resize(40);
   EXPECT_THROW(GlossFit{context}, InputError);
-  context = {planFromCapture(rotatedCapture(2)), {}};
+  context = {lightingFromCapture(rotatedCapture(2)), {}};
   EXPECT_NO_THROW(GlossFit{context});
 }
 

@@ -26,31 +26,31 @@ struct Scene {
   PixelRun in;
 
   Scene(int lightCount, NoiseModel noise, float sigma, float gloss = 0) : lights(lightCount) {
-    context.plan = planFromCapture(rotatedCapture(lights));
+    context.lighting = lightingFromCapture(rotatedCapture(lights));
     context.noise = noise;
     std::mt19937 random(static_cast<unsigned>(lights));
     std::uniform_real_distribution<float> unit(0, 1);
     std::normal_distribution<float> gauss;
     truth.assign(size_t(lights) + 3, std::vector<float>(kPadded, 0));
-    values.assign(size_t(3 * context.plan.shots), std::vector<float>(kPadded, 0));
+    values.assign(size_t(3 * context.lighting.shots), std::vector<float>(kPadded, 0));
     for (size_t p = 0; p < kCount; ++p) {
       float sum = 0;
       for (int i = 0; i < lights; ++i)
         sum += truth[size_t(i)][p] = p % 5 == 0 && i == int(p / 5) % lights ? 0 : .05F + unit(random);
       for (int i = 0; i < lights; ++i) truth[size_t(i)][p] /= sum;
       for (size_t c = 0; c < 3; ++c) truth[size_t(lights) + c][p] = .1F + .8F * unit(random);
-      for (int k = 0; k < context.plan.shots; ++k)
+      for (int k = 0; k < context.lighting.shots; ++k)
         for (int c = 0; c < 3; ++c) {
           double y = 0;
           for (int i = 0; i < lights; ++i)
-            y += context.plan.color(k, i)[c] *
+            y += context.lighting.color(k, i)[c] *
                  (truth[size_t(i)][p] * truth[size_t(lights + c)][p] + (p % 3 == 0 && i == 0 ? gloss : 0));
           values[size_t(k * 3 + c)][p] = float(y) + sigma * gauss(random);
         }
       if (p % 7 == 2 && lights > 2) values[p % values.size()][p] = NAN;
     }
     in.count = kCount;
-    for (int k = 0; k < context.plan.shots; ++k)
+    for (int k = 0; k < context.lighting.shots; ++k)
       for (int c = 0; c < 3; ++c) in.signal[k][c] = values[size_t(k * 3 + c)].data();
   }
 
@@ -80,11 +80,11 @@ struct Scene {
  private:
   template <typename Work>
   void eachValue(size_t p, int c, const std::vector<double>& u, const Work& work) const {
-    for (int k = 0; k < context.plan.shots; ++k) {
+    for (int k = 0; k < context.lighting.shots; ++k) {
       const double y = values[size_t(k * 3 + c)][p];
       if (std::isnan(y)) continue;
       double g = 0;
-      for (int i = 0; i < lights; ++i) g += double(context.plan.color(k, i)[c]) * u[size_t(i)];
+      for (int i = 0; i < lights; ++i) g += double(context.lighting.color(k, i)[c]) * u[size_t(i)];
       work(y, g);
     }
   }
@@ -177,7 +177,7 @@ TEST(GlossKernel, ItsResidualIsWhatItsContributionsLeaveAtEveryLevel) {
   for (const int lights : {2, 3, 4, 5}) {
     const NoiseModel noise{1e-4F, 0, 0};
     const Scene scene(lights, noise, .01F, .3F);
-    if (!GlossFit::fits(scene.context.plan)) continue;
+    if (!GlossFit::fits(scene.context.lighting)) continue;
     const GlossFit fit(scene.context);
     std::vector<std::vector<float>> planes(size_t(lights) * 3 + 2, std::vector<float>(kPadded));
     SolvedRun out;
@@ -185,7 +185,7 @@ TEST(GlossKernel, ItsResidualIsWhatItsContributionsLeaveAtEveryLevel) {
       for (int c = 0; c < 3; ++c) out.contribution[i][c] = planes[size_t(i * 3 + c)].data();
     out.residual = planes[size_t(lights) * 3].data();
     out.sigma = planes[size_t(lights) * 3 + 1].data();
-    const int shots = scene.context.plan.shots;
+    const int shots = scene.context.lighting.shots;
     const float freedom = float(std::max(3 * shots - 2 * lights - 2, 1));
     test::atEveryLevel([&] {
       fit.estimate(scene.in, out);
@@ -196,7 +196,7 @@ TEST(GlossKernel, ItsResidualIsWhatItsContributionsLeaveAtEveryLevel) {
             double y = scene.values[size_t(k * 3 + c)][p];
             if (std::isnan(y)) continue;
             for (int i = 0; i < lights; ++i)
-              y -= double(scene.context.plan.color(k, i)[c]) * out.contribution[i][c][p];
+              y -= double(scene.context.lighting.color(k, i)[c]) * out.contribution[i][c][p];
             left += y * y / noise.constant;
           }
         ASSERT_NEAR(out.residual[p] * out.residual[p] * freedom, left, .01 + 1e-3 * left)

@@ -37,7 +37,7 @@ PlanSearchOptions planFor(int lights) {
 }
 
 /// The plan as a capture, photographed and solved: RMS error of T over the RMS of T.
-double measuredError(const LightPlan& plan, const SensorNoise& noise, Model model) {
+double measuredError(const LightingMatrix& plan, const SensorNoise& noise, Model model) {
   Capture capture;
   capture.name = "plan";
   capture.noise = noise;
@@ -64,7 +64,7 @@ double measuredError(const LightPlan& plan, const SensorNoise& noise, Model mode
   return std::sqrt(error / power);
 }
 
-double costOf(const LightPlan& plan, const PlanSearchOptions& options, int pixelCount) {
+double costOf(const LightingMatrix& plan, const PlanSearchOptions& options, int pixelCount) {
   const std::vector<TypicalPixel> pixels = typicalPixels(plan.lights, pixelCount);
   return 0.5 * matteCost(plan, options.noise, pixels) + 0.5 * transportCost(plan, options.noise, pixels);
 }
@@ -89,7 +89,7 @@ double bruteForce(const std::vector<PlanColor>& colors, const PlanSearchOptions&
     std::vector<int> table;
     for (int k = 0; k < lights; ++k)
       for (int i = 0; i < lights; ++i) table.push_back(digits[size_t((i + k) % lights)]);
-    best = std::min(best, costOf(planFromIndices(colors, table, options), options, pixelCount));
+    best = std::min(best, costOf(lightingFromIndices(colors, table, options), options, pixelCount));
   } while (next());
   return best;
 }
@@ -133,7 +133,7 @@ TEST(Plan, TheSearchIsTheSameEveryTime) {
 }
 
 /// Predicted over measured error of T, for the matte model and for the full contributions.
-void expectPrediction(const LightPlan& plan, const SensorNoise& noise, const std::string& what) {
+void expectPrediction(const LightingMatrix& plan, const SensorNoise& noise, const std::string& what) {
   SCOPED_TRACE(what);
   const std::vector<TypicalPixel> pixels = typicalPixels(plan.lights, 1024);
   const double matte = predictedNoise(plan, noise, pixels, Model::Lambert).contribution /
@@ -160,11 +160,11 @@ TEST(Plan, PredictsTheNoiseOfBadPlansToo) {
   for (const float apart : {.3F, .1F, .03F}) {
     const Rgb a(.5F + apart / 2, .5F, .3F);
     const Rgb b(.5F - apart / 2, .5F + apart / 2, .3F + apart / 2);
-    expectPrediction(planFromCapture(rotatedCapture(2, {a, b})), noise, std::to_string(apart) + " apart");
+    expectPrediction(lightingFromCapture(rotatedCapture(2, {a, b})), noise, std::to_string(apart) + " apart");
   }
   std::vector<Rgb> gels;
   for (const PlanColor& gel : paperGels()) gels.push_back(gel.color);
-  do expectPrediction(planFromCapture(rotatedCapture(4, gels)), noise, "gels in another order");
+  do expectPrediction(lightingFromCapture(rotatedCapture(4, gels)), noise, "gels in another order");
   while (std::next_permutation(gels.begin() + 1, gels.end(),
                                [](const Rgb& x, const Rgb& y) { return x.r < y.r; }));
 }
@@ -197,7 +197,7 @@ TEST(Plan, TwiceTheShotsLowerTheNoiseByTheRootOfTwo) {
 
 Conditioning rotated(const std::vector<Rgb>& colors) {
   const int count = int(colors.size());
-  return conditioningOf(planFromCapture(rotatedCapture(count, colors)));
+  return conditioningOf(lightingFromCapture(rotatedCapture(count, colors)));
 }
 
 std::string wordsOf(const Conditioning& conditioning) {
@@ -223,7 +223,7 @@ TEST(Plan, LightsOfTheSameColourAreNamed) {
 }
 
 TEST(Plan, ALightThatIsASumOfOthersIsNamed) {
-  LightPlan plan{3, 3, {"key", "fill", "back"}, {}};
+  LightingMatrix plan{3, 3, {"key", "fill", "back"}, {}};
   for (int k = 0; k < 3; ++k)
     for (const Rgb& color : {Rgb(1, .1F, 0), Rgb(.2F, .7F, .1F), Rgb(.6F, .4F, .05F)})
       plan.colors.push_back(color);

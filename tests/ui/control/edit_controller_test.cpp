@@ -14,7 +14,7 @@ Edit fill(const std::string& light, float value) {
   Edit edit;
   edit.name = "fill " + light;
   edit.lights = {light};
-  edit.meaning = Meaning::Add;
+  edit.energy = EnergyMode::Add;
   edit.operation = FillOperation{value};
   return edit;
 }
@@ -163,7 +163,7 @@ TEST(EditController, AShadowsEditWaitsForTheShadows) {
   studio.open(test::discSet());
   Edit edit;
   edit.lights = {"key"};
-  edit.meaning = Meaning::Add;
+  edit.energy = EnergyMode::Add;
   edit.operation = ShadowOperation{ShadowOperation::Kind::Lighten, 1, 12, {1, 1, 1}};
   studio.append(edit);
   settle(studio);

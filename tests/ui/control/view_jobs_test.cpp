@@ -107,7 +107,7 @@ TEST(ScopesController, FollowsEditsOfThePixels) {
   countedUntil(studio, 1);
   Edit edit;
   edit.lights = {"light1"};
-  edit.meaning = Meaning::Add;
+  edit.energy = EnergyMode::Add;
   edit.operation = FillOperation{0};
   studio.append(edit);
   const std::vector<uint8_t> before = studio.scopes.pictures()->waveform.rgba;

@@ -13,7 +13,7 @@ namespace swaplight {
 
 /// The colours that the lights had in each shot, exposure included: shot[k][c] = sum_i color(k,i)[c] T[i][c].
 /// Everything about a capture's conditioning can be read off it, before a photograph is taken.
-struct LightPlan {
+struct LightingMatrix {
   int shots = 0;
   int lights = 0;
   std::vector<std::string> names;  ///< of the lights, for messages
@@ -27,15 +27,15 @@ struct LightPlan {
   [[nodiscard]] Eigen::MatrixXd matrix(int channel) const;
 };
 
-/// The plan of a capture. Unknown colours (null) are given the mean of the light's known ones in other shots,
-/// or white, and listed in `unknown` as shot * lights + light.
-[[nodiscard]] LightPlan planFromCapture(const Capture& capture, std::vector<int>* unknown = nullptr);
+/// The lighting of a capture. Unknown colours (null) are given the mean of the light's known ones in other
+/// shots, or white, and listed in `unknown` as shot * lights + light.
+[[nodiscard]] LightingMatrix lightingFromCapture(const Capture& capture, std::vector<int>* unknown = nullptr);
 
-/// How well a plan tells its lights apart.
-[[nodiscard]] Conditioning conditioningOf(const LightPlan& plan);
+/// How well the shots tell the lights apart.
+[[nodiscard]] Conditioning conditioningOf(const LightingMatrix& lighting);
 
 /// Throws InputError where no model can tell the lights apart: fewer shots x channels than the matte model
 /// has unknowns, two lights with the same colour in every shot (both named), a light that is never on.
-void checkSolvable(const LightPlan& plan, const std::string& where);
+void checkSolvable(const LightingMatrix& lighting, const std::string& where);
 
 }  // namespace swaplight

@@ -1,4 +1,4 @@
-#include "core/edit/mask/mask_ground.h"
+#include "core/edit/mask/mask_context.h"
 
 #include <algorithm>
 
@@ -7,10 +7,10 @@
 
 namespace swaplight {
 
-MaskGround::MaskGround(const SolvedSet& set, ShadowSource shadows)
+MaskContext::MaskContext(const SolvedSet& set, ShadowSource shadows)
     : m_set(set), m_shadows(std::move(shadows)) {}
 
-std::shared_ptr<const MaskRaster> MaskGround::raster(const MaskShape& shape, int shadowZone) {
+std::shared_ptr<const MaskRaster> MaskContext::raster(const MaskShape& shape, int shadowZone) {
   if (const auto* paint = std::get_if<PaintShape>(&shape.shape))
     return {paint->painting, &paint->painting->mask()};
   if (!std::holds_alternative<ShadowShape>(shape.shape)) shadowZone = 0;
@@ -20,7 +20,7 @@ std::shared_ptr<const MaskRaster> MaskGround::raster(const MaskShape& shape, int
   return raster;
 }
 
-std::shared_ptr<const MaskRaster> MaskGround::known(const MaskShape& shape, int shadowZone) {
+std::shared_ptr<const MaskRaster> MaskContext::known(const MaskShape& shape, int shadowZone) {
   std::erase_if(m_drawn, [](const Drawn& drawn) { return drawn.raster.expired(); });
   const auto found = std::find_if(m_drawn.begin(), m_drawn.end(), [&](const Drawn& drawn) {
     return drawn.shadowZone == shadowZone && drawn.shape.shape == shape.shape;
@@ -28,11 +28,11 @@ std::shared_ptr<const MaskRaster> MaskGround::known(const MaskShape& shape, int 
   return found == m_drawn.end() ? nullptr : found->raster.lock();
 }
 
-void MaskGround::keep(const MaskShape& shape, const std::shared_ptr<const MaskRaster>& raster) {
+void MaskContext::keep(const MaskShape& shape, const std::shared_ptr<const MaskRaster>& raster) {
   if (!known(shape)) m_drawn.push_back({shape, 0, raster});
 }
 
-std::shared_ptr<const MaskRaster> MaskGround::draw(const MaskShape& shape, int shadowZone) {
+std::shared_ptr<const MaskRaster> MaskContext::draw(const MaskShape& shape, int shadowZone) {
   const auto made = [](MaskRaster raster) { return std::make_shared<const MaskRaster>(std::move(raster)); };
   return std::visit(
       [&]<typename T>(const T& s) -> std::shared_ptr<const MaskRaster> {

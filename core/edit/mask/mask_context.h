@@ -16,10 +16,10 @@ using ShadowSource = std::function<std::shared_ptr<const LightShadows>(const std
 
 /// What masks are drawn on: the set as solved, and its shadows. A shape is drawn once as long as somebody
 /// holds it. Not for use by several threads at once.
-class MaskGround {
+class MaskContext {
  public:
   /// The set must outlive it.
-  explicit MaskGround(const SolvedSet& set, ShadowSource shadows = {});
+  explicit MaskContext(const SolvedSet& set, ShadowSource shadows = {});
 
   [[nodiscard]] int width() const { return m_set.width(); }
   [[nodiscard]] int height() const { return m_set.height(); }

@@ -1,4 +1,4 @@
-#include "core/solve/model/light_plan.h"
+#include "core/solve/model/lighting_matrix.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,11 +18,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSame = 1e-4;     // of the lights' brightness
 constexpr double kDistinct = 0.3;  // colours this far apart, of their brightness, have different hues
 
-double distanceOfLights(const LightPlan& plan, int i, int j) {
+double distanceOfLights(const LightingMatrix& lighting, int i, int j) {
   double largest = 0;
-  for (int k = 0; k < plan.shots; ++k)
+  for (int k = 0; k < lighting.shots; ++k)
     for (int c = 0; c < 3; ++c)
-      largest = std::max(largest, std::abs(double(plan.color(k, i)[c]) - plan.color(k, j)[c]));
+      largest = std::max(largest, std::abs(double(lighting.color(k, i)[c]) - lighting.color(k, j)[c]));
   return largest;
 }
 
@@ -30,33 +30,33 @@ constexpr double kNoisy = 6;  // amplification that is worth a word
 constexpr std::array<const char*, 3> kChannelNames{"red", "green", "blue"};
 
 /// Noise of the difference of two lights over the noise of a shot, all channels pooled.
-double pairAmplification(const LightPlan& plan, int i, int j) {
+double pairAmplification(const LightingMatrix& lighting, int i, int j) {
   double sum = 0;
-  for (int k = 0; k < plan.shots; ++k)
+  for (int k = 0; k < lighting.shots; ++k)
     for (int c = 0; c < 3; ++c) {
-      const double d = double(plan.color(k, i)[c]) - plan.color(k, j)[c];
+      const double d = double(lighting.color(k, i)[c]) - lighting.color(k, j)[c];
       sum += d * d;
     }
   return sum > 0 ? std::sqrt(3.0 * 2.0 / sum) : kInfinity;
 }
 
 /// The length of a light's colours in all shots.
-double brightnessOf(const LightPlan& plan, int light) {
+double brightnessOf(const LightingMatrix& lighting, int light) {
   double sum = 0;
-  for (int k = 0; k < plan.shots; ++k)
-    for (int c = 0; c < 3; ++c) sum += double(plan.color(k, light)[c]) * plan.color(k, light)[c];
+  for (int k = 0; k < lighting.shots; ++k)
+    for (int c = 0; c < 3; ++c) sum += double(lighting.color(k, light)[c]) * lighting.color(k, light)[c];
   return std::sqrt(sum);
 }
 
 /// What is wrong with two lights, or "".
-std::string pairAdvice(const LightPlan& plan, int i, int j) {
-  const std::string& a = plan.names[size_t(i)];
-  const std::string& b = plan.names[size_t(j)];
-  const double pair = pairAmplification(plan, i, j);
+std::string pairAdvice(const LightingMatrix& lighting, int i, int j) {
+  const std::string& a = lighting.names[size_t(i)];
+  const std::string& b = lighting.names[size_t(j)];
+  const double pair = pairAmplification(lighting, i, j);
   if (pair <= kNoisy) return "";
-  const double brightness = brightnessOf(plan, i) + brightnessOf(plan, j);
+  const double brightness = brightnessOf(lighting, i) + brightnessOf(lighting, j);
   const double apart = std::sqrt(6.0) / pair;
-  if (distanceOfLights(plan, i, j) < kSame * brightness)
+  if (distanceOfLights(lighting, i, j) < kSame * brightness)
     return fmt::format(
         "{} and {} have the same colour in every photograph and cannot be separated; move {}'s hue away from "
         "{}'s in at least one",
@@ -74,7 +74,7 @@ std::string pairAdvice(const LightPlan& plan, int i, int j) {
       a, b, pair, b, a);
 }
 
-std::string channelAdvice(const LightPlan& plan, int c, const std::vector<double>& singularValues) {
+std::string channelAdvice(const LightingMatrix& lighting, int c, const std::vector<double>& singularValues) {
   const char* channel = kChannelNames[size_t(c)];
   if (!(singularValues.front() > 0))
     return fmt::format("no light has {}: the set's {} is not recorded", channel, channel);
@@ -83,18 +83,18 @@ std::string channelAdvice(const LightPlan& plan, int c, const std::vector<double
   return fmt::format(
       "the {} channel alone cannot separate the lights ({} of its {} singular values {} 0): it relies on the "
       "other channels",
-      channel, missing, plan.lights, missing == 1 ? "is" : "are");
+      channel, missing, lighting.lights, missing == 1 ? "is" : "are");
 }
 
 /// The lights of a mixture that the shots hardly see, where it is no pair: "key + back against fill".
-std::string mixtureText(const LightPlan& plan, const Eigen::VectorXd& mixture) {
+std::string mixtureText(const LightingMatrix& lighting, const Eigen::VectorXd& mixture) {
   std::array<std::vector<std::string>, 2> sides;
   const double largest = mixture.cwiseAbs().maxCoeff();
   double first = 0;
-  for (int i = 0; i < plan.lights; ++i) {
+  for (int i = 0; i < lighting.lights; ++i) {
     if (std::abs(mixture[i]) <= 0.3 * largest) continue;
     if (first == 0) first = mixture[i];
-    sides[first * mixture[i] < 0 ? 1 : 0].push_back(plan.names[size_t(i)]);
+    sides[first * mixture[i] < 0 ? 1 : 0].push_back(lighting.names[size_t(i)]);
   }
   return sides[1].empty()
              ? fmt::format("{}", fmt::join(sides[0], " + "))
@@ -103,101 +103,102 @@ std::string mixtureText(const LightPlan& plan, const Eigen::VectorXd& mixture) {
 
 }  // namespace
 
-Eigen::MatrixXd LightPlan::matrix(int channel) const {
+Eigen::MatrixXd LightingMatrix::matrix(int channel) const {
   Eigen::MatrixXd m(shots, lights);
   for (int k = 0; k < shots; ++k)
     for (int i = 0; i < lights; ++i) m(k, i) = color(k, i)[channel];
   return m;
 }
 
-LightPlan planFromCapture(const Capture& capture, std::vector<int>* unknown) {
-  LightPlan plan{capture.shotCount(), capture.lightCount(), {}, {}};
-  for (const Light& light : capture.lights) plan.names.push_back(light.name);
-  for (int k = 0; k < plan.shots; ++k) {
+LightingMatrix lightingFromCapture(const Capture& capture, std::vector<int>* unknown) {
+  LightingMatrix lighting{capture.shotCount(), capture.lightCount(), {}, {}};
+  for (const Light& light : capture.lights) lighting.names.push_back(light.name);
+  for (int k = 0; k < lighting.shots; ++k) {
     const Shot& shot = capture.shots[static_cast<size_t>(k)];
-    for (int i = 0; i < plan.lights; ++i) {
+    for (int i = 0; i < lighting.lights; ++i) {
       const auto& given = shot.lightColors[static_cast<size_t>(i)];
       Rgb color(1, 1, 1);
       if (given) {
         color = *given;
       } else {
-        if (unknown) unknown->push_back(k * plan.lights + i);
+        if (unknown) unknown->push_back(k * lighting.lights + i);
         Rgb sum(0, 0, 0);
         int count = 0;
         for (const Shot& other : capture.shots)
           if (const auto& known = other.lightColors[static_cast<size_t>(i)]) sum += *known, ++count;
         if (count > 0) color = sum / float(count);
       }
-      plan.colors.push_back(color * std::exp2(shot.exposureStops));
+      lighting.colors.push_back(color * std::exp2(shot.exposureStops));
     }
   }
-  return plan;
+  return lighting;
 }
 
-Conditioning conditioningOf(const LightPlan& plan) {
+Conditioning conditioningOf(const LightingMatrix& lighting) {
   Conditioning result;
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(plan.lights, plan.lights);
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(lighting.lights, lighting.lights);
   for (int c = 0; c < 3; ++c) {
-    const Eigen::MatrixXd matrix = plan.matrix(c);
+    const Eigen::MatrixXd matrix = lighting.matrix(c);
     gram += matrix.transpose() * matrix;
     const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues();
     auto& values = result.singularValues[size_t(c)];
     values.assign(s.data(), s.data() + s.size());
-    values.resize(size_t(plan.lights), 0.0);  // fewer shots than lights: the rest is not seen at all
+    values.resize(size_t(lighting.lights), 0.0);  // fewer shots than lights: the rest is not seen at all
     const double smallest = values.back();
     const bool singular = smallest < kSingular * values.front() || values.front() == 0;
     double inverse = 0;
     for (double v : values) inverse += v > 0 ? 1 / (v * v) : kInfinity;
     result.condition[size_t(c)] = singular ? kInfinity : values.front() / smallest;
-    result.amplification[size_t(c)] = singular ? kInfinity : std::sqrt(inverse / plan.lights);
-    if (singular) result.advice.push_back(channelAdvice(plan, c, values));
+    result.amplification[size_t(c)] = singular ? kInfinity : std::sqrt(inverse / lighting.lights);
+    if (singular) result.advice.push_back(channelAdvice(lighting, c, values));
   }
   const size_t channelAdvices = result.advice.size();
-  for (int i = 0; i < plan.lights; ++i) {
-    if (brightnessOf(plan, i) == 0)
+  for (int i = 0; i < lighting.lights; ++i) {
+    if (brightnessOf(lighting, i) == 0)
       result.advice.push_back(
-          fmt::format("{} is off in every photograph: give it a colour in one", plan.names[size_t(i)]));
-    for (int j = i + 1; j < plan.lights; ++j)
-      if (const std::string advice = pairAdvice(plan, i, j); !advice.empty()) result.advice.push_back(advice);
+          fmt::format("{} is off in every photograph: give it a colour in one", lighting.names[size_t(i)]));
+    for (int j = i + 1; j < lighting.lights; ++j)
+      if (const std::string advice = pairAdvice(lighting, i, j); !advice.empty())
+        result.advice.push_back(advice);
   }
 
   // A neutral surface has the same contribution in all channels: their Gram matrices add up.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
   const Eigen::VectorXd& squares = eigen.eigenvalues();
-  const bool singular = !(squares[0] > kSingular * kSingular * squares[plan.lights - 1]);
+  const bool singular = !(squares[0] > kSingular * kSingular * squares[lighting.lights - 1]);
   result.matteAmplification = singular ? kInfinity : std::sqrt(squares.cwiseInverse().mean());
   if (result.advice.size() == channelAdvices && (singular || squares[0] < 1 / (kNoisy * kNoisy)))
     result.advice.push_back(fmt::format(
         "the photographs hardly separate {}: {}; change these lights' colours in at least one photograph",
-        mixtureText(plan, eigen.eigenvectors().col(0)),
+        mixtureText(lighting, eigen.eigenvectors().col(0)),
         singular
             ? "they cannot be separated"
             : fmt::format("the noise of this mixture is amplified {:.0f} times", 1 / std::sqrt(squares[0]))));
   return result;
 }
 
-void checkSolvable(const LightPlan& plan, const std::string& where) {
-  if (plan.lights > kMaxLights)
-    throw InputError("{}: {} lights; at most {} can be separated", where, plan.lights, kMaxLights);
-  if (plan.shots > kMaxShots)
-    throw InputError("{}: {} shots; at most {} are used", where, plan.shots, kMaxShots);
-  if (plan.shots * 3 < plan.lights + 2 && plan.lights > 1)
+void checkSolvable(const LightingMatrix& lighting, const std::string& where) {
+  if (lighting.lights > kMaxLights)
+    throw InputError("{}: {} lights; at most {} can be separated", where, lighting.lights, kMaxLights);
+  if (lighting.shots > kMaxShots)
+    throw InputError("{}: {} shots; at most {} are used", where, lighting.shots, kMaxShots);
+  if (lighting.shots * 3 < lighting.lights + 2 && lighting.lights > 1)
     throw InputError(
         "{}: {} lights are more than {} shot{} x 3 channels can separate; take at least {} shots", where,
-        plan.lights, plan.shots, plan.shots == 1 ? "" : "s", (plan.lights + 4) / 3);
-  for (int i = 0; i < plan.lights; ++i) {
+        lighting.lights, lighting.shots, lighting.shots == 1 ? "" : "s", (lighting.lights + 4) / 3);
+  for (int i = 0; i < lighting.lights; ++i) {
     float brightest = 0;
-    for (int k = 0; k < plan.shots; ++k)
-      for (int c = 0; c < 3; ++c) brightest = std::max(brightest, plan.color(k, i)[c]);
+    for (int k = 0; k < lighting.shots; ++k)
+      for (int c = 0; c < 3; ++c) brightest = std::max(brightest, lighting.color(k, i)[c]);
     if (brightest <= 0)
       throw InputError("{}: light {} is off in every shot; give it a colour in one, or remove it", where,
-                       plan.names[size_t(i)]);
-    for (int j = i + 1; j < plan.lights; ++j)
-      if (distanceOfLights(plan, i, j) < 1e-4 * brightest)
+                       lighting.names[size_t(i)]);
+    for (int j = i + 1; j < lighting.lights; ++j)
+      if (distanceOfLights(lighting, i, j) < 1e-4 * brightest)
         throw InputError(
             "{}: lights {} and {} have the same colour in every shot; change one of them in at least one "
             "shot",
-            where, plan.names[size_t(i)], plan.names[size_t(j)]);
+            where, lighting.names[size_t(i)], lighting.names[size_t(j)]);
   }
 }
 
