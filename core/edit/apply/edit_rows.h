@@ -5,8 +5,8 @@
 
 namespace swaplight {
 
-// The arithmetic of edits on rows of pixels. A light's row is R G B apart; beta is its sum over the sum at unit white
-// picture's.
+// The arithmetic of edits on rows of pixels. A light's row is R G B apart; beta is its sum over that of
+// all lights at unit white.
 
 struct RgbRow {
   float* r;
