@@ -102,7 +102,7 @@ class StudioParts {
   ExportController exports{wake};
   SubjectPictures subjects{wake};
   PanelLayout layout;
-  Tool tool = Tool::Look;
+  ToolInHand tool = nullptr;
   MixerState mixer;
   LookState looks;
   ViewTable table;
@@ -116,7 +116,7 @@ class StudioParts {
   Keyboard keyboard;
   ShownPicture shown;
   ChosenLights chosen{editor, view};
-  LightsContext lights{{editor, view}, session, messages, colors, layout, tool, mixer, looks, table, actions};
+  LightsContext lights{{editor, view}, session, messages, colors, layout, mixer, looks, table, actions};
   EditingContext editingContext{{editor, view}, session, messages, colors,  layout,  tool,
                                 shown,          editing, edits,    shadows, actions, keyboard};
 };

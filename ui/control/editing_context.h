@@ -20,7 +20,7 @@ struct EditingContext : ChosenLights {
   Messages& messages;
   const ColorChoice& colors;
   PanelLayout& layout;
-  Tool& tool;
+  ToolInHand& tool;
   const ShownPicture& shown;
   EditsState& editing;
   EditController& edits;

@@ -9,7 +9,6 @@
 #include "ui/state/look_state.h"
 #include "ui/state/mixer_state.h"
 #include "ui/state/panel_layout.h"
-#include "ui/state/tool.h"
 
 namespace swaplight {
 
@@ -19,7 +18,6 @@ struct LightsContext : ChosenLights {
   Messages& messages;
   const ColorChoice& colors;
   PanelLayout& layout;
-  Tool& tool;
   MixerState& mixer;
   LookState& looks;
   ViewTable& table;

@@ -20,8 +20,7 @@ Mask chosenMask(const EditingContext& studio, const std::string& light) {
 }  // namespace
 
 bool shadowsShown(const EditingContext& studio) {
-  const bool ownPanel =
-      studio.tool == Tool::Brush || studio.tool == Tool::Stencil || studio.tool == Tool::Select;
+  const bool ownPanel = studio.tool && studio.tool->edits;
   return studio.layout.shadows && studio.layout.edits && !studio.layout.hidden && !ownPanel && studio.set() &&
          !studio.document().rig.lights.empty();
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "ui/tools/brush_tool.h"
-#include "ui/tools/edit_tool.h"
 
 namespace swaplight {
 namespace {
@@ -17,7 +16,7 @@ constexpr float kHardnessStep = 0.1F;
 
 void addBrushActions(ActionTable& actions, EditingContext& studio) {
   const auto hasLights = [&studio] { return studio.set() && !studio.document().rig.lights.empty(); };
-  const auto painting = [&studio, hasLights] { return studio.tool == Tool::Brush && hasLights(); };
+  const auto painting = [&studio, hasLights] { return studio.tool == &kBrush && hasLights(); };
   BrushState& brush = studio.editing.brush;
   actions.add({"edit.cancel_drag", "Cancel drag", "Escape",
                "While dragging: cancel the stroke, stencil, handle or lasso.",
@@ -26,10 +25,6 @@ void addBrushActions(ActionTable& actions, EditingContext& studio) {
                  studio.editing.endDrags();
                },
                [&studio] { return studio.editing.dragging(); }});
-  actions.add({"brush.take", "Paint with light", "Shift+B",
-               "Paint with the selected light: more, less or softer. Press again to leave the brush.",
-               [&studio] { takeEditTool(studio, Tool::Brush); }, hasLights,
-               [&studio] { return studio.tool == Tool::Brush; }});
   actions.add({"brush.new_light", "New light by painting", "",
                "Adds a light that shines only where you paint it.", [&studio] { addPaintedLight(studio); },
                hasLights});

@@ -17,16 +17,17 @@
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 #include "ui/shadows/shadow_panel.h"
+#include "ui/tools/brush_tool.h"
+#include "ui/tools/selection_tool.h"
+#include "ui/tools/stencil_tool.h"
 
 namespace swaplight {
 namespace {
 
 /// A row as wide as the panel; every button as wide as its word and its part of what is left.
 void drawTools(EditingContext& studio) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> tools = {{{"brush.take", "Brush"},
-                                                                         {"stencil.take", "Stencil"},
-                                                                         {"select.take", "Select"},
-                                                                         {"view.shadows", "Shadow"}}};
+  constexpr std::array<std::pair<const char*, const char*>, 4> tools = {
+      {{kBrush.id, "Brush"}, {kStencil.id, "Stencil"}, {kSelect.id, "Select"}, {"view.shadows", "Shadow"}}};
   const float gap = px(4);
   float left = ImGui::GetContentRegionAvail().x - gap * float(tools.size() - 1);
   for (const auto& [action, word] : tools) left -= ImGui::CalcTextSize(word).x;
@@ -41,9 +42,9 @@ void drawTools(EditingContext& studio) {
 
 void drawEditsPanel(EditingContext& studio) {
   drawTools(studio);
-  if (studio.tool == Tool::Brush) drawBrushPanel(studio);
-  if (studio.tool == Tool::Stencil) drawStencilPanel(studio);
-  if (studio.tool == Tool::Select) drawSelectionPanel(studio);
+  if (studio.tool == &kBrush) drawBrushPanel(studio);
+  if (studio.tool == &kStencil) drawStencilPanel(studio);
+  if (studio.tool == &kSelect) drawSelectionPanel(studio);
   if (shadowsShown(studio)) drawShadowPanel(studio);
   drawSelectionBar(studio);
   ImGui::Separator();

@@ -1,6 +1,5 @@
 #include "ui/edits/edits_actions.h"
 
-#include "ui/tools/edit_tool.h"
 #include "ui/tools/selection_tool.h"
 
 namespace swaplight {
@@ -25,15 +24,6 @@ void askForStencilPicture(EditingContext& studio, FileChooser& chooser) {
 void addSelectionActions(ActionTable& actions, EditingContext& studio, FileChooser& chooser) {
   const auto hasLights = [&studio] { return studio.set() && !studio.document().rig.lights.empty(); };
   const auto selected = [&studio] { return studio.set() && !studio.document().selection.empty(); };
-  actions.add(
-      {"select.take", "Select", "Shift+L",
-       "Select by lasso, rectangle, ellipse, similar pixels or shadow. Edits stay inside the selection.",
-       [&studio] { takeEditTool(studio, Tool::Select); }, hasLights,
-       [&studio] { return studio.tool == Tool::Select; }});
-  actions.add({"stencil.take", "Stencils and gradients", "Shift+T",
-               "Project light through text, a shape or a gobo image, or as a gradient, by dragging.",
-               [&studio] { takeEditTool(studio, Tool::Stencil); }, hasLights,
-               [&studio] { return studio.tool == Tool::Stencil; }});
   actions.add({"stencil.choose_picture", "Gobo from image \u2026", "",
                "Choose an image: bright parts let the light through.",
                [&studio, &chooser] { askForStencilPicture(studio, chooser); }, hasLights});

@@ -69,14 +69,6 @@ void addLightActions(ActionTable& actions, LightsContext& studio, FileChooser& c
                             [](LightSetting& setting) { setting = resetLight(setting); });
                },
                hasLights});
-  actions.add({"light.neutral", "Neutralise a pixel", "N",
-               "Click in the picture: the selected lights change colour until that pixel is grey.",
-               [&studio] { studio.tool = studio.tool == Tool::Neutral ? Tool::Look : Tool::Neutral; }, hasSet,
-               [&studio] { return studio.tool == Tool::Neutral; }});
-  actions.add({"light.match", "Match a pixel's colour", "",
-               "Click in the picture: the selected lights take that pixel's colour. Also Alt + click.",
-               [&studio] { studio.tool = studio.tool == Tool::Match ? Tool::Look : Tool::Match; }, hasSet,
-               [&studio] { return studio.tool == Tool::Match; }});
   actions.add({"mixer.as_captured", "As captured", "", "Set every light as it was in the first photograph.",
                [&studio] {
                  editRig(

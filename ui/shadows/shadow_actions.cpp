@@ -11,7 +11,7 @@ void addShadowActions(ActionTable& actions, EditingContext& studio) {
                  studio.layout.shadows = !shadowsShown(studio);
                  if (!studio.layout.shadows) return;
                  studio.layout.edits = true;
-                 studio.tool = Tool::Look;
+                 studio.tool = nullptr;
                },
                [&studio] { return studio.set() && !studio.document().rig.lights.empty(); },
                [&studio] { return shadowsShown(studio); }});
@@ -23,9 +23,7 @@ void addShadowActions(ActionTable& actions, EditingContext& studio) {
   actions.add({"shadows.choose_all", "All of the light's shadows", "Escape",
                "Edit all of the light's shadows instead of the one that was clicked.",
                [&studio] { studio.shadows.chooseAll(); },
-               [&studio] {
-                 return shadowsShown(studio) && studio.editing.shadow.chosen && studio.tool == Tool::Look;
-               }});
+               [&studio] { return shadowsShown(studio) && studio.editing.shadow.chosen && !studio.tool; }});
 }
 
 }  // namespace swaplight

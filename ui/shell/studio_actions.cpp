@@ -2,6 +2,7 @@
 #include "ui/mixer/mixer_actions.h"
 #include "ui/shadows/shadow_actions.h"
 #include "ui/shell/studio_window.h"
+#include "ui/tools/picture_tool.h"
 #include "ui/viewer/viewer_actions.h"
 
 namespace swaplight {
@@ -10,6 +11,7 @@ void StudioWindow::addActions() {
   addFileActions();
   addBrushActions(m_actions,
                   m_context);  // before the viewer's: while the brush is in the hand digits are its opacity
+  addToolActions(m_actions, m_context);
   addSelectionActions(m_actions, m_context, m_chooser);
   addShadowActions(m_actions, m_context);
   addEditActions(m_actions, m_context,

@@ -71,9 +71,8 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
                 *m_pictures,
                 m_subjects,
                 m_table},
-      m_lights{
-          {m_editor, m_view}, m_session, m_messages, m_colors, m_layout, m_tool, m_mixer, m_looks, m_table,
-          m_actions},
+      m_lights{{m_editor, m_view}, m_session, m_messages, m_colors, m_layout, m_mixer, m_looks, m_table,
+               m_actions},
       m_lamps([&window] { window.wake(); }),
       m_panels(allPanels()),
       m_export(stateFolder() / "export.json"),

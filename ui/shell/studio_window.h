@@ -100,7 +100,7 @@ class StudioWindow {
   ActionTable m_actions;
   ShownPicture m_shown;
   MixerState m_mixer;
-  Tool m_tool = Tool::Look;
+  ToolInHand m_tool = nullptr;
   ViewerState m_viewer;
   SubjectPictures m_subjects;
   uint64_t m_subjectsShown = 0;

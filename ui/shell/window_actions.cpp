@@ -1,4 +1,5 @@
 #include "ui/shell/studio_window.h"
+#include "ui/viewer/viewer_mouse.h"
 
 namespace swaplight {
 
@@ -16,7 +17,7 @@ void StudioWindow::addWindowActions() {
   m_actions.add({"window.reset", "Reset panel layout", "", "Open every panel at its default size.",
                  [this] { m_layout = {}; }});
   m_actions.add({"view.look", "Hand tool", "Escape", "Leave the current tool; dragging pans the picture.",
-                 [this] { m_tool = Tool::Look; }, [this] { return m_tool != Tool::Look; }});
+                 [this] { m_tool = nullptr; }, [this] { return m_tool != nullptr; }});
   m_actions.add({"help.keys",
                  "Keys",
                  "? F1",
@@ -26,16 +27,15 @@ void StudioWindow::addWindowActions() {
                  [this] { return m_keys.isOpen(); }});
   m_actions.add({"help.palette", "Find an action \u2026", "Ctrl+Shift+P",
                  "Find any action by a few letters of its name.", [this] { m_palette.open(); }});
-  m_actions.add({"scopes.region", "Scope region", "Shift+S",
-                 "Draw a rectangle to limit the scopes to. Press again for the whole frame.",
+  m_actions.add({kScopeRegion.id, kScopeRegion.name, kScopeRegion.keys, kScopeRegion.tooltip,
                  [this] {
-                   const bool drawing = m_tool == Tool::Region;
-                   m_tool = drawing ? Tool::Look : Tool::Region;
+                   const bool drawing = m_tool == &kScopeRegion;
+                   m_tool = drawing ? nullptr : &kScopeRegion;
                    m_layout.scopeOptions.of = drawing ? ScopeOptions::Of::Frame : ScopeOptions::Of::Region;
                    if (drawing) m_viewer.region.reset();
                    m_layout.scopes = true;
                  },
-                 [this] { return m_session.set() != nullptr; }, [this] { return m_tool == Tool::Region; }});
+                 [this] { return m_session.set() != nullptr; }, [this] { return m_tool == &kScopeRegion; }});
 }
 
 }  // namespace swaplight

@@ -157,7 +157,7 @@ void addPaintedLight(EditingContext& studio) {
   studio.editing.brush.energy = EnergyMode::Add;
   studio.editing.brush.light = 1;  // as much as all others together: to be seen on a dark wall, too
   studio.editing.brush.erase = false;
-  studio.tool = Tool::Brush;
+  studio.tool = &kBrush;
   studio.editor.edit("New light: " + name, std::move(next));
 }
 
@@ -191,7 +191,7 @@ Edit brushEdit(const EditingContext& studio) {
 namespace {
 
 bool wantsBrush(const EditingContext& studio, const ToolInput& input) {
-  return studio.editing.brush.going || (studio.tool == Tool::Brush && !input.alt && !input.moves);
+  return studio.editing.brush.going || (studio.tool == &kBrush && !input.alt && !input.moves);
 }
 
 bool handleBrush(EditingContext& studio, const ToolInput& input) {
@@ -216,7 +216,7 @@ bool handleBrush(EditingContext& studio, const ToolInput& input) {
 }
 
 void drawBrushRing(EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
-  if (studio.tool != Tool::Brush || !studio.shown.hovered) return;
+  if (studio.tool != &kBrush || !studio.shown.hovered) return;
   const BrushState& brush = studio.editing.brush;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -244,6 +244,7 @@ void drawBrushRing(EditingContext& studio, const ViewWindow& window, ImVec2 orig
 
 }  // namespace
 
-const PictureTool kBrushTool = {wantsBrush, handleBrush, drawBrushRing, PictureTool::kOwnCursor, true};
+const PictureTool kBrushTool = {{&kBrush}, wantsBrush, handleBrush, drawBrushRing, PictureTool::kOwnCursor,
+                                true};
 
 }  // namespace swaplight

@@ -4,6 +4,10 @@
 
 namespace swaplight {
 
+inline constexpr Tool kBrush{
+    "brush.take", "Paint with light", "Shift+B",
+    "Paint with the selected light: more, less or softer. Press again to leave the brush.", true};
+
 /// Paints with the chosen light. A ring shows the brush's size, and within it where it is half as strong.
 extern const PictureTool kBrushTool;
 

@@ -45,7 +45,7 @@ std::optional<ShapeHandle> underMouse(const EditingContext& studio, const ViewWi
     nearest = far;
     found = handle;
   }
-  if (found || studio.tool != Tool::Stencil || chosenStencil(studio) == nullptr) return found;
+  if (found || studio.tool != &kStencil || chosenStencil(studio) == nullptr) return found;
   const auto box = boxOf(shape);
   if (box && box->contains(pointAtMouse(window, origin))) found = handles.back();  // the middle
   return found;
@@ -115,7 +115,7 @@ void drawHandle(const ShapeHandle& handle, ImVec2 at, bool lit) {
 }  // namespace
 
 bool handlesShown(const EditingContext& studio) {
-  const bool free = studio.tool == Tool::Stencil || (studio.tool == Tool::Look && studio.layout.edits);
+  const bool free = studio.tool == &kStencil || (!studio.tool && studio.layout.edits);
   if (!free || studio.layout.hidden) return false;
   const Edit* edit = chosenEdit(studio);
   return edit && !edit->mask.empty() && !handlesOf(edit->mask.front()).empty();
@@ -168,6 +168,6 @@ void drawShapeHandles(EditingContext& studio, const ViewWindow& window, ImVec2 o
 
 }  // namespace
 
-const PictureTool kHandleTool = {wantsHandles, dragHandles, drawShapeHandles};
+const PictureTool kHandleTool = {{}, wantsHandles, dragHandles, drawShapeHandles};
 
 }  // namespace swaplight

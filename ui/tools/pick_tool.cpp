@@ -9,11 +9,17 @@
 namespace swaplight {
 namespace {
 
-Tool toolNow(const EditingContext& studio, const ToolInput& input) {
-  return input.alt ? Tool::Match : studio.tool;
+constexpr Tool kNeutral{"light.neutral", "Neutralise a pixel", "N",
+                        "Click in the picture: the selected lights change colour until that pixel is grey."};
+constexpr Tool kMatch{
+    "light.match", "Match a pixel's colour", "",
+    "Click in the picture: the selected lights take that pixel's colour. Also Alt + click."};
+
+ToolInHand toolNow(const EditingContext& studio, const ToolInput& input) {
+  return input.alt ? &kMatch : studio.tool;
 }
 
-void pickPixel(EditingContext& studio, Tool tool, int x, int y) {
+void pickPixel(EditingContext& studio, ToolInHand tool, int x, int y) {
   const OpenSet* set = studio.set();
   if (!set || studio.document().rig.lights.empty()) return;
   const std::string& colorSpace = set->solved().colorSpace();
@@ -21,12 +27,12 @@ void pickPixel(EditingContext& studio, Tool tool, int x, int y) {
   const size_t light = shownLight(studio);
   const Rig& rig = studio.document().rig;
   const ColorConfig& config = *studio.colors.config();
-  if (tool == Tool::Neutral) {
+  if (tool == &kNeutral) {
     if (const auto neutral = neutralizePixel(config, rig, shares, lightsFor(studio, light), colorSpace))
       editRig(studio, "Neutralise a pixel", *neutral);
     else
       studio.messages.warn(rig.lights[light].title() + " does not reach this pixel.");
-  } else if (tool == Tool::Match) {
+  } else if (tool == &kMatch) {
     const std::vector<Rgb> given = relitShares(config, rig, shares, colorSpace);
     const LightColor color =
         lightColorOfPixel(config, std::accumulate(given.begin(), given.end(), Rgb(0)), colorSpace);
@@ -35,8 +41,8 @@ void pickPixel(EditingContext& studio, Tool tool, int x, int y) {
 }
 
 bool wantsPick(const EditingContext& studio, const ToolInput& input) {
-  const Tool tool = toolNow(studio, input);
-  return tool == Tool::Neutral || tool == Tool::Match;
+  const ToolInHand tool = toolNow(studio, input);
+  return tool == &kNeutral || tool == &kMatch;
 }
 
 bool handlePick(EditingContext& studio, const ToolInput& input) {
@@ -48,6 +54,6 @@ bool handlePick(EditingContext& studio, const ToolInput& input) {
 
 }  // namespace
 
-const PictureTool kPickTool = {wantsPick, handlePick, nullptr, ImGuiMouseCursor_Hand};
+const PictureTool kPickTool = {{&kNeutral, &kMatch}, wantsPick, handlePick, nullptr, ImGuiMouseCursor_Hand};
 
 }  // namespace swaplight

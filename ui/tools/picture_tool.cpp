@@ -9,6 +9,26 @@
 #include "ui/tools/stencil_tool.h"
 
 namespace swaplight {
+namespace {
+
+void take(EditingContext& studio, const Tool& tool) {
+  studio.tool = studio.tool == &tool ? nullptr : &tool;
+  if (!studio.tool || !tool.edits) return;
+  studio.layout.edits = true;
+  studio.edits.prepare();
+}
+
+}  // namespace
+
+void addToolActions(ActionTable& actions, EditingContext& studio) {
+  for (const PictureTool* picture : pictureTools())
+    for (const Tool* tool : picture->tools) {
+      if (!tool) continue;
+      actions.add({tool->id, tool->name, tool->keys, tool->tooltip, [&studio, tool] { take(studio, *tool); },
+                   [&studio] { return studio.set() && !studio.document().rig.lights.empty(); },
+                   [&studio, tool] { return studio.tool == tool; }});
+    }
+}
 
 std::span<const PictureTool* const> pictureTools() {
   // The handles of a shape go before laying on a new one. Picking comes last: it is what Alt makes of the

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <span>
 
 #include "ui/control/editing_context.h"
@@ -23,6 +24,9 @@ struct PictureTool {
   /// A tool that sets the mouse's cursor itself, or leaves it an arrow.
   static constexpr ImGuiMouseCursor kOwnCursor = -2;
 
+  /// What takes it into the hand: one tool, two that work alike, or none (it is asked whatever is in the
+  /// hand).
+  std::array<const Tool*, 2> tools;
   /// Whether the mouse is this tool's: it is in the hand, or in the middle of something.
   bool (*wants)(const EditingContext& studio, const ToolInput& input);
   /// False where it finds nothing to do here: the next tool is asked.
@@ -32,6 +36,9 @@ struct PictureTool {
   ImGuiMouseCursor cursor = kOwnCursor;  ///< over the picture
   bool takesCtrlWheel = false;           ///< Ctrl and the wheel are not the viewer's
 };
+
+/// The actions that take the tools into the hand, and put them away.
+void addToolActions(ActionTable& actions, EditingContext& studio);
 
 /// In the order in which they are asked and draw.
 [[nodiscard]] std::span<const PictureTool* const> pictureTools();

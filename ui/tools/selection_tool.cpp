@@ -186,7 +186,7 @@ namespace {
 
 bool wantsSelection(const EditingContext& studio, const ToolInput& input) {
   return studio.editing.selection.going ||
-         (studio.tool == Tool::Select && !input.moves && !studio.editing.dragging());
+         (studio.tool == &kSelect && !input.moves && !studio.editing.dragging());
 }
 
 bool handleSelection(EditingContext& studio, const ToolInput& input) {
@@ -230,6 +230,6 @@ void drawSelection(EditingContext& studio, const ViewWindow& window, ImVec2 orig
 
 }  // namespace
 
-const PictureTool kSelectionTool = {wantsSelection, handleSelection, drawSelection};
+const PictureTool kSelectionTool = {{&kSelect}, wantsSelection, handleSelection, drawSelection};
 
 }  // namespace swaplight

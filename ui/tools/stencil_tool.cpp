@@ -57,7 +57,7 @@ const Edit* chosenStencil(const EditingContext& studio) {
 namespace {
 
 bool wantsStencil(const EditingContext& studio, const ToolInput& input) {
-  return studio.editing.stencil.going || (studio.tool == Tool::Stencil && !input.alt && !input.moves);
+  return studio.editing.stencil.going || (studio.tool == &kStencil && !input.alt && !input.moves);
 }
 
 bool handleStencil(EditingContext& studio, const ToolInput& input) {
@@ -75,6 +75,6 @@ bool handleStencil(EditingContext& studio, const ToolInput& input) {
 
 }  // namespace
 
-const PictureTool kStencilTool = {wantsStencil, handleStencil};
+const PictureTool kStencilTool = {{&kStencil}, wantsStencil, handleStencil};
 
 }  // namespace swaplight

@@ -28,7 +28,7 @@ float distance(ImVec2 a, ImVec2 b) {
 /// What the left button takes hold of here.
 Grab grabbed(const ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
   if (studio.keyboard.isHeld("E")) return Grab::Exposure;
-  if (studio.tool == Tool::Region) return Grab::Region;
+  if (studio.tool == &kScopeRegion) return Grab::Region;
   if (studio.view.compare.mode != CompareState::Mode::Wipe) return Grab::Pan;
   const ViewPictures& pictures = studio.set()->pictures();
   const WipeHandles handles =

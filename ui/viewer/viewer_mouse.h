@@ -6,6 +6,11 @@
 
 namespace swaplight {
 
+/// Draws the rectangle that the scopes look at.
+inline constexpr Tool kScopeRegion{
+    "scopes.region", "Scope region", "Shift+S",
+    "Draw a rectangle to limit the scopes to. Press again for the whole frame."};
+
 /// Where the wipe's line and its handle for turning lie on the screen.
 struct WipeHandles {
   ImVec2 center;

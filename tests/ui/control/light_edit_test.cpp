@@ -146,9 +146,10 @@ TEST(ShadowEdit, ThePageIsSeenOnlyWhereItHasARoom) {
   EXPECT_FALSE(shadowsShown(studio.editingContext));
   studio.layout.shadows = studio.layout.edits = true;
   EXPECT_TRUE(shadowsShown(studio.editingContext));
-  studio.tool = Tool::Brush;
-  EXPECT_FALSE(shadowsShown(studio.editingContext)) << "the brush has a page of its own";
-  studio.tool = Tool::Look;
+  constexpr Tool tool{"tool.take", "A tool", "", "", true};
+  studio.tool = &tool;
+  EXPECT_FALSE(shadowsShown(studio.editingContext)) << "a tool that edits has a page of its own";
+  studio.tool = nullptr;
   studio.layout.hidden = true;
   EXPECT_FALSE(shadowsShown(studio.editingContext));
 }
