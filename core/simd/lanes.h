@@ -10,13 +10,21 @@
 
 namespace swaplight::SWAPLIGHT_LEVEL {
 
-/// Several pixels at once: arithmetic on it is a few instructions. As many at every class of processor,
-/// because an iteration goes on until all of the pixels beside each other are done: with fewer of them the
-/// highlights' fit stops earlier, and is worse (GlossFit's tests at levels 1 and 3). Registers' own width
-/// would be 1.5 to 3 times faster there (docs/decisions/0005-lanes.md): first each pixel has to decide for
-/// itself when it is done.
-inline constexpr int kLanes = kMostLanes;
+/// Pixels in a register of the class of processor. Of wider vectors g++ takes comparisons and selections apart
+/// into single pixels (docs/decisions/0005-lanes.md).
+#if defined(__AVX512F__)
+inline constexpr int kLanes = 16;
+#elif defined(__AVX__)
+inline constexpr int kLanes = 8;
+#else
+inline constexpr int kLanes = 4;
+#endif
+/// Vectors in a block of kMostLanes pixels. An iteration that goes on until all pixels are done asks a whole
+/// block, on every processor: how good an answer is does not depend on the width of its registers.
+inline constexpr int kBlockVectors = kMostLanes / kLanes;
 static_assert(kMostLanes % kLanes == 0);
+
+/// Several pixels at once: arithmetic on it is one instruction.
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 using LaneMask = int __attribute__((vector_size(kLanes * sizeof(int))));
 

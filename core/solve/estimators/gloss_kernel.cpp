@@ -190,63 +190,93 @@ SWAPLIGHT_LANES Lanes relativeVariance(int n, const Pixel<kN>& pixel, const Lane
   return variance / (float(n) * larger(total * total, splat(kTiny)));
 }
 
+/// Where the fit of a vector of pixels stands.
+template <int kN>
+struct Fit {
+  Pixel<kN> best;
+  Lanes weight[3 * kMaxShots];  ///< of each value, from its noise as the matte fit predicts the signal
+  Lanes precision;              ///< of what is known of a highlight before
+  Lanes cost;
+  Lanes square;
+  Lanes damping;
+};
+
+template <int kN>
+SWAPLIGHT_LANES void begin(const GlossPlan& plan, const PixelRun& in, const MatteRun& matte, int at, int n,
+                           Fit<kN>& fit) {
+  Pixel<kN>& best = fit.best;
+  for (int c = 0; c < 3; ++c) best.rho[c] = load(matte.reflectance[c] + at);
+  for (int i = 0; i < n; ++i) {
+    best.share[i] = load(matte.share[i] + at);
+    best.gloss[i] = splat(0);
+  }
+  for (int k = 0; k < plan.shots; ++k)
+    for (int c = 0; c < 3; ++c) {
+      Lanes g = splat(0);
+      for (int i = 0; i < n; ++i) g += plan.color.data()[(k * 3 + c) * n + i] * best.share[i];
+      const Lanes s = g * best.rho[c];
+      fit.weight[k * 3 + c] = 1 / (plan.constant + s * (plan.linear + s * plan.square));
+    }
+  const Lanes bright = (best.rho[0] + best.rho[1] + best.rho[2]) / 3;
+  fit.precision = 1 / (kLargest * kLargest * bright * bright + plan.constant);
+  fit.cost = costOf<kN>(plan, in, fit.weight, fit.precision, at, n, best, fit.square);
+  fit.damping = splat(kDamping);
+}
+
+/// A damped step (Levenberg and Marquardt), kept where it helps; whether any pixel gained by it.
+template <int kN>
+SWAPLIGHT_LANES bool improve(const GlossPlan& plan, const PixelRun& in, int at, int n, Fit<kN>& fit) {
+  Equations<kN> e;
+  Lanes step[Equations<kN>::kP];
+  linearise<kN>(plan, in, fit.weight, fit.precision, at, n, fit.best, e);
+  restrain<kN>(n, fit.damping, e);
+  solveStep<kN>(n, fit.best, e, step);
+  Pixel<kN> next = fit.best;
+  take<kN>(n, step, next);
+  Lanes left;
+  const Lanes there = costOf<kN>(plan, in, fit.weight, fit.precision, at, n, next, left);
+  const LaneMask better = there < fit.cost;
+  const bool moving = any(there < fit.cost - kGain);
+  fit.cost = select(better, there, fit.cost);
+  fit.square = select(better, left, fit.square);
+  fit.damping = select(better, fit.damping * .2F, fit.damping * 10);
+  for (int c = 0; c < 3; ++c) fit.best.rho[c] = select(better, next.rho[c], fit.best.rho[c]);
+  for (int i = 0; i < n; ++i) {
+    fit.best.share[i] = select(better, next.share[i], fit.best.share[i]);
+    fit.best.gloss[i] = select(better, next.gloss[i], fit.best.gloss[i]);
+  }
+  return moving;
+}
+
+template <int kN>
+SWAPLIGHT_LANES void finish(const GlossPlan& plan, const PixelRun& in, int at, int n, const Fit<kN>& fit,
+                            const SolvedRun& out) {
+  constexpr int kP = Equations<kN>::kP;
+  Equations<kN> e;
+  linearise<kN>(plan, in, fit.weight, fit.precision, at, n, fit.best, e);
+  restrain<kN>(n, splat(0), e);
+  factorCholesky<kP>(3 + 2 * n, e.h);
+  for (int i = 0; i < n; ++i)
+    for (int c = 0; c < 3; ++c)
+      store(out.contribution[i][c] + at, fit.best.share[i] * fit.best.rho[c] + fit.best.gloss[i]);
+  store(out.residual + at, fit.square);
+  store(out.sigma + at, relativeVariance<kN>(n, fit.best, e.h));
+}
+
 template <int kN>
 SWAPLIGHT_LANES void fitRun(const GlossPlan& plan, const PixelRun& in, const MatteRun& matte,
                             const SolvedRun& out, int lights) {
-  constexpr int kP = Equations<kN>::kP;
   const int n = lights;
-  for (int at = 0; at < in.count; at += kLanes) {
-    Pixel<kN> best;
-    for (int c = 0; c < 3; ++c) best.rho[c] = load(matte.reflectance[c] + at);
-    for (int i = 0; i < n; ++i) {
-      best.share[i] = load(matte.share[i] + at);
-      best.gloss[i] = splat(0);
-    }
-    // Noise as the matte fit predicts the signal.
-    Lanes weight[3 * kMaxShots];
-    for (int k = 0; k < plan.shots; ++k)
-      for (int c = 0; c < 3; ++c) {
-        Lanes g = splat(0);
-        for (int i = 0; i < n; ++i) g += plan.color.data()[(k * 3 + c) * n + i] * best.share[i];
-        const Lanes s = g * best.rho[c];
-        weight[k * 3 + c] = 1 / (plan.constant + s * (plan.linear + s * plan.square));
-      }
-    const Lanes bright = (best.rho[0] + best.rho[1] + best.rho[2]) / 3;
-    const Lanes precision = 1 / (kLargest * kLargest * bright * bright + plan.constant);
-
-    Lanes square;
-    Lanes cost = costOf<kN>(plan, in, weight, precision, at, n, best, square);
-    Lanes damping = splat(kDamping);
-    Equations<kN> e;
-    Lanes step[kP];
+  for (int at = 0; at < in.count; at += kMostLanes) {
+    Fit<kN> block[kBlockVectors];
+    for (int v = 0; v < kBlockVectors; ++v) begin<kN>(plan, in, matte, at + v * kLanes, n, block[v]);
     for (int iteration = 0; iteration < kSteps; ++iteration) {
-      linearise<kN>(plan, in, weight, precision, at, n, best, e);
-      restrain<kN>(n, damping, e);
-      solveStep<kN>(n, best, e, step);
-      Pixel<kN> next = best;
-      take<kN>(n, step, next);
-      Lanes left;
-      const Lanes there = costOf<kN>(plan, in, weight, precision, at, n, next, left);
-      const LaneMask better = there < cost;
-      const bool moving = any(there < cost - kGain);
-      cost = select(better, there, cost);
-      square = select(better, left, square);
-      damping = select(better, damping * .2F, damping * 10);
-      for (int c = 0; c < 3; ++c) best.rho[c] = select(better, next.rho[c], best.rho[c]);
-      for (int i = 0; i < n; ++i) {
-        best.share[i] = select(better, next.share[i], best.share[i]);
-        best.gloss[i] = select(better, next.gloss[i], best.gloss[i]);
-      }
+      bool moving = false;
+      for (int v = 0; v < kBlockVectors; ++v)
+        moving |= improve<kN>(plan, in, at + v * kLanes, n, block[v]);
       if (!moving && iteration > 2) break;
     }
-    linearise<kN>(plan, in, weight, precision, at, n, best, e);
-    restrain<kN>(n, splat(0), e);
-    factorCholesky<kP>(3 + 2 * n, e.h);
-    for (int i = 0; i < n; ++i)
-      for (int c = 0; c < 3; ++c)
-        store(out.contribution[i][c] + at, best.share[i] * best.rho[c] + best.gloss[i]);
-    store(out.residual + at, square);
-    store(out.sigma + at, relativeVariance<kN>(n, best, e.h));
+    for (int v = 0; v < kBlockVectors; ++v) finish<kN>(plan, in, at + v * kLanes, n, block[v], out);
   }
 }
 

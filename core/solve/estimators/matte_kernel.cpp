@@ -312,45 +312,72 @@ SWAPLIGHT_LANES void moveShares(int n, const Lanes* u, const Lanes* step, Lanes*
   for (int i = 0; i < n; ++i) next[i] *= sum;
 }
 
+/// Where the fit of a vector of pixels stands.
+template <int kN>
+struct Fit {
+  Normal<kN> normal;
+  Lanes best[kN];
+  Lanes step[kN];
+  Lanes explained;  ///< energy, at best
+  Lanes gain;       ///< expected of the step
+};
+
+template <int kN>
+SWAPLIGHT_LANES void begin(const MattePlan& plan, const PixelRun& in, int at, int n, Fit<kN>& fit) {
+  Lanes rho[3];
+  firstGuess<kN>(plan, in, at, n, fit.best, rho);
+  accumulate<kN>(plan, in, at, n, fit.best, rho, fit.normal);
+  for (int i = 0; i < n; ++i) fit.step[i] = splat(0);
+  fit.explained = splat(-1);
+  fit.gain = splat(0);
+}
+
+/// Takes the step where it helps, and prepares the next one; a shorter one where it did not.
+template <int kN>
+SWAPLIGHT_LANES void improve(int n, Fit<kN>& fit) {
+  Lanes next[kN];
+  moveShares<kN>(n, fit.best, fit.step, next);
+  At<kN> there;
+  evaluate<kN>(fit.normal, n, next, there);
+  const LaneMask better = there.explained >= fit.explained;
+  fit.explained = select(better, there.explained, fit.explained);
+  Lanes newton[kN];
+  const Lanes expected = newtonStep<kN>(fit.normal, there, n, next, true, newton);
+  fit.gain = select(better, expected, 0.25F * fit.gain);
+  for (int i = 0; i < n; ++i) {
+    fit.best[i] = select(better, next[i], fit.best[i]);
+    fit.step[i] = select(better, newton[i], 0.25F * fit.step[i]);
+  }
+}
+
+/// A last step, too small to ask whether it helps; then what is known.
+template <int kN>
+SWAPLIGHT_LANES void finish(const MattePlan& plan, int n, Fit<kN>& fit, const MatteRun& out, int at) {
+  const LaneMask small = fit.gain <= kGain;
+  for (int i = 0; i < n; ++i) fit.step[i] = select(small, fit.step[i], splat(0));
+  moveShares<kN>(n, fit.best, fit.step, fit.best);
+  At<kN> here;
+  evaluate<kN>(fit.normal, n, fit.best, here);
+  writeFit<kN>(plan, fit.normal, here, n, fit.best, out, at);
+  if (out.signedShares) stepBelowZero<kN>(fit.normal, here, n, fit.best);
+  for (int i = 0; i < n; ++i) store(out.share[i] + at, fit.best[i]);
+}
+
 template <int kN>
 SWAPLIGHT_LANES void fitRun(const MattePlan& plan, const PixelRun& in, const MatteRun& out, int lights) {
   const int n = lights;
-  for (int at = 0; at < in.count; at += kLanes) {
-    Lanes best[kN];
-    Lanes step[kN];
-    Lanes rho[3];
-    firstGuess<kN>(plan, in, at, n, best, rho);
-    Normal<kN> normal;
-    accumulate<kN>(plan, in, at, n, best, rho, normal);
-    for (int i = 0; i < n; ++i) step[i] = splat(0);
-    Lanes explained = splat(-1);
-    Lanes gain = splat(0);
+  for (int at = 0; at < in.count; at += kMostLanes) {
+    Fit<kN> block[kBlockVectors];
+    for (int v = 0; v < kBlockVectors; ++v) begin<kN>(plan, in, at + v * kLanes, n, block[v]);
     for (int iteration = 0;; ++iteration) {
-      Lanes next[kN];
-      moveShares<kN>(n, best, step, next);
-      At<kN> there;
-      evaluate<kN>(normal, n, next, there);
-      const LaneMask better = there.explained >= explained;
-      explained = select(better, there.explained, explained);
-      // The next step; a shorter one where this did not help.
-      Lanes newton[kN];
-      const Lanes expected = newtonStep<kN>(normal, there, n, next, true, newton);
-      gain = select(better, expected, 0.25F * gain);
-      for (int i = 0; i < n; ++i) {
-        best[i] = select(better, next[i], best[i]);
-        step[i] = select(better, newton[i], 0.25F * step[i]);
+      bool going = false;
+      for (Fit<kN>& fit : block) {
+        improve<kN>(n, fit);
+        going |= any(fit.gain > kGain);
       }
-      if (iteration == kSteps || !any(gain > kGain)) break;
+      if (iteration == kSteps || !going) break;
     }
-    // A last step, too small to ask whether it helps.
-    const LaneMask small = gain <= kGain;
-    for (int i = 0; i < n; ++i) step[i] = select(small, step[i], splat(0));
-    moveShares<kN>(n, best, step, best);
-    At<kN> here;
-    evaluate<kN>(normal, n, best, here);
-    writeFit<kN>(plan, normal, here, n, best, out, at);
-    if (out.signedShares) stepBelowZero<kN>(normal, here, n, best);
-    for (int i = 0; i < n; ++i) store(out.share[i] + at, best[i]);
+    for (int v = 0; v < kBlockVectors; ++v) finish<kN>(plan, n, block[v], out, at + v * kLanes);
   }
 }
 
