@@ -1,7 +1,5 @@
 #include "core/balance/lamp_fit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/quantile.h"
+#include "core/linear/decompositions.h"
 
 namespace swaplight {
 namespace {
@@ -171,7 +170,7 @@ class Fit {
         a(i, j) = scale[i] * scale[j] * m_squares(free[size_t(i)], free[size_t(j)]);
     }
     a.diagonal().array() += kUntold;
-    return scale.cwiseProduct(a.ldlt().solve(b));
+    return scale.cwiseProduct(solveSymmetric(a, b).col(0));
   }
 
   void predict() {
@@ -210,11 +209,10 @@ class Fit {
           m_squares.block(c * m_blocks.lights, c * m_blocks.lights, m_blocks.lights, m_blocks.lights);
       Eigen::VectorXd scale = channel.diagonal().cwiseSqrt();
       for (double& s : scale) s = s > 0 ? 1 / s : 0;
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * channel *
-                                                                 scale.asDiagonal());
+      const SymmetricEigen eigen = symmetricEigen(scale.asDiagonal() * channel * scale.asDiagonal());
       m_fit.separation[size_t(c)] =
-          std::max(0.0, eigen.eigenvalues()[0]) / std::max(eigen.eigenvalues()[m_blocks.lights - 1], kUntold);
-      m_fit.weakest[size_t(c)] = eigen.eigenvectors().col(0);
+          std::max(0.0, eigen.values[0]) / std::max(eigen.values[m_blocks.lights - 1], kUntold);
+      m_fit.weakest[size_t(c)] = eigen.vectors.col(0);
     }
   }
 
@@ -229,8 +227,8 @@ class Fit {
     for (double& s : scale) s = s > 0 ? 1 / s : 0;
     Eigen::MatrixXd correlations = scale.asDiagonal() * m_squares * scale.asDiagonal();
     correlations.diagonal().array() += kUntold;
-    const Eigen::MatrixXd spread = Eigen::MatrixXd(scale.asDiagonal()) *
-                                   correlations.ldlt().solve(Eigen::MatrixXd(scale.asDiagonal() * scores));
+    const Eigen::MatrixXd spread =
+        Eigen::MatrixXd(scale.asDiagonal()) * solveSymmetric(correlations, scale.asDiagonal() * scores);
     m_fit.covariance = spread * spread.transpose() * (double(kLampTiles) / (kLampTiles - 1));
     for (int u = 0; u < m_unknowns; ++u)
       if (scale[u] == 0) m_fit.covariance(u, u) = std::numeric_limits<double>::infinity();

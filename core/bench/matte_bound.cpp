@@ -1,8 +1,9 @@
 #include "core/bench/matte_bound.h"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
+
+#include "core/linear/decompositions.h"
 
 namespace swaplight {
 
@@ -25,7 +26,7 @@ MatteBound matteBound(const LightingMatrix& lighting, const NoiseModel& noise, f
     }
   for (int c = 0; c < 3; ++c)
     if (fisher(c, c) == 0 && rho[c] == 0) fisher(c, c) = 1e30;  // no light has it: there is nothing to know
-  const Eigen::MatrixXd covariance = fisher.inverse();
+  const Eigen::MatrixXd covariance = inverseOf(fisher);
   if (!covariance.allFinite() || !(covariance.diagonal().minCoeff() > 0)) return {kInfinity, kInfinity};
 
   const Eigen::MatrixXd shares = covariance.bottomRightCorner(free, free);

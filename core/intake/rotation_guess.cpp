@@ -58,7 +58,7 @@ double misfitOf(const CaptureDraft& draft, const CapturePixels& pixels, const No
   const EstimatorContext context{lightingFromCapture(capture), noise};
   std::vector<float> exposure;
   for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
-  return fitColors(context, ShotSignal(pixels, context.plan, noise, exposure)).disagreement;
+  return fitColors(context, ShotSignal(pixels, context.lighting, noise, exposure)).disagreement;
 }
 
 std::string wordsFor(const RotationGuess& guess) {

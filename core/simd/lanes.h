@@ -10,8 +10,8 @@
 
 namespace swaplight::SWAPLIGHT_LEVEL {
 
-/// Pixels in a register of the class of processor. Of wider vectors g++ takes comparisons and selections apart
-/// into single pixels (docs/decisions/0005-lanes.md).
+/// Pixels in a register of the class of processor. Of wider vectors g++ takes comparisons and selections
+/// apart into single pixels (docs/decisions/0005-lanes.md).
 #if defined(__AVX512F__)
 inline constexpr int kLanes = 16;
 #elif defined(__AVX__)

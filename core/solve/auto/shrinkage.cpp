@@ -1,11 +1,11 @@
 #include "core/solve/auto/shrinkage.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/base/quantile.h"
+#include "core/linear/decompositions.h"
 #include "core/solve/estimators/run_scratch.h"
 #include "core/solve/model/pixel_sample.h"
 #include "core/solve/model/shot_signal.h"
@@ -45,9 +45,11 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal, 
       prior.col(c).setZero();
       prior(c, c) = 1;
     }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(prior);
-  const Eigen::Matrix3d root = eigen.operatorSqrt();
-  const Eigen::Matrix3d inverseRoot = eigen.operatorInverseSqrt();
+  const SymmetricEigen eigen = symmetricEigen(prior);
+  const Eigen::VectorXd roots = eigen.values.cwiseSqrt();
+  const Eigen::Matrix3d root = eigen.vectors * roots.asDiagonal() * eigen.vectors.transpose();
+  const Eigen::Matrix3d inverseRoot =
+      eigen.vectors * roots.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(k3, d);
   for (int k = 0; k < context.lighting.shots; ++k)
     for (int c = 0; c < 3; ++c)
@@ -55,13 +57,13 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal, 
         for (int e = 0; e < 3; ++e)
           a(k * 3 + c, i * 3 + e) =
               double(context.lighting.color(k, i)[c]) * root(c, e) / std::sqrt(shape[k * 3 + c]);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeFullV);
-  const int rank = int(svd.singularValues().size());
+  const SingularValues svd = singularValues(a);
+  const int rank = int(svd.values.size());
   for (int m = 0; m < d; ++m) {
-    m_plan.singular.push_back(m < rank ? float(svd.singularValues()[m]) : 0.0F);
+    m_plan.singular.push_back(m < rank ? float(svd.values[m]) : 0.0F);
     for (int j = 0; j < k3; ++j)
-      m_plan.toModes.push_back(m < rank ? float(svd.matrixU()(j, m) / std::sqrt(shape[j])) : 0.0F);
-    for (int j = 0; j < d; ++j) m_plan.modes.push_back(float(svd.matrixV()(j, m)));
+      m_plan.toModes.push_back(m < rank ? float(svd.u(j, m) / std::sqrt(shape[j])) : 0.0F);
+    for (int j = 0; j < d; ++j) m_plan.modes.push_back(float(svd.v(j, m)));
   }
   for (int c = 0; c < 3; ++c)
     for (int e = 0; e < 3; ++e) m_plan.whiten[size_t(c) * 3 + size_t(e)] = float(inverseRoot(c, e));
@@ -69,7 +71,7 @@ Shrinkage::Shrinkage(const EstimatorContext& context, const ShotSignal& signal, 
   for (int i = 0; i < n; ++i) {
     Eigen::RowVectorXd grey = Eigen::RowVectorXd::Zero(d);
     for (int c = 0; c < 3; ++c) {
-      const Eigen::RowVectorXd row = root.row(c) * svd.matrixV().middleRows(i * 3, 3);
+      const Eigen::RowVectorXd row = root.row(c) * svd.v.middleRows(i * 3, 3);
       if (m_plan.unseen[size_t(c)] == 0) grey += row;
       for (int m = 0; m < d; ++m) m_plan.fromModes.push_back(float(row[m]));
     }

@@ -1,10 +1,10 @@
 #include "core/solve/calibration/color_fit.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/quantile.h"
+#include "core/linear/decompositions.h"
 #include "core/solve/estimators/run_scratch.h"
 #include "core/solve/model/pixel_sample.h"
 
@@ -71,7 +71,7 @@ PixelEquation equationOf(const EstimatorContext& context, const PixelRun& in, co
     }
   const Eigen::MatrixXd gram = own.transpose() * own;
   const Eigen::MatrixXd inverse =
-      (gram + (1e-9 * gram.trace() + 1e-30) * Eigen::MatrixXd::Identity(3 + n, 3 + n)).inverse();
+      inverseOf(gram + (1e-9 * gram.trace() + 1e-30) * Eigen::MatrixXd::Identity(3 + n, 3 + n));
   const Eigen::MatrixXd project = own * inverse * own.transpose();
   PixelEquation equation;
   equation.residual = residual - project * residual;
@@ -137,7 +137,7 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
         h(j, j) += precision[size_t(j)] + 1e-9 * h.trace() / unknowns;
         g[j] -= precision[size_t(j)] * now;
       }
-      step = h.ldlt().solve(g);
+      step = solveSymmetric(h, g);
       before.clear(), after.clear();
       std::vector<double> left;
       for (const PixelEquation& e : equations) {

@@ -1,11 +1,11 @@
 #include "core/solve/calibration/noise_calibration.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/base/quantile.h"
+#include "core/linear/decompositions.h"
 #include "core/solve/estimators/matte_fit.h"
 #include "core/solve/estimators/run_scratch.h"
 #include "core/solve/model/pixel_sample.h"
@@ -24,7 +24,7 @@ Eigen::Vector3d nonNegative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) 
     for (int j = 0; j < 3; ++j)
       if (subset >> j & 1) columns.push_back(j);
     const Eigen::MatrixXd part = a(Eigen::all, columns);
-    const Eigen::VectorXd x = part.colPivHouseholderQr().solve(b);
+    const Eigen::VectorXd x = leastSquares(part, b);
     if (x.minCoeff() < 0) continue;
     const double left = (part * x - b).squaredNorm();
     if (left >= smallest) continue;

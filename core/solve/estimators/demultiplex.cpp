@@ -1,10 +1,10 @@
 #include "core/solve/estimators/demultiplex.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/linear/decompositions.h"
 #include "core/solve/estimators/demultiplex_kernel.h"
 
 namespace swaplight {
@@ -28,14 +28,13 @@ Demultiplex::Demultiplex(const EstimatorContext& context, Bound bound)
       weight[k] = 1 / std::sqrt(double(context.noise.variance(0.2F * float(matrix.row(k).sum() / m_lights))));
     if (m_shots == m_lights) weight.setOnes();
     const Eigen::MatrixXd weighted = weight.asDiagonal() * matrix;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(weighted, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd& s = svd.singularValues();
+    const SingularValues svd = singularValues(weighted);
+    const Eigen::VectorXd& s = svd.values;
     Eigen::VectorXd inverse = Eigen::VectorXd::Zero(m_lights);
     const bool usable = s[m_lights - 1] > kSingular * s[0];
     for (int i = 0; i < m_lights; ++i)
       if (s[i] > kSingular * s[0] && s[0] > 0) inverse[i] = 1 / s[i];
-    const Eigen::MatrixXd pseudo =
-        svd.matrixV() * inverse.asDiagonal() * svd.matrixU().transpose() * weight.asDiagonal();
+    const Eigen::MatrixXd pseudo = svd.v * inverse.asDiagonal() * svd.u.transpose() * weight.asDiagonal();
     const Eigen::MatrixXd gram =
         weighted.transpose() * weighted +
         (usable ? 0.0 : 1e-6 * s[0] * s[0] + 1e-12) * Eigen::MatrixXd::Identity(m_lights, m_lights);

@@ -272,8 +272,7 @@ SWAPLIGHT_LANES void fitRun(const GlossPlan& plan, const PixelRun& in, const Mat
     for (int v = 0; v < kBlockVectors; ++v) begin<kN>(plan, in, matte, at + v * kLanes, n, block[v]);
     for (int iteration = 0; iteration < kSteps; ++iteration) {
       bool moving = false;
-      for (int v = 0; v < kBlockVectors; ++v)
-        moving |= improve<kN>(plan, in, at + v * kLanes, n, block[v]);
+      for (int v = 0; v < kBlockVectors; ++v) moving |= improve<kN>(plan, in, at + v * kLanes, n, block[v]);
       if (!moving && iteration > 2) break;
     }
     for (int v = 0; v < kBlockVectors; ++v) finish<kN>(plan, in, at + v * kLanes, n, block[v], out);

@@ -1,7 +1,6 @@
 #include "core/solve/estimators/matte_fit.h"
 
-#include <Eigen/Dense>
-
+#include "core/linear/decompositions.h"
 #include "core/solve/estimators/run_scratch.h"
 
 namespace swaplight {
@@ -27,7 +26,7 @@ MatteFit::MatteFit(const EstimatorContext& context)
     m_plan.seen[size_t(c)] = l.isZero() ? 0.0F : 1.0F;
     seen += !l.isZero();
     const double ridge = kRidge * gram.trace() / m_lights + 1e-12;
-    guess[c] = (gram + ridge * Eigen::MatrixXd::Identity(m_lights, m_lights)).ldlt().solve(l.transpose());
+    guess[c] = solveSymmetric(gram + ridge * Eigen::MatrixXd::Identity(m_lights, m_lights), l.transpose());
   }
   m_freedom = seen * (m_shots - 1) - (m_lights - 1);
   m_plan.mean.assign(size_t(m_lights) * 3, 0.0F);

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/linear/decompositions.h"
 
 namespace swaplight {
 namespace {
@@ -140,7 +140,7 @@ Conditioning conditioningOf(const LightingMatrix& lighting) {
   for (int c = 0; c < 3; ++c) {
     const Eigen::MatrixXd matrix = lighting.matrix(c);
     gram += matrix.transpose() * matrix;
-    const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues();
+    const Eigen::VectorXd s = singularValues(matrix).values;
     auto& values = result.singularValues[size_t(c)];
     values.assign(s.data(), s.data() + s.size());
     values.resize(size_t(lighting.lights), 0.0);  // fewer shots than lights: the rest is not seen at all
@@ -163,14 +163,14 @@ Conditioning conditioningOf(const LightingMatrix& lighting) {
   }
 
   // A neutral surface has the same contribution in all channels: their Gram matrices add up.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-  const Eigen::VectorXd& squares = eigen.eigenvalues();
+  const SymmetricEigen eigen = symmetricEigen(gram);
+  const Eigen::VectorXd& squares = eigen.values;
   const bool singular = !(squares[0] > kSingular * kSingular * squares[lighting.lights - 1]);
   result.matteAmplification = singular ? kInfinity : std::sqrt(squares.cwiseInverse().mean());
   if (result.advice.size() == channelAdvices && (singular || squares[0] < 1 / (kNoisy * kNoisy)))
     result.advice.push_back(fmt::format(
         "the photographs hardly separate {}: {}; change these lights' colours in at least one photograph",
-        mixtureText(lighting, eigen.eigenvectors().col(0)),
+        mixtureText(lighting, eigen.vectors.col(0)),
         singular
             ? "they cannot be separated"
             : fmt::format("the noise of this mixture is amplified {:.0f} times", 1 / std::sqrt(squares[0]))));
