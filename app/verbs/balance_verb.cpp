@@ -28,7 +28,7 @@
 namespace swaplight {
 namespace {
 
-struct Arguments {
+struct BalanceCommand {
   std::string photograph;
   std::string output;
   std::string set;
@@ -58,7 +58,7 @@ Json jsonFromRgb(const Rgb& color) {
   return {color.r, color.g, color.b};
 }
 
-std::vector<Rgb> colorsFrom(const Arguments& arguments, size_t expected, const std::string& of) {
+std::vector<Rgb> colorsFrom(const BalanceCommand& arguments, size_t expected, const std::string& of) {
   std::vector<Rgb> colors;
   for (const ShotColor& color : shotColorsFromText(arguments.colors)) {
     if (!color.color) throw InputError("--colors: '{}' is no colour: give every lamp's", color.text);
@@ -71,7 +71,7 @@ std::vector<Rgb> colorsFrom(const Arguments& arguments, size_t expected, const s
 }
 
 /// The primaries and white of the picture are known.
-void setWhite(const Arguments& arguments, Work& work) {
+void setWhite(const BalanceCommand& arguments, Work& work) {
   const WhitePoint white = whitePointFromText(arguments.white);
   const std::string& space = work.picture.spec().colorSpace;
   work.white = glm::max(convertColor(*work.config, colorOfWhite(white), "lin_rec709", space), Rgb(0));
@@ -80,7 +80,7 @@ void setWhite(const Arguments& arguments, Work& work) {
   work.json["white"] = textFromWhitePoint(white);
 }
 
-void balanceWithSet(const Arguments& arguments, Work& work, const Progress& progress) {
+void balanceWithSet(const BalanceCommand& arguments, Work& work, const Progress& progress) {
   const SolvedSet set = openSource(*work.config, arguments.set, {}, progress.part(0, 0.4F));
   const CapturePixels photograph = loadPhotographOf(*work.config, set, arguments.photograph,
                                                     arguments.colorSpace, progress.part(0.4F, 0.6F));
@@ -109,7 +109,7 @@ void balanceWithSet(const Arguments& arguments, Work& work, const Progress& prog
   work.json["method"] = "set";
 }
 
-void loadPlain(const Arguments& arguments, Work& work, const Progress& progress) {
+void loadPlain(const BalanceCommand& arguments, Work& work, const Progress& progress) {
   Capture capture;
   capture.file = arguments.photograph;
   capture.colorSpace = arguments.colorSpace.empty()
@@ -123,7 +123,7 @@ void loadPlain(const Arguments& arguments, Work& work, const Progress& progress)
   setWhite(arguments, work);
 }
 
-void balanceWithColors(const Arguments& arguments, Work& work) {
+void balanceWithColors(const BalanceCommand& arguments, Work& work) {
   const std::vector<Rgb> colors = colorsFrom(arguments, 2, "a balance without a solved set");
   for (const Rgb& color : colors)
     if (!(color.r + color.g + color.b > 0)) throw InputError("--colors: a lamp that is black lights nothing");
@@ -137,7 +137,7 @@ void balanceWithColors(const Arguments& arguments, Work& work) {
 }
 
 /// "X,Y" or "X,Y,SIDE".
-void balanceByCard(const Arguments& arguments, Work& work) {
+void balanceByCard(const BalanceCommand& arguments, Work& work) {
   std::istringstream text(arguments.grey);
   int x = 0, y = 0, side = 9;
   char comma = 0, second = ',';
@@ -150,12 +150,12 @@ void balanceByCard(const Arguments& arguments, Work& work) {
   work.json["card"] = jsonFromRgb(*card.color);
 }
 
-bool isRig(const Arguments& arguments) {
+bool isRig(const BalanceCommand& arguments) {
   return std::filesystem::path(arguments.photograph).extension() == ".json";
 }
 
 /// A rig's lights become white: what the studio's Neutralize does.
-int balanceRig(const Arguments& arguments, Terminal& terminal) {
+int balanceRig(const BalanceCommand& arguments, Terminal& terminal) {
   if (!arguments.set.empty() || !arguments.colors.empty() || !arguments.method.empty() ||
       !arguments.grey.empty())
     throw InputError(
@@ -178,7 +178,7 @@ int balanceRig(const Arguments& arguments, Terminal& terminal) {
   return 0;
 }
 
-void checkArguments(const Arguments& arguments) {
+void checkArguments(const BalanceCommand& arguments) {
   const bool method = !arguments.method.empty();
   const int ways =
       int(!arguments.set.empty()) + int(arguments.set.empty() && !arguments.colors.empty()) + int(method);
@@ -194,7 +194,7 @@ void checkArguments(const Arguments& arguments) {
     throw InputError("--map: is of --colors without --beta; a solved set has its beta maps already");
 }
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const BalanceCommand& arguments, Terminal& terminal) {
   if (isRig(arguments)) return balanceRig(arguments, terminal);
   checkArguments(arguments);
   Work work;
@@ -237,7 +237,7 @@ std::string methodNames() {
 }  // namespace
 
 void addBalanceVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<BalanceCommand>();
   CLI::App& verb =
       program.addVerb("balance", "White balance of a photograph under lamps of different colours",
                       [a](Terminal& terminal) { return run(*a, terminal); });

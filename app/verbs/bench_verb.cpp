@@ -14,7 +14,7 @@
 namespace swaplight {
 namespace {
 
-struct Arguments {
+struct BenchCommand {
   std::vector<std::string> captures;
   std::string output;
   bool noSpeed = false;
@@ -88,7 +88,7 @@ Image paretoPlot(const std::vector<SolverError>& rows) {
   return drawScatterPlot(plot);
 }
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const BenchCommand& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
   if (arguments.hardCases) {
     const Description suite = benchHardCases(arguments.captures, arguments.seed, arguments.quick, progress);
@@ -120,7 +120,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addBenchVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<BenchCommand>();
   CLI::App& verb = program.addVerb("bench", "Measure speed against error of every solver",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("CAPTURE", a->captures, "Captures with truth, such as samples/*/capture.json");

@@ -12,14 +12,14 @@
 namespace swaplight {
 namespace {
 
-struct Arguments {
+struct BetaCommand {
   std::string source;
   std::string output;
   EditArguments edits;
   SolveArguments solve;
 };
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const BetaCommand& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolve();
   std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
   inputs.emplace_back(arguments.edits.file);
@@ -38,7 +38,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addBetaVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<BetaCommand>();
   CLI::App& verb = program.addVerb("beta", "Write the lights' beta maps for an image editor",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("SOURCE", a->source, "A solved set, or a capture to solve")->required();

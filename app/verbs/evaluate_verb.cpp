@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct EvaluateCommand {
   std::string test;
   std::string reference;
   std::string metrics;
@@ -25,7 +25,7 @@ void sayWritten(const EvaluateOptions& options, Terminal& terminal) {
     if (!file.empty()) terminal.say("wrote {}", file.string());
 }
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const EvaluateCommand& arguments, Terminal& terminal) {
   EvaluateOptions options = arguments.options;
   if (!arguments.metrics.empty()) options.metrics = metricsFromNames(arguments.metrics);
   options.scale = arguments.scale;
@@ -53,7 +53,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addEvaluateVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<EvaluateCommand>();
   CLI::App& verb = program.addVerb("evaluate", "Measure how a picture differs from its reference",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("TEST", a->test, "The picture or folder of pictures to evaluate")->required();

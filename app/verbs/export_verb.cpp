@@ -13,7 +13,7 @@
 namespace swaplight {
 namespace {
 
-struct Arguments {
+struct ExportCommand {
   LightingArguments lighting;
   std::string file;
   std::string naming = "layers";
@@ -39,7 +39,7 @@ std::optional<PixelRect> windowOf(const std::string& text, const SolvedSet& set)
   return rect;
 }
 
-LayerOptions optionsOf(const Arguments& arguments) {
+LayerOptions optionsOf(const ExportCommand& arguments) {
   LayerOptions options = arguments.options;
   if (arguments.naming != "layers" && arguments.naming != "blender")
     throw InputError("--naming {}: give layers or blender", arguments.naming);
@@ -49,8 +49,9 @@ LayerOptions optionsOf(const Arguments& arguments) {
   return options;
 }
 
-int exportLook(const ColorConfig& config, const Arguments& arguments, const std::optional<Session>& session,
-               const SolvedSet& set, const Rig& rig, Terminal& terminal) {
+int exportLook(const ColorConfig& config, const ExportCommand& arguments,
+               const std::optional<Session>& session, const SolvedSet& set, const Rig& rig,
+               Terminal& terminal) {
   const GlobalLook look = globalLook(config, set, rig);
   writeLook(config, look, displayOver(session, arguments.display), arguments.file);
   terminal.say(
@@ -63,7 +64,7 @@ int exportLook(const ColorConfig& config, const Arguments& arguments, const std:
   return 0;
 }
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const ExportCommand& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
   if (session) sayWarnings(session->warnings, terminal);
@@ -97,7 +98,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addExportVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ExportCommand>();
   CLI::App& verb =
       program.addVerb("export", "Export every light as a layer for a compositor, or a look's global part",
                       [a](Terminal& terminal) { return run(*a, terminal); });

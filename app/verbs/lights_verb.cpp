@@ -20,7 +20,7 @@
 namespace swaplight {
 namespace {
 
-struct Arguments {
+struct LightsCommand {
   std::string source;
   std::string photograph;
   std::string rig;
@@ -69,7 +69,7 @@ std::string textOf(const LampReading& reading, const Json& json) {
   return text;
 }
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const LightsCommand& arguments, Terminal& terminal) {
   const std::vector<std::filesystem::path> inputs{arguments.source, arguments.photograph};
   if (!arguments.rig.empty()) checkOutput(arguments.rig, inputs);
   LampReadingOptions options = arguments.options;
@@ -106,7 +106,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addLightsVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<LightsCommand>();
   CLI::App& verb = program.addVerb("lights", "Read every lamp's colour and level from one photograph",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("SOLVED", a->source, "The solved set, or a capture to solve")->required();

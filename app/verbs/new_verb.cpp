@@ -12,7 +12,7 @@
 namespace swaplight {
 namespace {
 
-struct Arguments {
+struct NewCommand {
   std::string folder;
   std::string lights;
   std::string gels;
@@ -44,7 +44,7 @@ std::pair<std::string, std::string> pairOf(const std::string& text, const char* 
 }
 
 /// The colours that the lights had in the first shot, one a light.
-std::vector<ShotColor> ringOf(const Arguments& arguments) {
+std::vector<ShotColor> ringOf(const NewCommand& arguments) {
   std::vector<ShotColor> ring = shotColorsFromText(arguments.gels);
   for (ShotColor& color : shotColorsFromText(arguments.colors)) ring.push_back(std::move(color));
   return ring;
@@ -60,7 +60,7 @@ std::vector<int> steadySteps(const CaptureDraft& draft, int step) {
 }
 
 /// Fills in the ring's colours; returns how it was decided which light had which, in words.
-std::string placeRing(const Arguments& arguments, const std::vector<ShotColor>& ring,
+std::string placeRing(const NewCommand& arguments, const std::vector<ShotColor>& ring,
                       const CapturePixels& pixels, CaptureDraft& draft) {
   const bool known =
       std::all_of(ring.begin(), ring.end(), [](const ShotColor& c) { return c.color.has_value(); });
@@ -91,7 +91,7 @@ void placeOneAtATime(CaptureDraft& draft) {
       draft.colors[k][i] = i == k ? ShotColor{"on", Rgb(1)} : ShotColor{"off", Rgb(0)};
 }
 
-void placeShots(const Arguments& arguments, CaptureDraft& draft) {
+void placeShots(const NewCommand& arguments, CaptureDraft& draft) {
   for (const std::string& text : arguments.shots) {
     const auto [file, colors] = pairOf(text, "--shot", "FILE=COLOUR,COLOUR, one colour a light");
     const auto& shots = draft.folder.shots;
@@ -105,7 +105,7 @@ void placeShots(const Arguments& arguments, CaptureDraft& draft) {
   }
 }
 
-void placeCards(const Arguments& arguments, const CapturePixels& pixels, CaptureDraft& draft) {
+void placeCards(const NewCommand& arguments, const CapturePixels& pixels, CaptureDraft& draft) {
   for (const std::string& text : arguments.cards) {
     const auto [name, place] = pairOf(text, "--card", "LIGHT=X,Y");
     const auto light = std::find(draft.lights.begin(), draft.lights.end(), name);
@@ -121,7 +121,7 @@ void placeCards(const Arguments& arguments, const CapturePixels& pixels, Capture
 }
 
 /// Places given by --card are of the whole photographs: cropping comes last.
-void placeFrame(const Arguments& arguments, const CapturePixels& pixels, CaptureDraft& draft) {
+void placeFrame(const NewCommand& arguments, const CapturePixels& pixels, CaptureDraft& draft) {
   draft.frame.scale = checkedScale(arguments.scale);
   if (arguments.crop.empty()) return;
   draft.frame.crop = cropFromText(arguments.crop);
@@ -160,7 +160,7 @@ Description describe(const CaptureDraft& draft, const std::filesystem::path& fil
   return d;
 }
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const NewCommand& arguments, Terminal& terminal) {
   const std::shared_ptr<const ColorConfig> config = programConfig();
   ShotFolder folder = scanShotFolder(*config, arguments.folder);
   if (!arguments.files.empty()) folder = withShots(*config, std::move(folder), partsOf(arguments.files));
@@ -193,7 +193,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addNewVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<NewCommand>();
   CLI::App& verb = program.addVerb("new", "Describe a folder of photographs: writes capture.json",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("FOLDER", a->folder, "The folder with the photographs, and nothing else")->required();

@@ -21,7 +21,7 @@ namespace {
 constexpr int kTypicalPixels = 1024;
 constexpr double kClipped = .02;
 
-struct Arguments {
+struct PlanCommand {
   std::string lights;
   std::string gels;
   std::string colors;
@@ -48,7 +48,7 @@ std::vector<std::string> lightNames(const std::string& text) {
   return names;
 }
 
-std::vector<PlanColor> colorsAtHand(const Arguments& arguments) {
+std::vector<PlanColor> colorsAtHand(const PlanCommand& arguments) {
   std::vector<PlanColor> colors;
   const auto add = [&](const std::vector<PlanColor>& more) {
     colors.insert(colors.end(), more.begin(), more.end());
@@ -121,7 +121,7 @@ std::string conditioningText(const Conditioning& conditioning) {
   return tableText(rows);
 }
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const PlanCommand& arguments, Terminal& terminal) {
   PlanSearchOptions options = arguments.search;
   options.lights = lightNames(arguments.lights);
   options.model = modelFromName(arguments.model);
@@ -192,7 +192,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addPlanVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<PlanCommand>();
   CLI::App& verb = program.addVerb("plan", "Plan which colours to give the lights in each photograph",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("--lights", a->lights, "How many, or their names: 3 or key,fill,back")

@@ -16,7 +16,7 @@
 namespace swaplight {
 namespace {
 
-struct Arguments {
+struct RelightCommand {
   LightingArguments lighting;
   SequenceArguments sequence;
   std::string frame;
@@ -26,7 +26,7 @@ struct Arguments {
 };
 
 /// A session's view holds where the picture goes through one and the command line names none.
-FrameOptions outputOf(const Arguments& arguments, const std::optional<Session>& session) {
+FrameOptions outputOf(const RelightCommand& arguments, const std::optional<Session>& session) {
   FrameOptions output = arguments.output;
   if (!arguments.tone.empty()) output.tone = stillToneFromText(arguments.tone);
   if (output.tone && arguments.sequence.given())
@@ -50,7 +50,7 @@ Json writeHistogram(const ColorConfig& config, const SolvedSet& set, const Rig& 
 
 /// Light that half float cannot hold is clipped where half was asked for; without --type the frame becomes
 /// float.
-void warnOfClipping(const ColorConfig& config, const Arguments& arguments, const SolvedSet& set,
+void warnOfClipping(const ColorConfig& config, const RelightCommand& arguments, const SolvedSet& set,
                     const Rig& rig, Terminal& terminal) {
   if (arguments.output.write.pixelType != "half") return;
   const Image frame = relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient);
@@ -63,7 +63,7 @@ void warnOfClipping(const ColorConfig& config, const Arguments& arguments, const
     }
 }
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const RelightCommand& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
   if (session) sayWarnings(session->warnings, terminal);
@@ -106,7 +106,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addRelightVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<RelightCommand>();
   CLI::App& verb = program.addVerb("relight", "Relight a set: render a frame or a sequence",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   a->lighting.addTo(verb);

@@ -11,14 +11,14 @@
 namespace swaplight {
 namespace {
 
-struct Arguments {
+struct ReportCommand {
   LightingArguments lighting;
   DisplayChoice display;
   std::string page;
   std::string histogram;
 };
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const ReportCommand& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
   if (session) sayWarnings(session->warnings, terminal);
@@ -51,7 +51,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addReportVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ReportCommand>();
   CLI::App& verb = program.addVerb("report", "Write a printable HTML report of a set and its lighting",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   a->lighting.addTo(verb);

@@ -16,7 +16,7 @@
 namespace swaplight {
 namespace {
 
-struct Arguments {
+struct ShadowsCommand {
   std::string source;
   std::vector<std::string> lights;
   std::vector<std::string> thresholds;
@@ -43,7 +43,7 @@ void applyThreshold(const std::string& text, ShadowOptions& options) {
     options.threshold = text == "auto" ? std::nullopt : std::optional(thresholdFromText(text));
 }
 
-std::vector<std::string> chosenLights(const Arguments& arguments, const Capture& capture) {
+std::vector<std::string> chosenLights(const ShadowsCommand& arguments, const Capture& capture) {
   std::vector<std::string> known;
   for (const Light& light : capture.lights) known.push_back(light.name);
   for (const std::string& name : arguments.lights)
@@ -63,7 +63,7 @@ std::string textOf(const NamedShadows& light) {
       percent("lit"), percent("unknown"), json["threshold"].get<double>());
 }
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const ShadowsCommand& arguments, Terminal& terminal) {
   ShadowOptions options;
   for (const std::string& text : arguments.thresholds) applyThreshold(text, options);
   const SolveOptions solving = arguments.solve.resolve();
@@ -96,7 +96,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addShadowsVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ShadowsCommand>();
   CLI::App& verb = program.addVerb("shadows", "Find each light's shadows",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("SOLVED", a->source, "A solved set, or a capture to solve")->required();

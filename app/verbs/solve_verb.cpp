@@ -13,7 +13,7 @@
 namespace swaplight {
 namespace {
 
-struct Arguments {
+struct SolveCommand {
   std::string capture;
   std::string output;
   std::string report;
@@ -22,7 +22,7 @@ struct Arguments {
   SolveArguments solve;
 };
 
-int run(const Arguments& arguments, Terminal& terminal) {
+int run(const SolveCommand& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolve();
   const std::shared_ptr<const ColorConfig> config = programConfig();
   const Capture capture = readCapture(*config, sourceFile(arguments.capture));
@@ -51,7 +51,7 @@ int run(const Arguments& arguments, Terminal& terminal) {
 }  // namespace
 
 void addSolveVerb(Program& program) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<SolveCommand>();
   CLI::App& verb = program.addVerb("solve", "Separate the lights of a capture",
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("CAPTURE", a->capture, "capture.json, or the folder that holds it")->required();

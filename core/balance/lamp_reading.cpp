@@ -17,9 +17,9 @@ namespace {
 
 constexpr size_t kMostBlocks = size_t{1} << 18;
 constexpr int kUnusable = kClipped | kMoved | kNotFinite | kFilled;  // flags of a set
-constexpr double kLit = 3;             // standard errors that a lamp which is on is above none
-constexpr float kFaintest = 1e-3F;     // of the brightest lamp: less is its spill, not the lamp
-constexpr double kWorseThanAny = 0.2;  // real gels and gloss leave a few per cent
+constexpr double kLit = 3;              // standard errors that a lamp which is on is above none
+constexpr float kFaintestLamp = 1e-3F;  // of the brightest lamp: less is its spill, not the lamp
+constexpr double kWorseThanAny = 0.2;   // real gels and gloss leave a few per cent
 constexpr double kMostLeftOut = 0.3;
 constexpr double kPoorlyKnown = 0.05;  // relative standard error of a lamp's level worth a word
 constexpr double kAlike = 1e-3;        // of fitLamps' separation: two lights with one pattern to 3 %
@@ -125,7 +125,7 @@ std::vector<ReadLamp> lampsOf(const SolvedSet& set, const LampFit& fit, float ex
   float brightest = 0;
   for (const ReadLamp& lamp : lamps) brightest = std::max(brightest, lamp.luminance);
   for (ReadLamp& lamp : lamps)
-    lamp.on = lamp.luminance > kLit * lamp.luminanceError && lamp.luminance > kFaintest * brightest;
+    lamp.on = lamp.luminance > kLit * lamp.luminanceError && lamp.luminance > kFaintestLamp * brightest;
   return lamps;
 }
 

@@ -8,11 +8,7 @@
 #include "core/color/chromaticity.h"
 
 namespace swaplight {
-namespace {
-
-constexpr float kMostStops = 30;  // of a setting
-
-}  // namespace
+namespace {}  // namespace
 
 Rig neutralized(Rig rig, std::span<const size_t> lights, const WhitePoint& white) {
   for (const size_t i : lights) {

@@ -15,7 +15,6 @@ namespace swaplight {
 namespace {
 
 constexpr double kWhiteDuv = 0.05;  // beyond, a temperature says nothing (CIE 015)
-constexpr float kMostStops = 30;    // of a setting
 
 Json numberOrNull(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);

@@ -12,7 +12,7 @@ namespace swaplight {
 namespace {
 
 constexpr int kWindow = 9;  // pixels: residuals that tell noise from something else
-constexpr float kDarkest =
+constexpr float kFaintestChannel =
     0.02F;  // of the brightest channel: a lamp's channel below is noise (BALANCE: the guard)
 constexpr float kUniform = 1e-5F;  // of the mean contribution, added: what a pixel without light is taken for
 
@@ -96,7 +96,7 @@ Image balanceBySet(const SolvedSet& set, const Image& photograph, float clip, co
       for (size_t p = 0; p < out.pixelCount(); ++p) {
         const float brightest =
             std::max({prediction.lit.plane(0)[p], prediction.lit.plane(1)[p], prediction.lit.plane(2)[p]});
-        const float lit = std::max(prediction.lit.plane(c)[p], kDarkest * brightest);
+        const float lit = std::max(prediction.lit.plane(c)[p], kFaintestChannel * brightest);
         const float gain = lit > 0 ? prediction.wanted.plane(c)[p] / lit : 1;
         out.plane(c)[p] =
             std::max(0.F, out.plane(c)[p] + kept.ptr<float>()[p] * gain * residuals.plane(c)[p]);

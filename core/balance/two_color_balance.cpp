@@ -10,7 +10,7 @@
 namespace swaplight {
 namespace {
 
-constexpr float kDarkest = 0.02F;  // of the brightest channel of the light: below, a quotient is noise
+constexpr float kDarkestChannel = 0.02F;  // of the brightest channel of the light: below, a quotient is noise
 
 /// a and b >= 0 of the least squares fit y = a l_1 + b l_2.
 struct TwoColorFit {
@@ -56,7 +56,7 @@ TwoColorBalance balanceByTwoColors(const Image& photograph, const Rgb& first, co
         if (!std::isfinite(y[c])) y[c] = 0;
       const float beta = fit.share(y);
       const Rgb light = beta * one + (1 - beta) * two;
-      const Rgb floored = glm::max(light, Rgb(kDarkest * std::max({light.r, light.g, light.b})));
+      const Rgb floored = glm::max(light, Rgb(kDarkestChannel * std::max({light.r, light.g, light.b})));
       const Rgb out = glm::max(Rgb(0), y * (target * dot(light, luminanceWeights) / floored));
       for (int c = 0; c < 3; ++c) balanced.picture.plane(c)[p] = out[c];
       balanced.beta.plane(0)[p] = beta;

@@ -18,7 +18,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kNoClip = std::numeric_limits<float>::infinity();
-constexpr int kGrain = 64;  // rows
+constexpr int kRowsAtOnce = 64;  // rows
 
 /// The light of half the code over that of the whole is 1/2 where codes are linear, .214 in sRGB, less in
 /// logs.
@@ -131,7 +131,7 @@ void checkSizes(std::span<const Picture> pictures) {
 /// Takes the dark picture off. Saturated pixels stay: they tell nothing but that they are saturated. Where
 /// the dark picture is not finite, nothing is taken off.
 void subtractDark(Image& image, const Image& dark, float clip) {
-  parallelRows(image.height(), kGrain, [&](int begin, int end) {
+  parallelRows(image.height(), kRowsAtOnce, [&](int begin, int end) {
     const size_t first = static_cast<size_t>(begin) * static_cast<size_t>(image.width());
     const size_t last = static_cast<size_t>(end) * static_cast<size_t>(image.width());
     for (int c = 0; c < 3; ++c) {

@@ -13,7 +13,7 @@
 namespace swaplight {
 namespace {
 
-constexpr int kGrain = 64;           // rows
+constexpr int kBandRows = 64;        // rows
 constexpr float kPileFrom = 0.999F;  // of the largest value: saturated pixels differ by their read noise
 constexpr float kFullScale = 1e-4F;  // how near to 1 a largest value is full scale
 // A pile, see sensor_limits.h: so many samples from kPileFrom on, and no less than this part of those between
@@ -65,7 +65,7 @@ SWAPLIGHT_SIMD(Pile, pileIn, (const float* values, size_t count, float level), (
 bool hasPile(const Image& image, float level) {
   std::atomic<size_t> at = 0;
   std::atomic<size_t> below = 0;
-  parallelRows(image.height(), kGrain, [&](int begin, int end) {
+  parallelRows(image.height(), kBandRows, [&](int begin, int end) {
     const size_t first = static_cast<size_t>(begin) * static_cast<size_t>(image.width());
     const size_t count = static_cast<size_t>(end - begin) * static_cast<size_t>(image.width());
     for (int c = 0; c < 3; ++c) {
@@ -94,7 +94,7 @@ bool isCodedWith(const Image& image, int bits) {
 PixelCounts countPixels(const Image& image, float lowest) {
   PixelCounts total;
   std::mutex mutex;
-  parallelRows(image.height(), kGrain, [&](int begin, int end) {
+  parallelRows(image.height(), kBandRows, [&](int begin, int end) {
     const size_t first = static_cast<size_t>(begin) * static_cast<size_t>(image.width());
     const size_t count = static_cast<size_t>(end - begin) * static_cast<size_t>(image.width());
     const PixelCounts part =

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kTimecode = "smpte:TimeCode";
 constexpr PackedTime kDropFrame = 1U << 6;
-constexpr PackedTime kFlags = 0xc0U | 0x8000U | 0x800000U | 0xc0000000U;
+constexpr PackedTime kFlagBits = 0xc0U | 0x8000U | 0x800000U | 0xc0000000U;
 
 /// Two decimal digits from bit `shift` on; `tens` bits hold the first of them.
 int digits(PackedTime time, int shift, int tens) {
@@ -51,7 +51,7 @@ PackedTime advanced(PackedTime time, int frames, int fps) {
     count += dropped * (9 * tens + (rest >= int64_t{60} * fps ? (rest - int64_t{60} * fps) / one + 1 : 0));
   }
   const int64_t total = count / fps;
-  return (time & kFlags) | packed(static_cast<int>(count % fps), 0) |
+  return (time & kFlagBits) | packed(static_cast<int>(count % fps), 0) |
          packed(static_cast<int>(total % 60), 8) | packed(static_cast<int>(total / 60 % 60), 16) |
          packed(static_cast<int>(total / 3600), 24);
 }

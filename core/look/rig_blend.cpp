@@ -7,8 +7,6 @@
 namespace swaplight {
 namespace {
 
-constexpr float kMostStops = 30;
-
 bool isBlack(const Rgb& factor) {
   return std::max({factor.r, factor.g, factor.b}) <= 0;
 }

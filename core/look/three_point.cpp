@@ -12,7 +12,6 @@
 namespace swaplight {
 namespace {
 
-constexpr float kMostStops = 30;
 constexpr float kWarmPart = 2.0F / 3;
 constexpr float kMiredOfWhite = 1e6F / static_cast<float>(kD65Kelvin);
 

@@ -80,7 +80,7 @@ constexpr std::array<double, 9> kRec709FromRec2020 = {
     -0.12455047452159074,  1.1328998971259603,   -0.0083494226043694768,
     -0.018150763354905303, -0.10057889800800739, 1.1187296613629127};
 
-OCIO::TransformRcPtr builtin(const char* style, bool inverse = false) {
+OCIO::TransformRcPtr builtinStep(const char* style, bool inverse = false) {
   const auto transform = OCIO::BuiltinTransform::Create();
   transform->setStyle(style);
   if (inverse) transform->setDirection(OCIO::TRANSFORM_DIR_INVERSE);
@@ -90,9 +90,9 @@ OCIO::TransformRcPtr builtin(const char* style, bool inverse = false) {
 /// By way of ACES2065-1, to AP1, to Rec.709.
 OCIO::TransformRcPtr fromLog(const char* style) {
   const auto steps = OCIO::GroupTransform::Create();
-  steps->appendTransform(builtin(style));
-  steps->appendTransform(builtin("ACEScg_to_ACES2065-1", true));
-  steps->appendTransform(builtin("UTILITY - ACES-AP1_to_LINEAR-REC709_BFD"));
+  steps->appendTransform(builtinStep(style));
+  steps->appendTransform(builtinStep("ACEScg_to_ACES2065-1", true));
+  steps->appendTransform(builtinStep("UTILITY - ACES-AP1_to_LINEAR-REC709_BFD"));
   return steps;
 }
 

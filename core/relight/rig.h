@@ -22,11 +22,13 @@ struct LightColor {
   bool operator==(const LightColor&) const = default;
 };
 
+inline constexpr float kMostStops = 30;  ///< of a setting, brighter or darker
+
 /// One light's part in a new lighting.
 struct LightSetting {
   std::string light;  ///< name
   LightColor color;
-  float stops = 0;       ///< 0 = as captured
+  float stops = 0;       ///< 0 = as captured; -kMostStops..kMostStops
   float multiplier = 1;  ///< >= 0, on top of the stops
   bool on = true;
   bool solo = false;

@@ -11,7 +11,6 @@ namespace {
 constexpr const char* kFormat = "swaplight-rig";
 constexpr int kVersion = 1;
 constexpr size_t kMostLights = 64;
-constexpr double kMostStops = 30;
 constexpr double kLargestFactor = 1e9;
 
 LightSetting settingFromJson(const Json& json, const std::string& where) {

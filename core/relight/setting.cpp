@@ -18,7 +18,6 @@
 namespace swaplight {
 namespace {
 
-constexpr float kMostStops = 30;
 constexpr float kMostFactor = 1e9F;
 
 /// A finite number, with or without a sign; nothing else around it.

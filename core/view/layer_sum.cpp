@@ -8,7 +8,7 @@
 namespace swaplight {
 namespace {
 
-constexpr int kBand = 16;
+constexpr int kSumRows = 16;
 // Reading the remembered sum costs as much as reading one layer: it has to stand for more.
 constexpr int kFewestOthers = 2;
 
@@ -55,7 +55,7 @@ void LayerSum::rememberOthers() {
   if (m_others.width() != shape.width || m_others.height() != shape.height)
     m_others = Image(ImageSpec::rgb(shape.width, shape.height));
   const ImageSpan sum = m_others.span();
-  parallelRows(shape.height, kBand, [&](int begin, int end) {
+  parallelRows(shape.height, kSumRows, [&](int begin, int end) {
     std::vector<WeightedRow> rows;
     for (int y = begin; y < end; ++y)
       for (int c = 0; c < 3; ++c) {

@@ -15,17 +15,17 @@
 namespace swaplight {
 namespace {
 
-constexpr int kWidth = 3840, kHeight = 2160;
+constexpr int kPaintWidth = 3840, kPaintHeight = 2160;
 constexpr int kStrokes = 200;
-constexpr int kMoves = 16;       // of the mouse, a stroke
-constexpr float kLeastStep = 2;  // pixels of the screen: the mouse moves by whole ones
-constexpr int kWarmUpFrames = 30;
+constexpr int kStrokeMoves = 16;  // of the mouse, a stroke
+constexpr float kLeastStep = 2;   // pixels of the screen: the mouse moves by whole ones
+constexpr int kPaintWarmUp = 30;
 
-struct Case {
+struct PaintCase {
   const char* name;
   int strokesAnEdit;
 };
-constexpr Case kCases[] = {{"25 strokes an edit", 25}, {"every stroke an edit", 1}};
+constexpr PaintCase kPaintCases[] = {{"25 strokes an edit", 25}, {"every stroke an edit", 1}};
 
 /// The light and what the brush does to it, another one every few strokes.
 void chooseBrush(ViewerContext& context, int turn) {
@@ -56,12 +56,12 @@ void paintStroke(BenchStage& stage, std::mt19937& random, std::vector<double>& d
   float x = across(random), y = down(random);
   float stepX = 0, stepY = 0;
   while (std::max(std::abs(stepX), std::abs(stepY)) < kLeastStep) {
-    stepX = (across(random) - x) / (2 * kMoves);
-    stepY = (down(random) - y) / (2 * kMoves);
+    stepX = (across(random) - x) / (2 * kStrokeMoves);
+    stepY = (down(random) - y) / (2 * kStrokeMoves);
   }
   timedFrame(stage, x, y, false);
   ViewerContext& context = stage.studio().context();
-  for (int move = 0; move < kMoves; ++move) {
+  for (int move = 0; move < kStrokeMoves; ++move) {
     const uint64_t before = context.editor.revision();
     const double time = timedFrame(stage, x, y, true);
     if (context.editor.revision() == before || context.shown.revision != context.editor.revision())
@@ -101,7 +101,7 @@ Json timedSave(BenchStage& stage) {
               {"file_kb", std::filesystem::file_size(file) / 1024}};
 }
 
-Json measure(BenchStage& stage, const Case& which) {
+Json measure(BenchStage& stage, const PaintCase& which) {
   ViewerContext& context = stage.studio().context();
   std::mt19937 random(7);
   std::vector<double> dabs;
@@ -126,15 +126,15 @@ Json measure(BenchStage& stage, const Case& which) {
 Json benchPaint(const StudioOptions& options) {
   BenchStage stage(options);
   ViewerContext& context = stage.studio().context();
-  stage.openLarge(kWidth, kHeight);
-  for (int i = 0; i < kWarmUpFrames; ++i) stage.drawFrame();
+  stage.openLarge(kPaintWidth, kPaintHeight);
+  for (int i = 0; i < kPaintWarmUp; ++i) stage.drawFrame();
   context.actions.run("brush.take");
   while (stage.studio().busy()) stage.drawFrame();
-  for (int i = 0; i < kWarmUpFrames; ++i) stage.drawFrame();
+  for (int i = 0; i < kPaintWarmUp; ++i) stage.drawFrame();
 
   Json result = stage.circumstances();
   result["cases"] = Json::array();
-  for (const Case& which : kCases) result["cases"].push_back(measure(stage, which));
+  for (const PaintCase& which : kPaintCases) result["cases"].push_back(measure(stage, which));
   result["load_after"] = loadAverage();
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

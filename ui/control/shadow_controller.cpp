@@ -8,7 +8,7 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kKept = 12;  // outlines, of several lights and thresholds
+constexpr size_t kKeptOutlines = 12;  // outlines, of several lights and thresholds
 
 }  // namespace
 
@@ -55,7 +55,7 @@ void ShadowController::makePreview() {
 void ShadowController::drawOutlines() {
   takeOrReport(m_drawing, m_parts.messages, "outlines of shadows", [this](Drawn drawn) {
     m_drawn.push_back(std::move(drawn));
-    if (m_drawn.size() > kKept) m_drawn.pop_front();
+    if (m_drawn.size() > kKeptOutlines) m_drawn.pop_front();
   });
   const int light = this->light();
   if (light < 0) return;

@@ -9,7 +9,7 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kKept = 2;
+constexpr size_t kKeptPictures = 2;
 
 Image readPhotograph(const ColorConfig& config, Capture capture, int shot, const Image& like,
                      const Progress& progress) {
@@ -75,7 +75,7 @@ void SubjectPictures::forget() {
 }
 
 const SubjectPictures::Shown& SubjectPictures::keep(const ViewSubject& subject, Image image) {
-  if (m_shown.size() == kKept) {
+  if (m_shown.size() == kKeptPictures) {
     m_shown.pop_front();
     ++m_revision;
   }

@@ -17,7 +17,7 @@ namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kTitle = "New capture from photographs";
+constexpr const char* kWizardTitle = "New capture from photographs";
 constexpr int kThumbnailWidth = 480, kThumbnailHeight = 270;  // in pixels, for the largest screens
 constexpr size_t kMostLights = 8;
 constexpr const char* kUsualNames[kMostLights] = {"key",    "fill",   "back",   "practical",
@@ -260,14 +260,14 @@ void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, con
 
 void CaptureWizard::draw(Messages& messages, const Solve& solve) {
   if (!m_folder) return;
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (!ImGui::IsPopupOpen(kWizardTitle)) ImGui::OpenPopup(kWizardTitle);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   ImGui::SetNextWindowSize(
       m_found ? ImVec2(std::min(px(1180), screen.x - px(40)), std::min(px(820), screen.y - px(40)))
               : ImVec2(px(460), 0));
   if (!ImGui::BeginPopupModal(
-          kTitle, nullptr,
+          kWizardTitle, nullptr,
           ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
     return;
   if (!m_found) {

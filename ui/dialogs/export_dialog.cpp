@@ -17,7 +17,7 @@ namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kTitle = "Export";
+constexpr const char* kExportTitle = "Export";
 constexpr float kLabel = 130;
 constexpr float kField = 250;
 
@@ -263,12 +263,12 @@ void ExportDialog::accept(const Answers& answers) {
 
 void ExportDialog::draw(const ColorConfig& config, const Document& document, const Answers& answers) {
   if (!m_open) return;
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (!ImGui::IsPopupOpen(kExportTitle)) ImGui::OpenPopup(kExportTitle);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y * 0.45F), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   ImGui::SetNextWindowSize(ImVec2(std::min(px(640), screen.x - px(40)), 0));
   if (!ImGui::BeginPopupModal(
-          kTitle, nullptr,
+          kExportTitle, nullptr,
           ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
     return;
   drawKinds();

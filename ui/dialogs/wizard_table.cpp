@@ -19,7 +19,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kThumbnailColumn = 176;
-constexpr float kThumbnailHeight = 92;
+constexpr float kRowHeight = 92;
 
 /// What a cell's text says: a colour, unknown, or nonsense.
 struct Reading {
@@ -117,7 +117,7 @@ void CaptureWizard::drawFrame() {
 void CaptureWizard::drawThumbnail(size_t shot) {
   const ShotThumbnail& picture = m_found->thumbnails[shot];
   const float scale = std::min(px(kThumbnailColumn - 10) / static_cast<float>(picture.width),
-                               px(kThumbnailHeight) / static_cast<float>(picture.height));
+                               px(kRowHeight) / static_cast<float>(picture.height));
   const ImVec2 size(std::floor(scale * static_cast<float>(picture.width)),
                     std::floor(scale * static_cast<float>(picture.height)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -153,7 +153,7 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
   const std::string mark = fmt::format("wizard.cell.{}.{}", shot, light);
   const float side = ImGui::GetFrameHeight();
   ImGui::PushID(static_cast<int>(light));
-  ImGui::Dummy(ImVec2(0, (px(kThumbnailHeight) - 2 * side) / 2));
+  ImGui::Dummy(ImVec2(0, (px(kRowHeight) - 2 * side) / 2));
   if (reading.color)
     colorChip("##chip", chipOf(*reading.color), ImVec2(side, side), cell.text.c_str());
   else

@@ -18,7 +18,7 @@ namespace {
 
 using Kind = SelectionState::Kind;
 
-constexpr float kMostFeather = 400;
+constexpr float kMostSelectionFeather = 400;
 
 void kinds(SelectionState& state, const std::string& light) {
   struct Choice {
@@ -86,7 +86,7 @@ void drawSelectionBar(EditingContext& studio) {
   if (selection.empty()) return;
   hint("Edits stay inside the selection");
   float feather = featherOf(selection);
-  if (labelledSlider("Soft edge", "select.feather", &feather, 0, kMostFeather, "%.0f px",
+  if (labelledSlider("Soft edge", "select.feather", &feather, 0, kMostSelectionFeather, "%.0f px",
                      "Width of the soft edge, in image pixels.", kLogarithmic)) {
     Document next = studio.document();
     next.selection = featheredSelection(selection, std::round(feather));

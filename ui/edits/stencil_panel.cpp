@@ -18,7 +18,7 @@
 namespace swaplight {
 namespace {
 
-constexpr float kMostFeather = 400;
+constexpr float kMostStencilFeather = 400;
 
 void kinds(StencilState& state) {
   const float gap = px(4);
@@ -54,7 +54,7 @@ bool ownValues(EditingContext& studio) {
     markItem("stencil.which_pattern");
     stencil.pattern = static_cast<PatternShape::Kind>(pattern);
   }
-  if (kind.feather && labelledSlider("Feather", "stencil.feather", &stencil.feather, 0, kMostFeather,
+  if (kind.feather && labelledSlider("Feather", "stencil.feather", &stencil.feather, 0, kMostStencilFeather,
                                      "%.0f px", "Width of the soft edge, in image pixels.", kLogarithmic))
     changed = true;
   return changed;

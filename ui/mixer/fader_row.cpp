@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kHeight = 48;
 constexpr float kNameWidth = 94;
-constexpr float kGap = 6;
+constexpr float kFaderGap = 6;
 
 void editGroup(LightsContext& studio, size_t index, const std::string& what, float stops, bool on) {
   Rig rig = studio.document().rig;
@@ -47,7 +47,7 @@ void drawGroupRow(LightsContext& studio, size_t index) {
   const LightGroup group = studio.document().rig.groups[index];
   const MixerCard card(kHeight);
   const float side = px(kSwitchSide);
-  const float gap = px(kGap);
+  const float gap = px(kFaderGap);
   const std::string mark = "mixer.group." + group.name;
   ImGui::PushID(group.name.c_str());
   card.toMiddleLine();
@@ -90,11 +90,11 @@ void drawAmbientRow(LightsContext& studio) {
   tooltip("Ambient light: what no controlled light explains.");
   ImGui::SameLine(card.at(px(kNameWidth), 0).x);
   float percent = 100 * ambient;
-  ImGui::SetNextItemWidth(card.innerWidth() - px(kNameWidth) - px(kDotWidth) - px(kGap));
+  ImGui::SetNextItemWidth(card.innerWidth() - px(kNameWidth) - px(kDotWidth) - px(kFaderGap));
   if (ImGui::SliderFloat("##ambient", &percent, 0, 200, "%.0f %%"))
     studio.editor.preview("Ambient", withAmbient(std::max(0.0F, percent / 100)));
   markItem("mixer.ambient");
-  ImGui::SameLine(0, px(kGap));
+  ImGui::SameLine(0, px(kFaderGap));
   if (changedDot("##reset ambient", ambient != 1, "Changed from the capture. Click to reset."))
     studio.editor.edit("Ambient: reset", withAmbient(1));
   markItem("mixer.ambient.reset");

@@ -19,7 +19,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kFaderWidth = 214;
-constexpr float kGap = 6;
+constexpr float kTileGap = 6;
 constexpr float kNameHeight = 20;
 
 float aspectOf(const LightsContext& studio) {
@@ -211,8 +211,8 @@ void GalleryPanel::draw(LightsContext& studio) {
       "Save the current lighting as a look: colours, levels and switches. Light edits (F4) are not included. "
       " "
       "(Shift+K)");
-  ImGui::SameLine(0, px(kGap));
-  ImGui::BeginChild("##looks", ImVec2(room.x - button - px(kFaderWidth) - 2 * px(kGap), room.y), false,
+  ImGui::SameLine(0, px(kTileGap));
+  ImGui::BeginChild("##looks", ImVec2(room.x - button - px(kFaderWidth) - 2 * px(kTileGap), room.y), false,
                     ImGuiWindowFlags_HorizontalScrollbar);
   const size_t count = studio.document().looks.size();
   if (count == 0) {
@@ -222,14 +222,14 @@ void GalleryPanel::draw(LightsContext& studio) {
   }
   // Pictures as high as there is room, less a bar where they do not fit side by side.
   float height = room.y - px(kNameHeight) - ImGui::GetStyle().ItemSpacing.y;
-  const float wanted = static_cast<float>(count) * (cardWidth(studio, height) + px(kGap));
+  const float wanted = static_cast<float>(count) * (cardWidth(studio, height) + px(kTileGap));
   if (wanted > ImGui::GetContentRegionAvail().x) height -= ImGui::GetStyle().ScrollbarSize;
   for (size_t i = 0; i < count && i < studio.document().looks.size(); ++i) {
-    if (i > 0) ImGui::SameLine(0, px(kGap));
+    if (i > 0) ImGui::SameLine(0, px(kTileGap));
     drawLook(studio, i, std::max(px(30), height));
   }
   ImGui::EndChild();
-  ImGui::SameLine(0, px(kGap));
+  ImGui::SameLine(0, px(kTileGap));
   ImGui::BeginChild("##crossfade", ImVec2(px(kFaderWidth), room.y), false, ImGuiWindowFlags_NoScrollbar);
   crossfade(studio);
   ImGui::EndChild();

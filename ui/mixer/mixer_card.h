@@ -9,7 +9,6 @@ namespace swaplight {
 // What the mixer's rows have in common. Lengths at scale 1.
 
 inline constexpr float kStopsRange = 10;  ///< of an intensity slider
-inline constexpr float kMostStops = 30;   ///< that can be typed
 inline constexpr float kCardPadding = 9;
 inline constexpr float kNumberWidth = 84;
 inline constexpr float kDotWidth = 14;

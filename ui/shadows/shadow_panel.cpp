@@ -19,7 +19,7 @@
 namespace swaplight {
 namespace {
 
-using Kind = ViewSubject::Kind;
+using SubjectKind = ViewSubject::Kind;
 
 constexpr float kGap = 4;
 constexpr float kHistogramHeight = 92;
@@ -37,8 +37,8 @@ void lightCombo(EditingContext& studio) {
       studio.view.selectedLight = static_cast<int>(i);
       studio.view.selectedLights.clear();
       ViewSubject& subject = studio.view.subject;  // a map of one light becomes that of the other
-      if (subject.kind == Kind::Contribution || subject.kind == Kind::Beta ||
-          subject.kind == Kind::Visibility)
+      if (subject.kind == SubjectKind::Contribution || subject.kind == SubjectKind::Beta ||
+          subject.kind == SubjectKind::Visibility)
         subject.index = static_cast<int>(i);
     }
     markItem({"shadows.light.", lights[i].light});
@@ -50,17 +50,17 @@ void lightCombo(EditingContext& studio) {
 /// What the viewer shows of the light.
 void views(EditingContext& studio) {
   struct View {
-    Kind kind;
+    SubjectKind kind;
     const char* words;
     const char* mark;
     const char* tip;
   };
   constexpr std::array<View, 4> kViews{
-      {{Kind::Relit, "Picture", "shadows.view.picture", "The picture with all lights."},
-       {Kind::Beta, "\u03b2", "shadows.view.beta",
+      {{SubjectKind::Relit, "Picture", "shadows.view.picture", "The picture with all lights."},
+       {SubjectKind::Beta, "\u03b2", "shadows.view.beta",
         "\u03b2, the light's share of each pixel at unit white: black is none, white is all."},
-       {Kind::Contribution, "Light", "shadows.view.light", "This light only."},
-       {Kind::Visibility, "Visibility", "shadows.view.reach",
+       {SubjectKind::Contribution, "Light", "shadows.view.light", "This light only."},
+       {SubjectKind::Visibility, "Visibility", "shadows.view.reach",
         "How much of the light reaches a place: black is umbra, grey penumbra, white fully lit."}}};
   float words = 0;
   for (const View& view : kViews) words += ImGui::CalcTextSize(view.words).x;
@@ -69,8 +69,8 @@ void views(EditingContext& studio) {
   for (size_t i = 0; i < kViews.size(); ++i) {
     const View& view = kViews.at(i);
     if (i > 0) ImGui::SameLine(0, px(kGap));
-    const ViewSubject subject{view.kind, view.kind == Kind::Relit ? 0 : light};
-    ImGui::BeginDisabled(view.kind == Kind::Visibility && shadowLight(studio, *studio.set()) < 0);
+    const ViewSubject subject{view.kind, view.kind == SubjectKind::Relit ? 0 : light};
+    ImGui::BeginDisabled(view.kind == SubjectKind::Visibility && shadowLight(studio, *studio.set()) < 0);
     const float width = std::floor(ImGui::CalcTextSize(view.words).x + air);
     if (choiceButton(view.words, studio.view.subject == subject, width, view.mark, view.tip))
       studio.view.subject = subject;

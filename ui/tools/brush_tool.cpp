@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kFirstRadius = 0.06F;  // of the picture's height
 constexpr float kLeastRadius = 1, kMostRadius = 2000;
-constexpr float kLeastStep = 0.5F;  // pixels of the picture between two points of a stroke
+constexpr float kLeastStrokeStep = 0.5F;  // pixels of the picture between two points of a stroke
 constexpr double kWheelStep = 1.12;
 
 const Painting* paintingOf(const Edit& edit) {
@@ -120,7 +120,7 @@ void beginStroke(EditingContext& studio, const StrokePoint& at) {
 void continueStroke(EditingContext& studio, const StrokePoint& at) {
   BrushState::Going& going = *studio.editing.brush.going;
   const StrokePoint& from = going.painting.strokes().back()->points.back();
-  if (std::hypot(at.x - from.x, at.y - from.y) < kLeastStep) return;
+  if (std::hypot(at.x - from.x, at.y - from.y) < kLeastStrokeStep) return;
   going.painting.add(at);
   showStroke(studio);
 }

@@ -16,8 +16,8 @@ namespace {
 using What = ShapeHandle::What;
 constexpr float kReach = 11;  // pixels of the screen at scale 1
 constexpr float kRadius = 5;
-constexpr float kLeastDrag = 1;
-constexpr ImU32 kDark = IM_COL32(0, 0, 0, 190);
+constexpr float kLeastHandleDrag = 1;
+constexpr ImU32 kHandleShade = IM_COL32(0, 0, 0, 190);
 
 const Edit* chosenEdit(const EditingContext& studio) {
   const auto& edits = studio.document().edits.edits;
@@ -57,7 +57,7 @@ ImGuiMouseCursor cursorOf(What what) {
   return ImGuiMouseCursor_ResizeAll;
 }
 
-void show(EditingContext& studio, const Point& mouse) {
+void preview(EditingContext& studio, const Point& mouse) {
   const HandleState::Going& going = *studio.editing.handle.going;
   Edit edit = *going.before.edits.edits[going.edit];
   const Point to{mouse[0] - going.offset[0], mouse[1] - going.offset[1]};
@@ -74,7 +74,7 @@ void drawOutline(const MaskShape& shape, const ViewWindow& window, ImVec2 origin
   if (const auto* line = std::get_if<LinearGradientShape>(&shape.shape)) {
     const ImVec2 from = onScreen({line->x0, line->y0}, window, origin);
     const ImVec2 to = onScreen({line->x1, line->y1}, window, origin);
-    draw->AddLine(from, to, kDark, thick);
+    draw->AddLine(from, to, kHandleShade, thick);
     draw->AddLine(from, to, kText, thin);
     return;
   }
@@ -82,7 +82,7 @@ void drawOutline(const MaskShape& shape, const ViewWindow& window, ImVec2 origin
     const ImVec2 middle = onScreen({ring->x, ring->y}, window, origin);
     for (const float radius : {ring->inner, ring->outer}) {
       const float shown = radius * static_cast<float>(window.zoom);
-      draw->AddCircle(middle, shown, kDark, 0, thick);
+      draw->AddCircle(middle, shown, kHandleShade, 0, thick);
       draw->AddCircle(middle, shown, kText, 0, thin);
     }
   }
@@ -92,14 +92,14 @@ void drawOutline(const MaskShape& shape, const ViewWindow& window, ImVec2 origin
   const ImVec2 high = onScreen({box->x1, box->y1}, window, origin);
   markRect("stencil.frame", low.x, low.y, high.x, high.y);
   if (std::holds_alternative<RadialGradientShape>(shape.shape)) return;
-  draw->AddRect(low, high, kDark, 0, 0, thick);
+  draw->AddRect(low, high, kHandleShade, 0, 0, thick);
   draw->AddRect(low, high, kText, 0, 0, thin);
 }
 
 void drawHandle(const ShapeHandle& handle, ImVec2 at, bool lit) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float radius = px(lit ? kRadius + 1.5F : kRadius);
-  draw->AddCircleFilled(at, radius + px(1.5F), kDark);
+  draw->AddCircleFilled(at, radius + px(1.5F), kHandleShade);
   // Dark in the middle where nothing of the edit is left: a gradient's end tells its direction.
   draw->AddCircleFilled(at, radius, lit ? kAccent : kText);
   if (handle.what == What::To || handle.what == What::Outer)
@@ -134,7 +134,7 @@ bool dragHandles(EditingContext& studio, const ToolInput& input) {
     ImGui::SetMouseCursor(cursorOf(state.going->what));
     // A click alone changes nothing.
     const float far = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left];
-    if (far > kLeastDrag * kLeastDrag) show(studio, pointAtMouse(input.window, input.origin));
+    if (far > kLeastHandleDrag * kLeastHandleDrag) preview(studio, pointAtMouse(input.window, input.origin));
     if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) state.going.reset();
     return true;
   }

@@ -17,11 +17,11 @@ namespace {
 using Kind = SelectionState::Kind;
 using Point = std::array<float, 2>;
 
-constexpr float kLeastStep = 1.5F;     // pixels of the screen between two points of a lasso
-constexpr float kLeastDrag = 3;        // pixels of the screen: less is a click
-constexpr float kDash = 5;             // pixels of the screen at scale 1
-constexpr int kMarchSteps = 6;         // until a dash is where the next of its colour was
-constexpr size_t kMostPoints = 30000;  // of an outline: more is noise
+constexpr float kLeastLassoStep = 1.5F;  // pixels of the screen between two points of a lasso
+constexpr float kLeastSelection = 3;     // pixels of the screen: less is a click
+constexpr float kDash = 5;               // pixels of the screen at scale 1
+constexpr int kMarchSteps = 6;           // until a dash is where the next of its colour was
+constexpr size_t kMostPoints = 30000;    // of an outline: more is noise
 constexpr ImU32 kDark = IM_COL32(0, 0, 0, 220), kBright = IM_COL32(255, 255, 255, 235);
 
 SelectHow howFromKeys() {
@@ -85,7 +85,7 @@ void finish(EditingContext& studio, const ViewWindow& window) {
   float far = 0;
   for (const Point& p : going.points)
     far = std::max({far, std::abs(p[0] - first[0]), std::abs(p[1] - first[1])});
-  if (far * static_cast<float>(window.zoom) >= kLeastDrag)
+  if (far * static_cast<float>(window.zoom) >= kLeastSelection)
     addPart(studio, drawnShape(state.kind, going.points), going.how);
   else if (going.how == SelectHow::Replace && !studio.document().selection.empty())
     changeSelection(studio, "Deselect", {});
@@ -202,7 +202,7 @@ bool handleSelection(EditingContext& studio, const ToolInput& input) {
   } else if (state.going) {
     const Point& last = state.going->points.back();
     const float moved = std::hypot(at[0] - last[0], at[1] - last[1]) * static_cast<float>(window.zoom);
-    if (moved >= kLeastStep) state.going->points.push_back(at);
+    if (moved >= kLeastLassoStep) state.going->points.push_back(at);
     if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) finish(studio, window);
   }
   if (input.hovered) ImGui::SetMouseCursor(clicks ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_Arrow);

@@ -10,7 +10,7 @@
 namespace swaplight {
 namespace {
 
-constexpr float kLeastDrag = 4;  // pixels of the screen: less places nothing
+constexpr float kLeastStencil = 4;  // pixels of the screen: less places nothing
 
 void begin(EditingContext& studio, const Point& at) {
   StencilState& state = studio.editing.stencil;
@@ -67,7 +67,7 @@ bool handleStencil(EditingContext& studio, const ToolInput& input) {
     begin(studio, at);
   } else if (state.going) {
     const float far = std::hypot(at[0] - state.going->from[0], at[1] - state.going->from[1]);
-    if (far * static_cast<float>(input.window.zoom) >= kLeastDrag) show(studio, at);
+    if (far * static_cast<float>(input.window.zoom) >= kLeastStencil) show(studio, at);
     if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) state.going.reset();
   }
   return true;

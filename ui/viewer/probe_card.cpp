@@ -16,7 +16,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kWidth = 250;
-constexpr float kMargin = 12;
+constexpr float kCardMargin = 12;
 
 std::string stopsWords(float stops) {
   return std::isfinite(stops) ? fmt::format("{:+.2f} st from grey", stops) : "black";
@@ -52,9 +52,9 @@ void drawProbeCard(ViewerContext& studio, ImVec2 origin, ImVec2 size) {
   const PixelProbe probe = probePixels(*studio.colors.config(), set, document.rig, pixel->x, pixel->y,
                                        studio.view.probeSide, *table, studio.table.luminanceWeights());
   // At the right, unless the mouse is there.
-  const bool right = ImGui::GetIO().MousePos.x < origin.x + size.x - px(kWidth + 3 * kMargin);
-  ImGui::SetNextWindowPos(ImVec2(right ? origin.x + size.x - px(kMargin) : origin.x + px(kMargin),
-                                 origin.y + size.y - px(kMargin) - px(right ? 0 : kMargin + 30)),
+  const bool right = ImGui::GetIO().MousePos.x < origin.x + size.x - px(kWidth + 3 * kCardMargin);
+  ImGui::SetNextWindowPos(ImVec2(right ? origin.x + size.x - px(kCardMargin) : origin.x + px(kCardMargin),
+                                 origin.y + size.y - px(kCardMargin) - px(right ? 0 : kCardMargin + 30)),
                           ImGuiCond_Always, ImVec2(right ? 1 : 0, 1));
   ImGui::SetNextWindowSize(ImVec2(px(kWidth), 0));
   ImGui::SetNextWindowBgAlpha(0.85F);

@@ -8,7 +8,7 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kBandBytes = size_t{32} << 20;
+constexpr size_t kDecodedBytes = size_t{32} << 20;
 constexpr size_t kLargestBand = size_t{256} << 20;
 
 /// The types to ask for: as stored where we unpack them ourselves, else float; `asked` is what OpenImageIO is
@@ -69,7 +69,7 @@ int PictureDecoder::bandRows(size_t part) const {
   const size_t stepBytes = std::max<size_t>(1, known.rowBytes() * step);
   // Every thread is to have two pieces of its own.
   const size_t busy = std::min(2 * static_cast<size_t>(threadCount()), kLargestBand / stepBytes);
-  const size_t steps = std::max({size_t{1}, kBandBytes / stepBytes, busy});
+  const size_t steps = std::max({size_t{1}, kDecodedBytes / stepBytes, busy});
   return static_cast<int>(std::min(step * steps, static_cast<size_t>(known.height)));
 }
 

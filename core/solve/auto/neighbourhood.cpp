@@ -10,7 +10,7 @@
 namespace swaplight {
 namespace {
 
-constexpr int kBand = 48;
+constexpr int kBandRows = 48;
 
 }  // namespace
 
@@ -30,11 +30,11 @@ void localOdds(ImageView misfit, float freedom, const NeighbourhoodTuning& tunin
     for (int y = 0; y < height; ++y) std::fill_n(odds.row(0, y), width, 1.0F);
     return;
   }
-  const int bands = (height + kBand - 1) / kBand;
+  const int bands = (height + kBandRows - 1) / kBandRows;
   parallelRows(bands, 1, [&](int begin, int end) {
     for (int band = begin; band < end; ++band) {
-      const int top = band * kBand;
-      const int bottom = std::min(top + kBand, height);
+      const int top = band * kBandRows;
+      const int bottom = std::min(top + kBandRows, height);
       const int first = std::max(top - tuning.radius, 0);
       const int last = std::min(bottom + tuning.radius, height);
       cv::Mat fails(last - first, width, CV_32F);

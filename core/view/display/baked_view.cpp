@@ -13,20 +13,21 @@
 namespace swaplight {
 namespace {
 
-constexpr int kHalves = 65536;
+constexpr int kHalfCodes = 65536;
 constexpr int kPositiveHalves = 0x7c00;
 constexpr float kTolerance = 0.25F / 255;
 
 /// The view of every half float as a grey, a curve a channel.
 std::array<std::vector<float>, 3> curvesOfGreys(const ViewFunction& view) {
   constexpr int kRow = 256;
-  Image greys(ImageSpec::rgb(kRow, kHalves / kRow));
+  Image greys(ImageSpec::rgb(kRow, kHalfCodes / kRow));
   for (int c = 0; c < 3; ++c)
-    for (int bits = 0; bits < kHalves; ++bits) greys.plane(c)[bits] = finiteHalf(bits);
+    for (int bits = 0; bits < kHalfCodes; ++bits) greys.plane(c)[bits] = finiteHalf(bits);
   parallelRows(greys.height(), 32,
                [&](int begin, int end) { view(greys.span().crop(0, begin, kRow, end - begin)); });
   std::array<std::vector<float>, 3> curves;
-  for (int c = 0; c < 3; ++c) curves[static_cast<size_t>(c)].assign(greys.plane(c), greys.plane(c) + kHalves);
+  for (int c = 0; c < 3; ++c)
+    curves[static_cast<size_t>(c)].assign(greys.plane(c), greys.plane(c) + kHalfCodes);
   return curves;
 }
 
@@ -177,7 +178,7 @@ BakedView::BakedView(const ViewFunction& view) : m_curves(curvesOfGreys(view)) {
                        [&](float code) { return encoding.decoded(code); });
   });
   for (std::vector<float>& curve : m_curves)
-    for (int bits = 0; bits < kHalves; ++bits)
+    for (int bits = 0; bits < kHalfCodes; ++bits)
       curve[static_cast<size_t>(bits)] = encoding.encoded(finiteHalf(bits));
 }
 
