@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/diagnosis/program_log.h"
+
 namespace swaplight {
 namespace {
 
@@ -18,6 +20,7 @@ Clock::time_point endOf(Messages::Kind kind, const std::string& text) {
 }  // namespace
 
 void Messages::say(Kind kind, const std::string& text) {
+  logLine((kind == Kind::Error ? "error: " : kind == Kind::Warning ? "warning: " : "") + text);
   m_messages.push_back({kind, text, endOf(kind, text)});
   if (m_messages.size() > kMostShown) m_messages.pop_front();
 }

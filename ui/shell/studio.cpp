@@ -6,7 +6,13 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/base/version.h"
+#include "core/diagnosis/crash_report.h"
+#include "core/diagnosis/program_log.h"
+#include "core/file/user_folders.h"
 #include "core/image/io/image_io.h"
+#include "core/ocio/color_config.h"
+#include "render/gl/gl_info.h"
 #include "ui/kit/imgui_session.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
@@ -68,6 +74,15 @@ void run(Window& window, StudioWindow& studio, const StudioOptions& options) {
   }
 }
 
+/// For whoever reads a crash report afterwards.
+void noteCircumstances(const ViewerContext& context) {
+  const GlInfo graphics = glInfo();
+  setCrashFact("graphics", graphics.renderer + ", OpenGL " + graphics.version);
+  setCrashFact("engine", context.renderer.words());
+  setCrashFact("colour", context.colors.config()->name());
+  logLine("drawn by " + graphics.renderer);
+}
+
 }  // namespace
 
 void runStudio(const StudioOptions& options) {
@@ -78,7 +93,10 @@ void runStudio(const StudioOptions& options) {
   applyTheme(options.scale > 0 ? options.scale : window->contentScale());
   if (!options.layoutProbe.empty()) probeLayout(options.layoutProbe);
   if (!options.script.empty()) rememberLayout();
+  openProgramLog(stateFolder());
+  logLine(std::string("swaplight ") + version() + " studio");
   StudioWindow studio(*window, options);
+  noteCircumstances(studio.context());
   if (!options.file.empty()) studio.open(options.file);
   run(*window, studio, options);
 }
