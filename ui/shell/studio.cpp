@@ -83,6 +83,14 @@ void noteCircumstances(const ViewerContext& context) {
   logLine("drawn by " + graphics.renderer);
 }
 
+void sayLastCrash(Messages& messages) {
+  if (const auto report = unseenCrash(stateFolder() / "crash"))
+    messages.error(
+        "Swaplight crashed when it was last used. To report it, send this file and what "
+        "\"swaplight doctor\" prints: " +
+        report->string());
+}
+
 }  // namespace
 
 void runStudio(const StudioOptions& options) {
@@ -97,6 +105,7 @@ void runStudio(const StudioOptions& options) {
   logLine(std::string("swaplight ") + version() + " studio");
   StudioWindow studio(*window, options);
   noteCircumstances(studio.context());
+  if (options.screenshot.empty()) sayLastCrash(studio.context().messages);
   if (!options.file.empty()) studio.open(options.file);
   run(*window, studio, options);
 }
