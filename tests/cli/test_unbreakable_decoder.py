@@ -1,7 +1,6 @@
 """Pictures are decoded in processes of their own: one that crashes its decoder is a line, and what is read is the
 same as in the program itself."""
 import os
-import struct
 import subprocess
 import time
 import unittest
@@ -9,33 +8,38 @@ import unittest
 import numpy as np
 
 import swaplight_cli as cli
+from bad_tiff import crashing_tiff, ink_tiff
 
 TRUSTED = {'SWAPLIGHT_TRUST_PICTURES': '1'}
-
-
-def crashing_tiff(path, side=256, bits=6):
-    """Four inks of 6 bits in tiles of their own, after OpenImageIO's issue 5315: its reader writes beyond its memory."""
-    tile = side * bits // 8 * side
-    at = 8 + 2 + 12 * 11 + 4
-    tags = [(256, 4, 1, side), (257, 4, 1, side), (258, 3, 4, at), (259, 3, 1, 1), (262, 3, 1, 5), (277, 3, 1, 4),
-            (284, 3, 1, 2), (322, 4, 1, side), (323, 4, 1, side), (324, 4, 4, at + 8), (325, 4, 4, at + 24)]
-    with open(path, 'wb') as file:
-        file.write(b'II*\0' + struct.pack('<IH', 8, len(tags)))
-        for tag in tags:
-            file.write(struct.pack('<HHII', *tag))
-        file.write(struct.pack('<I4H8I', 0, *[bits] * 4, *[at + 40] * 4, *[tile] * 4) + b'\xa5' * tile)
 
 
 class DecoderTest(cli.CliTest):
     def test_a_picture_that_crashes_its_decoder_is_a_line(self):
         path = self.path('crash.tif')
-        for bits in (1, 2, 4, 6):
-            crashing_tiff(path, bits=bits)
-            result = cli.run('evaluate', path, path)
-            self.assertEqual(result.returncode, 2, result)
-            self.assertIn(path, result.stderr)
-            self.assertIn('crashed its decoder', result.stderr)
-            self.assertEqual(result.stderr.count('\n'), 1)
+        crashing_tiff(path)
+        result = cli.run('evaluate', path, path)
+        self.assertEqual(result.returncode, 2, result)
+        self.assertIn(path, result.stderr)
+        self.assertIn('crashed its decoder', result.stderr)
+        self.assertEqual(result.stderr.count('\n'), 1)
+
+    def test_inks_that_would_be_read_beyond_memory_are_refused(self):
+        """The pictures of OpenImageIO's issue 5315 (tests/core/image/tiff_layout_test.cpp looks at the pixels of those
+        that are read)."""
+        path = self.path('inks.tif')
+        for bits in (1, 6, 8, 12):
+            for tiled in (False, True):
+                for separate in (False, True):
+                    ink_tiff(path, bits, tiled, separate)
+                    result = cli.run('evaluate', path, path)
+                    with self.subTest(bits=bits, tiled=tiled, separate=separate):
+                        if not tiled and (separate or bits == 8):
+                            self.assertEqual(result.returncode, 0, result)
+                            continue
+                        self.assertEqual(result.returncode, 2, result)
+                        self.assertIn(path + ': is a TIFF of four inks (CMYK)', result.stderr)
+                        self.assertIn('Save it as RGB', result.stderr)
+                        self.assertEqual(result.stderr.count('\n'), 1)
 
     def test_as_a_shot_of_a_capture(self):
         capture = cli.Capture(self.path('set'), height=24, width=32)

@@ -7,6 +7,7 @@
 #include "core/color/chromaticities.h"
 #include "core/image/io/header_oiio.h"
 #include "core/image/io/image_format.h"
+#include "core/image/io/tiff_layout.h"
 
 namespace swaplight {
 namespace {
@@ -136,6 +137,7 @@ ImageContents contentsOf(ImageInput& input) {
     if (spec.undefined()) break;
     spec = input->spec(index);
     if (spec.deep) throw InputError("{}: is a deep picture. Flatten it first.", input.name());
+    if (input.format() == "tiff") checkTiffLayout(input.name(), spec);
     ImagePart part{spec, index, 0, 0, spec.channelnames};
     if (layered) part.channels = channelNames(spec, index);
     if (index == 0) {
