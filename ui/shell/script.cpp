@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <iostream>
-#include <sstream>
 #include <thread>
 
 #include "core/base/error.h"
@@ -31,12 +30,7 @@ size_t lightIndex(const ViewerContext& studio, const std::string& name) {
 Script::Script(const std::filesystem::path& file,
                std::function<void(const std::filesystem::path&)> screenshot)
     : m_name(file.string()), m_screenshot(std::move(screenshot)) {
-  std::istringstream in(readFile(file, 1 << 20));
-  int number = 0;
-  for (std::string text; std::getline(in, text);) {
-    ++number;
-    if (!text.empty() && text[0] != '#') m_lines.push_back({number, text});
-  }
+  for (ScriptLine& line : scriptLines(readFile(file, 1 << 20))) m_lines.push_back(std::move(line));
 }
 
 void Script::step(StudioWindow& studio) {
@@ -54,7 +48,7 @@ void Script::step(StudioWindow& studio) {
       return;
     }
     if (m_lines.empty()) return;
-    const Line line = m_lines.front();
+    const ScriptLine line = m_lines.front();
     m_lines.pop_front();
     try {
       if (!run(studio, line)) return;
@@ -64,16 +58,11 @@ void Script::step(StudioWindow& studio) {
   }
 }
 
-bool Script::runMouse(StudioWindow& /*studio*/, const std::string& command, const std::string& arguments) {
+bool Script::runMouse(const ScriptLine& line) {
+  const std::string& command = line.command;
   const bool drags = command == "drag";
   if (!drags && command != "hover" && command != "click" && command != "menu") return false;
-  std::istringstream words(arguments);
-  std::string item;
-  words >> item;
-  std::vector<float> places;
-  for (float place = 0; words >> place;) places.push_back(place);
-  if (places.empty()) places = {0.5F, 0.5F};
-  if (places.size() != (drags ? 4U : 2U)) throw InputError("{}: write X Y from 0 to 1", command);
+  const auto [item, places] = scriptPlaces(line);
   const auto rect = itemRect(item);
   if (!rect) throw InputError("{}: \"{}\" is not visible", command, item);
   const auto at = [&](float x, float y, bool left, bool right) {
@@ -95,12 +84,8 @@ bool Script::runMouse(StudioWindow& /*studio*/, const std::string& command, cons
   return true;
 }
 
-bool Script::run(StudioWindow& studio, const Line& line) {
-  std::istringstream words(line.text);
-  std::string command;
-  std::string argument;
-  words >> command;
-  std::getline(words >> std::ws, argument);
+bool Script::run(StudioWindow& studio, const ScriptLine& line) {
+  const auto& [number, command, argument] = line;
   ViewerContext& context = studio.context();
   if (command == "open") {
     studio.open(argument);
@@ -109,7 +94,7 @@ bool Script::run(StudioWindow& studio, const Line& line) {
   } else if (command == "wait") {
     m_frames = kSettleFrames;
   } else if (command == "frames") {
-    m_frames = std::stoi(argument);
+    m_frames = scriptCount(line);
   } else if (command == "action") {
     if (!context.actions.run(argument)) throw InputError("there is no action \"{}\" to run now", argument);
   } else if (command == "select") {
@@ -128,7 +113,7 @@ bool Script::run(StudioWindow& studio, const Line& line) {
   } else if (command == "screenshot") {
     m_screenshot(argument);
   } else if (command == "sleep") {
-    std::this_thread::sleep_for(std::chrono::duration<double>(std::stod(argument)));
+    std::this_thread::sleep_for(std::chrono::duration<double>(scriptSeconds(line)));
     return false;
   } else if (command == "say") {
     std::cerr << argument << std::endl;  // at once: somebody may be waiting for it
@@ -139,7 +124,7 @@ bool Script::run(StudioWindow& studio, const Line& line) {
     for (const char character : argument)
       ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(character));
     m_frames = kSettleFrames;
-  } else if (runMouse(studio, command, argument)) {
+  } else if (runMouse(line)) {
     return false;
   } else {
     throw InputError("there is no command \"{}\"", command);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "ui/actions/script_line.h"
 #include "ui/shell/studio_window.h"
 
 namespace swaplight {
@@ -28,17 +29,13 @@ class Script {
   void step(StudioWindow& studio);
 
  private:
-  struct Line {
-    int number;
-    std::string text;
-  };
   /// False where the frame has to be drawn first.
-  bool run(StudioWindow& studio, const Line& line);
+  bool run(StudioWindow& studio, const ScriptLine& line);
   /// False where the command is none of the mouse's.
-  bool runMouse(StudioWindow& studio, const std::string& command, const std::string& arguments);
+  bool runMouse(const ScriptLine& line);
 
   std::string m_name;
-  std::deque<Line> m_lines;
+  std::deque<ScriptLine> m_lines;
   std::function<void(const std::filesystem::path&)> m_screenshot;
   struct MouseState {
     float x, y;
