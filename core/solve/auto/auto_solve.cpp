@@ -8,6 +8,7 @@
 #include "core/simd/simd.h"
 #include "core/solve/auto/auto_scratch.h"
 #include "core/solve/auto/neighbourhood.h"
+#include "core/solve/auto/separated_lights.h"
 #include "core/solve/auto/share_pooling.h"
 #include "core/solve/auto/shrinkage.h"
 #include "core/solve/calibration/edge_noise.h"
@@ -140,6 +141,7 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
     shrinkage.finish(in, fit, {misfit + first, odds + first, noise}, out, odds + first);
     writeBeta(lights, in.count, out);
   });
+  moveToFreeContributions(context, signal, separatedPart(context.lighting), set);
   return std::sqrt(squaredShift);
 }
 
