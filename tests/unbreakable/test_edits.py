@@ -4,7 +4,7 @@ import os
 import time
 
 import numpy as np
-import swaplight_cli as cli
+import cli
 
 
 class LargeShapesTest(cli.CliTest):

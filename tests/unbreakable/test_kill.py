@@ -1,6 +1,6 @@
 """Verbs killed at random moments leave whole files or none, and do it again. scripts/kill_verbs does it a thousand
 times."""
-import swaplight_cli as cli
+import cli
 from killed_verb import Killer
 
 

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import time
 
-import swaplight_cli as cli
+import cli
 
 
 class PipeTest(cli.CliTest):

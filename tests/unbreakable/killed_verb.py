@@ -5,7 +5,7 @@ import subprocess
 import tempfile
 import time
 
-import swaplight_cli as cli
+import cli
 
 
 class Killer:

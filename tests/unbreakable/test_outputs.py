@@ -4,7 +4,7 @@ import shutil
 
 import numpy as np
 import OpenImageIO as oiio
-import swaplight_cli as cli
+import cli
 
 
 def write_solved(path, lights, value=.3):

@@ -8,7 +8,7 @@ import os
 import shutil
 import unittest
 
-import swaplight_cli as cli
+import cli
 
 LIBRARY = os.environ.get('SWAPLIGHT_FAULTS', '')
 ALL = os.environ.get('SWAPLIGHT_ALL_FAILURES', '') == '1'

@@ -2,7 +2,7 @@
 import json
 import resource
 
-import swaplight_cli as cli
+import cli
 
 SESSION = {'format': 'swaplight-session', 'version': 1, 'source': 'solved.exr'}
 

@@ -7,7 +7,7 @@ import unittest
 
 import numpy as np
 
-import swaplight_cli as cli
+import cli
 from bad_tiff import crashing_tiff, ink_tiff
 
 TRUSTED = {'SWAPLIGHT_TRUST_PICTURES': '1'}

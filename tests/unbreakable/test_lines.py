@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 import OpenImageIO as oiio
-import swaplight_cli as cli
+import cli
 
 CONFIG = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../data/color')
 

@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 import OpenImageIO as oiio
-import swaplight_cli as cli
+import cli
 
 EVIL = 'a\x1b[2Kb\rc\x1b]0;title\x07d\nline\u202eback\x9b31m'
 

@@ -4,7 +4,7 @@ import json
 import os
 
 import numpy as np
-import swaplight_cli as cli
+import cli
 
 
 class BrightnessTest(cli.CliTest):

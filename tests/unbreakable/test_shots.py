@@ -3,7 +3,7 @@ pixels, or refuses them in one line."""
 import os
 
 import numpy as np
-import swaplight_cli as cli
+import cli
 
 MODELS = ('auto', 'single', 'lambert', 'gloss', 'transport')
 THREE = [*cli.SWAPPED, [[.2, .3, .9], [.9, .2, .15]]]
