@@ -1,11 +1,11 @@
 #include "core/solve/auto/separated_lights.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/linear/decompositions.h"
 #include "core/simd/simd.h"
 #include "core/solve/estimators/demultiplex.h"
 #include "core/solve/model/solved_planes.h"
@@ -46,9 +46,9 @@ float separatedPart(const LightingMatrix& lighting) {
   for (int c = 0; c < 3; ++c) {
     const Eigen::MatrixXd colors = lighting.matrix(c);
     const Eigen::MatrixXd gram = colors.transpose() * colors;
-    const Eigen::FullPivLU<Eigen::MatrixXd> factored(gram);
-    if (!factored.isInvertible()) return 0;
-    worst = std::max(worst, factored.inverse().diagonal().cwiseProduct(gram.diagonal()).maxCoeff());
+    const Eigen::VectorXd inflation = inverseOf(gram).diagonal().cwiseProduct(gram.diagonal());
+    if (!inflation.allFinite() || inflation.minCoeff() < .99) return 0;  // a singular matrix, or nearly
+    worst = std::max(worst, inflation.maxCoeff());
   }
   return float(std::clamp(1 - (worst - 1) / kInflation, 0.0, 1.0));
 }
