@@ -56,7 +56,6 @@ void drawAboutBox(const std::string& engine, const ColorConfig& config, bool* op
     markRect("about", low.x, low.y, low.x + size.x, low.y + size.y);
   }
   ImGui::End();
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) *open = false;
 }
 
 }  // namespace swaplight

@@ -10,6 +10,7 @@
 #include "core/capture/light_name.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/manners.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 
@@ -67,6 +68,7 @@ void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::p
 void CaptureWizard::close() {
   m_reading.cancel();
   m_guessing.cancel();
+  if (m_folder && m_found) m_typed = {*m_folder, m_lights, m_cells, m_frame, m_solve};
   m_folder.reset();
   m_found.reset();
   m_textures.clear();
@@ -86,6 +88,7 @@ void CaptureWizard::update(Messages& messages) {
     m_found = std::move(found);
     m_cells.resize(m_found->folder.shots.size());
     setLights(std::clamp<size_t>(m_found->folder.shots.size(), 2, 4));
+    restoreTyped();
     for (const ShotThumbnail& thumbnail : m_found->thumbnails)
       m_textures.emplace_back().update(thumbnail.width, thumbnail.height, thumbnail.rgba.data());
   });
@@ -97,6 +100,14 @@ void CaptureWizard::update(Messages& messages) {
     m_guess = guess.words;
   });
   if ((read == Taken::Failed || guessed == Taken::Failed) && !m_found) close();
+}
+
+void CaptureWizard::restoreTyped() {
+  if (m_typed.folder != m_folder || m_typed.cells.size() != m_cells.size()) return;
+  m_lights = m_typed.lights;
+  m_cells = m_typed.cells;
+  m_frame = m_typed.frame;
+  m_solve = m_typed.solve;
 }
 
 void CaptureWizard::setLights(size_t count) {
@@ -145,7 +156,7 @@ void CaptureWizard::guess() {
 void CaptureWizard::drawReading() {
   ImGui::TextUnformatted("Reading the photographs …");
   ImGui::ProgressBar(m_reading.fraction(), ImVec2(-1, px(8)), "");
-  if (ImGui::Button("Cancel", ImVec2(px(110), 0))) close();
+  if (cancelButton("Cancel", px(110))) close();
   markItem("wizard.cancel");
 }
 
@@ -163,11 +174,13 @@ void CaptureWizard::drawLights() {
   const bool fewer = ImGui::Button("\u2212", ImVec2(side, side));
   ImGui::EndDisabled();
   markItem("wizard.fewer");
+  tooltip("One light fewer");
   ImGui::SameLine(0, px(4));
   ImGui::BeginDisabled(m_lights.size() >= kMostLights);
   const bool more = ImGui::Button("+", ImVec2(side, side));
   ImGui::EndDisabled();
   markItem("wizard.more");
+  tooltip("One light more");
   if (fewer) setLights(m_lights.size() - 1);
   if (more) setLights(m_lights.size() + 1);
   ImGui::SameLine(0, px(16));
@@ -231,6 +244,7 @@ void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, con
   if (exists && wrong.empty()) {
     ImGui::Checkbox("Replace the existing capture.json", &m_replace);
     markItem("wizard.replace");
+    tooltip("This folder has a capture.json already. It will be written anew.");
   } else {
     ImGui::AlignTextToFramePadding();
     ImGui::PushTextWrapPos(buttons - px(kFooterGap));
@@ -239,12 +253,10 @@ void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, con
     markItem("wizard.footer");
   }
   ImGui::SameLine(buttons);
-  ImGui::BeginDisabled(!wrong.empty() || busy() || (exists && !m_replace));
-  const bool go = ImGui::Button("Solve", ImVec2(button, 0));
-  ImGui::EndDisabled();
+  const bool go = defaultButton("Solve", button, wrong.empty() && !busy() && (!exists || m_replace));
   markItem("wizard.solve");
   ImGui::SameLine();
-  const bool cancelled = ImGui::Button("Cancel", ImVec2(button, 0));
+  const bool cancelled = cancelButton("Cancel", button);
   markItem("wizard.cancel");
   if (cancelled) close();
   if (!go) return;
@@ -270,6 +282,7 @@ void CaptureWizard::draw(Messages& messages, const Solve& solve) {
           kWizardTitle, nullptr,
           ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
     return;
+  beginTabStops();
   if (!m_found) {
     drawReading();
   } else {
@@ -289,6 +302,7 @@ void CaptureWizard::draw(Messages& messages, const Solve& solve) {
     drawFooter(wrong, messages, solve);
   }
   if (!m_folder) ImGui::CloseCurrentPopup();
+  endTabStops();
   ImGui::EndPopup();
 }
 

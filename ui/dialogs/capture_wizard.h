@@ -51,6 +51,8 @@ class CaptureWizard {
   };
 
   void close();
+  /// What was typed for this folder before it was closed without a solve, or before a solve that failed.
+  void restoreTyped();
   void setLights(size_t count);
   [[nodiscard]] std::string mistake() const;
   [[nodiscard]] CaptureDraft draft() const;
@@ -85,6 +87,15 @@ class CaptureWizard {
   std::optional<std::pair<float, float>> m_cropping;  ///< where a drag over a thumbnail began, 0..1
   bool m_replace = false;
   SolveOptions m_solve;
+
+  struct Typed {
+    std::filesystem::path folder;
+    std::vector<std::string> lights;
+    std::vector<std::vector<Cell>> cells;
+    CaptureFrame frame;
+    SolveOptions solve;
+  };
+  Typed m_typed;
 };
 
 }  // namespace swaplight

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/manners.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
 
 namespace swaplight {
 namespace {
@@ -13,13 +15,28 @@ bool beginDialog(const char* title, float width) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y * 0.4F), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   ImGui::SetNextWindowSize(ImVec2(px(width), 0));
-  return ImGui::BeginPopupModal(
-      title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  if (!ImGui::BeginPopupModal(
+          title, nullptr,
+          ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
+    return false;
+  beginTabStops();
+  return true;
 }
 
-bool button(const char* text, const char* mark) {
-  const bool clicked = ImGui::Button(text, ImVec2(px(130), 0));
+void endDialog() {
+  endTabStops();
+  ImGui::EndPopup();
+}
+
+enum class Answers { ToEnter, ToEscape, ToItself };
+
+bool button(const char* text, const char* mark, const char* tip, Answers to = Answers::ToItself) {
+  const float width = px(130);
+  const bool clicked = to == Answers::ToEnter    ? defaultButton(text, width, true, tip)
+                       : to == Answers::ToEscape ? cancelButton(text, width, tip)
+                                                 : ImGui::Button(text, ImVec2(width, 0));
   markItem(mark);
+  if (to == Answers::ToItself) tooltip(tip);
   if (clicked) ImGui::CloseCurrentPopup();
   return clicked;
 }
@@ -32,21 +49,18 @@ void UnsavedDialog::draw() {
   ImGui::Dummy(ImVec2(0, px(8)));
   std::function<void()> answer;
   bool answered = false;
-  if (button("Save", "unsaved.save")) {
+  if (button("Save", "unsaved.save", "Save, then go on (Enter)", Answers::ToEnter)) {
     answer = m_question->save;
     answered = true;
   }
   ImGui::SameLine();
-  if (button("Discard", "unsaved.discard")) {
+  if (button("Discard", "unsaved.discard", "Go on without saving")) {
     answer = m_question->goOn;
     answered = true;
   }
   ImGui::SameLine();
-  if (button("Cancel", "unsaved.cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
-    ImGui::CloseCurrentPopup();
-    answered = true;
-  }
-  ImGui::EndPopup();
+  if (button("Cancel", "unsaved.cancel", "Go back (Escape)", Answers::ToEscape)) answered = true;
+  endDialog();
   if (answered) m_question.reset();
   if (answer) answer();
 }
@@ -66,21 +80,26 @@ void RecoveryDialog::draw(SessionController& session) {
   ImGui::Dummy(ImVec2(0, px(8)));
   bool done = false, opened = false;
   if (hasWork) {
-    if (button("Recover", "recovery.recover")) {
+    if (button("Recover", "recovery.recover", "Open it as it was (Enter)", Answers::ToEnter)) {
       session.recover(Recovered(newest));
       done = opened = true;
     }
     ImGui::SameLine();
   }
   if (!newest.opening.empty()) {
-    if (button("Open safely", "recovery.safe")) {
+    if (button("Open safely", "recovery.safe", "Open it without its pictures",
+               hasWork ? Answers::ToItself : Answers::ToEnter)) {
       session.openWithoutPictures(std::filesystem::path(newest.opening));
       done = opened = true;
     }
     ImGui::SameLine();
   }
-  if (button("Discard", "recovery.discard")) done = true;
-  ImGui::EndPopup();
+  if (button("Discard", "recovery.discard", "Delete what could be recovered")) done = true;
+  ImGui::SameLine();
+  const bool later =
+      button("Later", "recovery.later", "Ask again at the next start (Escape)", Answers::ToEscape);
+  endDialog();
+  if (later) m_dismissed = true;
   if (done) {
     session.discardRecoveredFiles();
     m_dismissed = opened;  // what others have left is offered after this one, or at the next start

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/ocio/color_config.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/manners.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 
@@ -135,6 +136,7 @@ void ExportDialog::drawKinds() {
     const bool clicked = ImGui::Button(kKinds.at(i).name);
     if (chosen) ImGui::PopStyleColor();
     markItem({"export.kind.", kKinds.at(i).mark});
+    tooltip(kKinds.at(i).words);
     if (clicked && !chosen) {
       m_choices.kind = kind;
       suggest();
@@ -157,6 +159,7 @@ void ExportDialog::drawFormats() {
       m_file = fs::path(m_file).replace_extension(format).string();
     }
     markItem({"export.format", format});
+    tooltip("The file's format; its name ends so.");
   }
 }
 
@@ -223,15 +226,14 @@ void ExportDialog::drawFile(const Answers& answers) {
   if (m_focus) ImGui::SetKeyboardFocusHere();
   m_focus = false;
   std::string typed = m_file;
-  const bool entered = ImGui::InputText(
-      "##file", &typed, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::InputText("##file", &typed, ImGuiInputTextFlags_AutoSelectAll);
   markItem("export.file");
+  tooltip("Folder and name. The ending sets the format.");
   if (typed != m_file) take(typed);
   ImGui::SameLine();
   if (ImGui::Button("\u2026", ImVec2(more, 0))) answers.choose();
   markItem("export.choose");
   tooltip("Choose folder and name.");
-  if (entered && mistake().empty()) accept(answers);
 }
 
 void ExportDialog::drawFooter(const Answers& answers) {
@@ -243,15 +245,14 @@ void ExportDialog::drawFooter(const Answers& answers) {
   hint(!wrong.empty() ? wrong : exists ? "The file exists and will be replaced." : "");
   const float button = px(110);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
-  ImGui::BeginDisabled(!wrong.empty());
-  const bool go = ImGui::Button(exists ? "Replace" : "Export", ImVec2(button, 0));
-  ImGui::EndDisabled();
+  const bool go = defaultButton(exists ? "Replace" : "Export", button, wrong.empty());
   markItem("export.accept");
   ImGui::SameLine();
-  const bool cancelled = ImGui::Button("Cancel", ImVec2(button, 0));
+  const bool cancelled = cancelButton("Cancel", button);
   markItem("export.cancel");
   if (go) accept(answers);
-  if (cancelled || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) m_open = false;
+  if (cancelled) m_open = false;
+  if (!wrong.empty() && dialogAccepted()) m_focus = true;  // the name has to be typed again
 }
 
 void ExportDialog::accept(const Answers& answers) {
@@ -271,6 +272,7 @@ void ExportDialog::draw(const ColorConfig& config, const Document& document, con
           kExportTitle, nullptr,
           ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
     return;
+  beginTabStops();
   drawKinds();
   if (m_choices.kind == ExportKind::Frame)
     drawFrame(config, document);
@@ -281,6 +283,7 @@ void ExportDialog::draw(const ColorConfig& config, const Document& document, con
   drawFile(answers);
   drawFooter(answers);
   if (!m_open) ImGui::CloseCurrentPopup();
+  endTabStops();
   ImGui::EndPopup();
 }
 

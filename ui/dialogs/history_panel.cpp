@@ -23,6 +23,8 @@ void drawHistoryPanel(DocumentEditor& editor, bool* open) {
       ImGui::PopID();
       markItem({"history.", i});
     }
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    markRect("history", low.x, low.y, low.x + size.x, low.y + size.y);
     if (chosen != history.position()) {
       editor.commit();
       editor.goTo(chosen);

@@ -12,6 +12,7 @@
 #include "ui/kit/gel_list.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/manners.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 
@@ -112,6 +113,7 @@ void CaptureWizard::drawFrame() {
   ImGui::SameLine(0, px(10));
   if (ImGui::Button("All of them")) m_frame.crop.reset();
   markItem("wizard.uncrop");
+  tooltip("Use the whole photographs again");
 }
 
 void CaptureWizard::drawThumbnail(size_t shot) {
@@ -121,7 +123,9 @@ void CaptureWizard::drawThumbnail(size_t shot) {
   const ImVec2 size(std::floor(scale * static_cast<float>(picture.width)),
                     std::floor(scale * static_cast<float>(picture.height)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  beginNoTabStops();
   const bool clicked = ImGui::InvisibleButton("##picture", size);
+  endNoTabStops();
   markItem({"wizard.picture.", shot});
   const bool picking = m_picking && m_picking->first == shot;
   if (!picking) cropOnThumbnail(at, size);
@@ -154,22 +158,27 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
   const float side = ImGui::GetFrameHeight();
   ImGui::PushID(static_cast<int>(light));
   ImGui::Dummy(ImVec2(0, (px(kRowHeight) - 2 * side) / 2));
+  beginNoTabStops();
   if (reading.color)
     colorChip("##chip", chipOf(*reading.color), ImVec2(side, side), cell.text.c_str());
   else
     ImGui::Dummy(ImVec2(side, side));
+  endNoTabStops();
   ImGui::SameLine(0, px(4));
   ImGui::SetNextItemWidth(std::max(px(60), ImGui::GetContentRegionAvail().x - 2 * side - px(12)));
-  const bool wrong = !reading.mistake.empty();
+  const bool wrong = !reading.mistake.empty(), guessed = cell.guessed;
   if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kMute);
-  if (!wrong && cell.guessed) ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
+  if (!wrong && guessed) ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
   if (ImGui::InputTextWithHint("##colour", shot == 0 ? "gel or colour" : "to be guessed", &cell.text))
     cell.guessed = false;
-  if (wrong || cell.guessed) ImGui::PopStyleColor();
+  if (wrong || guessed) ImGui::PopStyleColor();
   markItem(mark);
   markState(mark + ".text", cell.text);
-  tooltip(wrong ? reading.mistake.c_str() : cell.guessed ? "Guessed from the photographs" : nullptr);
+  tooltip(wrong          ? reading.mistake.c_str()
+          : cell.guessed ? "Guessed from the photographs"
+                         : "This light's colour in this photograph");
   ImGui::SameLine(0, px(4));
+  beginNoTabStops();  // from field to field: all that the two buttons give can be typed
   const bool picking = m_picking == std::pair(shot, light);
   if (toggleButton(kIconPicker, picking, kAccent, side,
                    "Then click a white card in this photograph that only this light reaches"))
@@ -178,6 +187,7 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
   ImGui::SameLine(0, px(4));
   if (toggleButton(kIconDown, false, kAccent, side, "Gels, white, off, unknown")) ImGui::OpenPopup("##gels");
   markItem({mark, ".list"});
+  endNoTabStops();
   if (ImGui::BeginPopup("##gels")) {
     for (const char* word : {"white", "off", "unknown"}) {
       if (ImGui::Selectable(fmt::format("      {}", word).c_str(), cell.text == word)) cell = {word, false};
@@ -213,6 +223,7 @@ void CaptureWizard::drawTable(float height) {
       ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
   const auto columns = static_cast<int>(m_lights.size());
   if (!ImGui::BeginTable("##shots", columns + 1, flags, ImVec2(0, height))) return;
+  joinTabRound();
   ImGui::TableSetupScrollFreeze(1, 1);
   ImGui::TableSetupColumn("shot", ImGuiTableColumnFlags_WidthFixed, px(kThumbnailColumn));
   for (int i = 0; i < columns; ++i)
@@ -228,6 +239,7 @@ void CaptureWizard::drawTable(float height) {
     ImGui::InputText("##name", &m_lights[i]);
     ImGui::PopID();
     markItem({"wizard.light.", i});
+    tooltip("This light's name");
   }
   for (size_t k = 0; k < m_cells.size(); ++k) drawShot(k);
   ImGui::EndTable();

@@ -48,6 +48,13 @@ const InputFrame& InputQueue::next(InterfaceState interface, Clock::time_point n
   return m_frame;
 }
 
+void InputQueue::swallowKeys() {
+  for (const int code : m_share.keys) m_frame.held.erase(code);
+  for (const KeyPress& press : m_frame.keyboard.presses) m_frame.keyboard.held.erase(press.key);
+  m_frame.keyboard.presses.clear();
+  m_frame.keyboard.typed.clear();
+}
+
 bool InputQueue::take(const PointerMoved& event) {
   if (m_share.turned || m_share.wheeled || m_share.pressed) return false;
   m_frame.pointer = {event.x, event.y};

@@ -57,6 +57,8 @@ class InputQueue {
 
   /// The next frame's share of what has happened.
   const InputFrame& next(InterfaceState interface, Clock::time_point now);
+  /// The keys that went down in this frame count as not pressed.
+  void swallowKeys();
   /// What the last call of next() gave.
   [[nodiscard]] const InputFrame& frame() const { return m_frame; }
 

@@ -48,7 +48,11 @@ void CommandPalette::draw(const ActionTable& actions) {
   if (!m_open) return;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##filter", "Find an action", &m_filter)) m_chosen = 0;
+  // The arrows move through the list, and stay in the field.
+  const auto nothing = [](ImGuiInputTextCallbackData*) { return 0; };
+  if (ImGui::InputTextWithHint("##filter", "Find an action", &m_filter, ImGuiInputTextFlags_CallbackHistory,
+                               nothing))
+    m_chosen = 0;
   markItem("palette.filter");
 
   // What is called so comes before what only speaks of it.

@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "core/file/user_folders.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/manners.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;
@@ -38,6 +41,7 @@ std::string sizeText(uintmax_t bytes) {
 void FileChooser::ask(Question question) {
   m_question = std::move(question);
   m_opened = false;
+  m_toField = true;
   m_name = m_question->name;
   m_confirm.clear();
   const fs::path begin = !m_question->folder.empty() ? m_question->folder : m_folder;
@@ -49,6 +53,7 @@ void FileChooser::goTo(const fs::path& folder) {
   m_folder = folder.lexically_normal();
   m_entries.clear();
   m_error.clear();
+  m_toField = true;  // what was typed into goes on being typed into
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, error)) {
     const std::string name = entry.path().filename().string();
@@ -61,17 +66,22 @@ void FileChooser::goTo(const fs::path& folder) {
   std::sort(m_entries.begin(), m_entries.end(), [](const Entry& a, const Entry& b) {
     return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
   });
+  m_tabStop = m_entries.empty() ? "" : m_entries.front().name;
 }
 
 void FileChooser::drawPlaces() {
-  const auto place = [&](const char* icon, const char* name, const fs::path& folder) {
-    if (ImGui::Button(fmt::format("{}  {}", icon, name).c_str())) goTo(folder);
+  std::optional<fs::path> chosen;
+  const auto place = [&](const char* icon, const char* name, const char* mark, const fs::path& folder) {
+    if (ImGui::Button(fmt::format("{}  {}", icon, name).c_str())) chosen = folder;
+    markItem({"chooser.", mark});
+    tooltip(folder.c_str());
     ImGui::SameLine();
   };
-  place(kIconHome, "Home", homeFolder());
-  place(kIconFolder, "Computer", "/");
-  place(kIconParent, "Up", m_folder.parent_path());
+  place(kIconHome, "Home", "home", homeFolder());
+  place(kIconFolder, "Computer", "computer", "/");
+  place(kIconParent, "Up", "up", m_folder.parent_path());
   ImGui::NewLine();
+  if (chosen) goTo(*chosen);
 }
 
 // Every part of the path is a button that goes there.
@@ -91,38 +101,45 @@ void FileChooser::drawPath() {
     ImGui::PushID(id++);
     if (ImGui::Button((part.string() + (part == "/" ? "" : " /")).c_str())) chosen = so_far;
     ImGui::PopID();
+    markItem({"chooser.path.", id});
+    tooltip(so_far.c_str());
   }
   ImGui::PopStyleColor();
   if (!chosen.empty()) goTo(chosen);
 }
 
+bool FileChooser::drawEntry(const Entry& entry) {
+  const std::string label = fmt::format("{}  {}", entry.folder ? kIconFolder : kIconFile, entry.name);
+  const bool stop = entry.name == m_tabStop;  // the list is one stop: arrows go from line to line
+  if (!stop) beginNoTabStops();
+  const bool pressed =
+      ImGui::Selectable(label.c_str(), !entry.folder && entry.name == m_name,
+                        ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups);
+  if (!stop) endNoTabStops();
+  markItem({"chooser.", entry.name});
+  if (keyboardIsHere()) m_tabStop = entry.name;
+  const bool taken = pressed && (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) || pressedByEnter());
+  if (pressed && !entry.folder) m_name = entry.name;
+  if (!entry.folder) {
+    const std::string size = sizeText(entry.bytes);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(size.c_str()).x);
+    ImGui::TextDisabled("%s", size.c_str());
+  }
+  return taken || (pressed && entry.folder && !m_question->saving);
+}
+
 bool FileChooser::drawEntries(float height) {
-  bool done = false;
-  fs::path enter;
+  const Entry* taken = nullptr;
   ImGui::BeginChild("##entries", ImVec2(0, height), true);
+  joinTabRound();
   if (!m_error.empty()) ImGui::TextWrapped("%s", m_error.c_str());
   if (m_error.empty() && m_entries.empty()) ImGui::TextDisabled("No files here that can be opened.");
-  for (const Entry& entry : m_entries) {
-    const std::string label = fmt::format("{}  {}", entry.folder ? kIconFolder : kIconFile, entry.name);
-    if (ImGui::Selectable(label.c_str(), !entry.folder && entry.name == m_name,
-                          ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
-      if (entry.folder) {
-        if (ImGui::IsMouseDoubleClicked(0) || !m_question->saving) enter = m_folder / entry.name;
-      } else {
-        m_name = entry.name;
-        done = ImGui::IsMouseDoubleClicked(0);
-      }
-    }
-    markItem({"chooser.", entry.name});
-    if (!entry.folder) {
-      const std::string size = sizeText(entry.bytes);
-      ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(size.c_str()).x);
-      ImGui::TextDisabled("%s", size.c_str());
-    }
-  }
+  for (const Entry& entry : m_entries)
+    if (drawEntry(entry)) taken = &entry;
   ImGui::EndChild();
-  if (!enter.empty()) goTo(enter);
-  return done;
+  const bool file = taken && !taken->folder;
+  if (taken && taken->folder) goTo(m_folder / taken->name);
+  return file;
 }
 
 const char* FileChooser::fieldHint(const Question& question) {
@@ -169,6 +186,7 @@ void FileChooser::draw() {
     m_question.reset();
     return;
   }
+  beginTabStops();
   drawPlaces();
   drawPath();
   const float footer = ImGui::GetFrameHeightWithSpacing() * (m_confirm.empty() ? 1.0F : 2.0F) + px(8);
@@ -179,26 +197,24 @@ void FileChooser::draw() {
                        fs::path(m_confirm).filename().c_str(), m_question->button.c_str());
   const float button = px(110);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button + ImGui::GetStyle().ItemSpacing.x));
-  if (!m_opened) ImGui::SetKeyboardFocusHere();
-  if (ImGui::InputTextWithHint("##name", fieldHint(*m_question), &m_name,
-                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll))
-    done = true;
+  if (std::exchange(m_toField, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::InputTextWithHint("##name", fieldHint(*m_question), &m_name, ImGuiInputTextFlags_AutoSelectAll);
   markItem("chooser.name");
+  tooltip("A name, or a whole path.");
   m_opened = true;
   ImGui::SameLine();
   const bool complete = m_question->forFolder || !m_name.empty();
-  ImGui::BeginDisabled(!complete);
-  if (ImGui::Button(m_question->button.c_str(), ImVec2(button, 0))) done = true;
-  ImGui::EndDisabled();
+  if (defaultButton(m_question->button.c_str(), button, complete)) done = true;
   markItem("chooser.accept");
   ImGui::SameLine();
-  if (ImGui::Button("Cancel", ImVec2(button, 0)) ||
-      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+  if (cancelButton("Cancel", button)) {
     m_question.reset();
     ImGui::CloseCurrentPopup();
   } else if (done && complete) {
+    m_toField = true;
     choose();
   }
+  endTabStops();
   ImGui::EndPopup();
 }
 

@@ -36,14 +36,18 @@ class FileChooser {
   void goTo(const std::filesystem::path& folder);
   void drawPlaces();
   void drawPath();
+  /// Each is true where a file was taken (of an entry: also a folder).
+  bool drawEntry(const Entry& entry);
   bool drawEntries(float height);
   void choose();
   static const char* fieldHint(const Question& question);
 
   std::optional<Question> m_question;
   bool m_opened = false;
+  bool m_toField = false;  ///< the name is to be typed
   std::filesystem::path m_folder;
   std::vector<Entry> m_entries;
+  std::string m_tabStop;  ///< the entry that Tab comes to
   std::string m_error;
   std::string m_name;
   std::string m_confirm;  ///< the existing file that the person was asked about

@@ -138,10 +138,7 @@ void KeysWindow::draw(ActionTable& actions, const Keyboard& keyboard, Messages& 
     ImGui::EndChild();
   }
   ImGui::End();
-  if (wasWaiting && !m_waiting.empty())
-    takeKeys(actions, keyboard, messages);
-  else if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
-    m_open = false;
+  if (wasWaiting && !m_waiting.empty()) takeKeys(actions, keyboard, messages);
   if (!m_open) m_waiting.clear();
 }
 

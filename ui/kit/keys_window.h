@@ -14,6 +14,12 @@ class KeysWindow {
   explicit KeysWindow(std::filesystem::path file) : m_file(std::move(file)) {}
   void toggle() { m_open = !m_open; }
   [[nodiscard]] bool isOpen() const { return m_open; }
+  /// Escape: closes it, unless a shortcut is awaited, which then is not changed.
+  bool escape() {
+    if (!m_open || !m_waiting.empty()) return false;
+    m_open = false;
+    return true;
+  }
   void draw(ActionTable& actions, const Keyboard& keyboard, Messages& messages);
 
  private:

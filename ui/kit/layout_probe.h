@@ -45,6 +45,8 @@ void markItem(std::initializer_list<NamePart> name);
 inline void markItem(const NamePart& name) {
   markItem(std::initializer_list<NamePart>{name});
 }
+/// The widget that was submitted last has a tooltip.
+void markTip();
 /// Names a rectangle in screen pixels.
 void markRect(std::initializer_list<NamePart> name, float x0, float y0, float x1, float y1);
 inline void markRect(const NamePart& name, float x0, float y0, float x1, float y1) {

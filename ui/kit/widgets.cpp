@@ -92,7 +92,10 @@ void drawTexture(unsigned texture, ImVec2 low, ImVec2 high) {
 }
 
 void tooltip(const char* text) {
-  if (text && *text && tooltipDue() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+  if (!text || *text == '\0') return;
+  markTip();
+  if (GImGui->NavDisableMouseHover) return;  // the keyboard is in use: it would hide what is typed next
+  if (tooltipDue() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(px(320));
     ImGui::TextUnformatted(text);

@@ -12,6 +12,7 @@
 #include "ui/dialogs/history_panel.h"
 #include "ui/kit/echo_key.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/manners.h"
 #include "ui/shell/menu_bar.h"
 
 namespace swaplight {
@@ -226,6 +227,27 @@ unsigned StudioWindow::openDialogs() const {
   return open;
 }
 
+bool StudioWindow::closeTop() {
+  if (closeTopList()) return true;
+  if (popupOpen()) return false;  // a dialog has a button for it
+  if (m_keys.isOpen()) return m_keys.escape();
+  if (ImGui::GetIO().WantTextInput) return false;  // the field takes back what was typed
+  for (bool* open : {&m_aboutOpen, &m_historyOpen})
+    if (std::exchange(*open, false)) return true;
+  return false;
+}
+
+void StudioWindow::hearKeys() {
+  const std::vector<KeyPress>& presses = m_window.keyboard().presses;
+  const bool escape = std::any_of(presses.begin(), presses.end(), [](const KeyPress& press) {
+    return press.key == "Escape" && !press.repeat;  // held, it closes one thing
+  });
+  if (escape && closeTop())
+    m_window.swallowKeys();
+  else if (!ImGui::GetIO().WantTextInput && openDialogs() == 0 && !popupOpen())
+    m_actions.runKeys(m_window.keyboard());
+}
+
 // What was pressed is counted with the next frame: then this one is on the screen.
 void StudioWindow::markEchoes() {
   markState("echoes", std::to_string(m_echoes));
@@ -237,7 +259,7 @@ void StudioWindow::frame() {
   m_lastFrame = std::chrono::steady_clock::now();
   m_window.nextInput();
   m_editing.selection.marching = false;  // whoever draws its outline says otherwise
-  if (!ImGui::GetIO().WantTextInput && openDialogs() == 0) m_actions.runKeys(m_window.keyboard());
+  hearKeys();
   markEchoes();
   if (m_setShown != m_session.setRevision()) {
     m_subjects.forget();
@@ -283,6 +305,7 @@ void StudioWindow::frame() {
   if (m_editor.inGesture() && !ImGui::IsAnyItemActive()) m_editor.commit();
   markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");
   markState("title", m_title);
+  markState("popups", std::to_string(openPopups()));
   markState("busy", busy() || listMoves() ? "yes" : "no");
   markState("colors", m_colors.config()->title());
   if (const OpenSet* set = m_session.set()) markState("working_space", set->original->colorSpace());

@@ -77,6 +77,9 @@ class StudioWindow {
   void askForExportName();
   void drawDialogs();
   void markEchoes();
+  /// Runs the actions whose keys were pressed, or closes what is on top.
+  void hearKeys();
+  bool closeTop();
   /// The list of edits is about to close one that was chosen before.
   [[nodiscard]] bool listMoves() const { return m_editing.settling && m_layout.edits && !m_layout.hidden; }
   /// One bit for each dialog that is open or about to be.

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "render/surface.h"
+#include "ui/kit/manners.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/tooltip_clock.h"
 #include "ui/window/window.h"
@@ -129,7 +130,9 @@ class DesktopWindow : public Window {
     ImGui_ImplGlfw_NewFrame();
     feedInterface(m_input.frame());
     applyPretendedMouse();
+    mannersBeforeFrame();
     ImGui::NewFrame();
+    mannersFrame();
     tooltipClockFrame();
   }
 

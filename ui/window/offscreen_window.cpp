@@ -7,6 +7,7 @@
 
 #include "render/gl/egl_context.h"
 #include "render/surface.h"
+#include "ui/kit/manners.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/tooltip_clock.h"
 #include "ui/window/window.h"
@@ -41,7 +42,9 @@ class OffscreenWindow : public Window {
     io.DeltaTime = 1.0F / 60;
     ImGui_ImplOpenGL3_NewFrame();
     applyPretendedMouse();
+    mannersBeforeFrame();
     ImGui::NewFrame();
+    mannersFrame();
     tooltipClockFrame();
   }
 

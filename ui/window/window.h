@@ -30,6 +30,8 @@ class Window {
   virtual void wake() = 0;
   /// At the beginning of a frame: its share of the input is what keyboard() and Dear ImGui see.
   void nextInput();
+  /// The keys of this frame have been heard: nobody else sees them.
+  void swallowKeys() { m_input.swallowKeys(); }
   /// Dear ImGui may be drawn with from here until endFrame().
   virtual void beginFrame() = 0;
   /// Draws and shows.
