@@ -11,29 +11,20 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/color/srgb.h"
 #include "core/lamp/gel.h"
 #include "core/lamp/kelvin.h"
+#include "core/relight/level.h"
 
 namespace swaplight {
 namespace {
 
 constexpr float kMostFactor = 1e9F;
 
-/// A finite number, with or without a sign; nothing else around it.
-std::optional<float> number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  if (text.empty() || !(std::isdigit(static_cast<unsigned char>(text.back())) || text.back() == '.'))
-    return std::nullopt;  // keeps "inf" and "nan" out
-  float value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 /// A number in [low, high], or an error that quotes the part.
 float numberIn(std::string_view text, float low, float high, std::string_view part, const char* right) {
-  const std::optional<float> value = number(text);
+  const std::optional<float> value = numberFromText(text);
   if (!value || *value < low || *value > high) throw InputError("'{}' is not right: write {}", part, right);
   return *value;
 }
@@ -81,6 +72,11 @@ void setColor(LightSetting& setting, LightColor::Kind kind, const Rgb& value) {
   setting.color.kelvin = LightColor().kelvin;
 }
 
+/// The whole level, and not only its stops or its multiplier.
+bool saysLevel(std::string_view text) {
+  return text.starts_with('@') || text.ends_with('%') || text == "full" || text == "out";
+}
+
 void applyPart(LightSetting& setting, std::string_view part) {
   using Kind = LightColor::Kind;
   const std::string lower = lowerCase(part);
@@ -111,15 +107,17 @@ void applyPart(LightSetting& setting, std::string_view part) {
     setting.color.gel.clear();
   } else if (text.starts_with("gel:")) {
     setting.color.gel = findGel(std::string(part.substr(4))).id;
-  } else if (text.ends_with("st") && number(before(2))) {
+  } else if (text.ends_with("st") && numberFromText(before(2))) {
     setting.stops =
         numberIn(before(2), -kMostStops, kMostStops, part, "stops from -30st to +30st, as +1.5st");
-  } else if (text.ends_with('k') && number(before(1))) {
+  } else if (text.ends_with('k') && numberFromText(before(1))) {
     setColor(setting, Kind::Kelvin, Rgb(1));
     setting.color.kelvin = numberIn(before(1), kLowestKelvin, kHighestKelvin, part,
                                     "a temperature from 1000K to 25000K, as 3200K");
-  } else if (text.starts_with('x') && number(after(1))) {
+  } else if (text.starts_with('x') && numberFromText(after(1))) {
     setting.multiplier = numberIn(after(1), 0, kMostFactor, part, "a factor from 0 to 1e9, as x1.7");
+  } else if (const std::optional<double> level = saysLevel(text) ? levelFromText(text) : std::nullopt) {
+    setLevel(setting, *level);
   } else {
     throw InputError("'{}' is no light setting; known are {}", part, kSettingGrammar);
   }

@@ -8,7 +8,8 @@ namespace swaplight {
 
 /// What a SETTING may be made of, for messages and help.
 inline constexpr const char* kSettingGrammar =
-    "off, on, white, #rrggbb, rgb:r/g/b, hsv:h/s/v, 3200K, green:+0.25, gel:L201, +1.5st, -2st, x1.7";
+    "off, on, white, #rrggbb, rgb:r/g/b, hsv:h/s/v, 3200K, green:+0.25, gel:L201, +1.5st, -2st, x1.7, 50%, "
+    "@50, full";
 
 /// Parses a SETTING (formats.md) onto a setting: a comma-joined list such as "3200K,+1st". Each part sets one
 /// thing and leaves the others; of two parts for the same thing the later one holds.
@@ -24,6 +25,8 @@ inline constexpr const char* kSettingGrammar =
 ///   gel:L201         a gel in front of the lamp; gel:none takes it away
 ///   +1.5st, -2st     stops, -30..30
 ///   x1.7             multiplier, 0 or more
+///   50%, @50         the whole level in per cent of the captured one: stops and multiplier
+///   full, out        the level 100 % and 0
 /// Throws InputError that quotes the part that is wrong and says what would be right.
 void applySetting(LightSetting& setting, const std::string& text);
 

@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "core/relight/level.h"
 #include "core/relight/rig_edit.h"
 
 namespace swaplight {
@@ -54,6 +57,21 @@ void previewStops(const ChosenLights& chosen, size_t light, float stops) {
   Document next = chosen.document();
   next.rig = addStops(std::move(next.rig), lights, stops);
   chosen.editor.preview(stepName(chosen.document(), lights, "intensity"), std::move(next));
+}
+
+void previewLevel(const ChosenLights& chosen, size_t light, double level) {
+  const double before = levelOf(chosen.document().rig.lights[light]);
+  if (before > 0 && level > 0)
+    previewStops(chosen, light, static_cast<float>(std::log2(level / before)));
+  else
+    previewLights(chosen, light, "intensity", [&](LightSetting& setting) { setLevel(setting, level); });
+}
+
+void editLevel(const ChosenLights& chosen, size_t light, double level) {
+  const std::vector<size_t> lights = lightsFor(chosen, light);
+  Document next = chosen.document();
+  next.rig = withLevel(std::move(next.rig), lights, level);
+  chosen.editor.edit(stepName(chosen.document(), lights, "intensity"), std::move(next));
 }
 
 void editRig(const ChosenLights& chosen, const std::string& step, const Rig& rig) {

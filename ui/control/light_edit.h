@@ -33,6 +33,10 @@ void previewLights(const ChosenLights& chosen, size_t light, const std::string& 
 void editLights(const ChosenLights& chosen, size_t light, const std::string& what, const LightChange& change);
 /// Shows lights brighter by stops, also those that are locked to them.
 void previewStops(const ChosenLights& chosen, size_t light, float stops);
+/// Shows lights brighter so that `light` is at a level (core/relight/level.h); the others by as much.
+void previewLevel(const ChosenLights& chosen, size_t light, double level);
+/// Brings every one of the lights to a level as one step.
+void editLevel(const ChosenLights& chosen, size_t light, double level);
 /// Another rig as one step.
 void editRig(const ChosenLights& chosen, const std::string& step, const Rig& rig);
 

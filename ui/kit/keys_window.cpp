@@ -32,7 +32,8 @@ void mouseHelp() {
   for (const char* text :
        {"Wheel: zoom at the pointer", "Drag: pan", "Alt + click: match the light to a pixel",
         "Hold E + drag: viewer exposure", "Double-click a slider: reset to the capture",
-        "Ctrl + click a slider: type a value", "Ctrl or Shift + click lights: select several",
+        "Ctrl + click a slider: type a value", "Shift + drag a level: finely",
+        "Wheel or arrows over a level: steps", "Ctrl or Shift + click lights: select several",
         "Right-click a light: context menu"})
     hint(text);
 }

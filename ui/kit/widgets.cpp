@@ -46,10 +46,6 @@ bool bareSlider(const char* id, float* value, float low, float high, float width
   return changed;
 }
 
-bool beingTyped() {
-  return ImGui::TempInputIsActive(ImGui::GetItemID());
-}
-
 Rgb kelvinCodes(float kelvin) {
   const Rgb linear = glm::max(rec709FromXy(whiteXy(kelvin)), Rgb(0));
   return srgbFromLinear(linear / std::max({linear.r, linear.g, linear.b}));
@@ -130,39 +126,6 @@ bool colorChip(const char* id, const Rgb& codes, ImVec2 size, const char* tip) {
   draw->AddRect(at, high, ImGui::IsItemHovered() ? kText : IM_COL32(0, 0, 0, 160), px(5), 0, px(1));
   tooltip(tip);
   return clicked;
-}
-
-bool stopsSlider(const char* id, float* stops, float range, float width) {
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  const ImVec2 high(low.x + width, low.y + ImGui::GetFrameHeight());
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  ImDrawListSplitter layers;
-  layers.Split(draw, 2);
-  layers.SetCurrentChannel(draw, 1);
-  bool changed = bareSlider(id, stops, -range, range, width, "");
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    *stops = 0;
-    changed = true;
-  }
-  layers.SetCurrentChannel(draw, 0);
-  if (!beingTyped()) {
-    const bool active = ImGui::IsItemActive();
-    const float at = std::clamp(0.5F + 0.5F * *stops / range, 0.0F, 1.0F);
-    const float inset = px(5);
-    const ImVec2 barLow(low.x + inset, low.y);
-    const ImVec2 barHigh(high.x - inset, high.y);
-    const float middle = 0.5F * (barLow.x + barHigh.x);
-    const float x = barLow.x + at * (barHigh.x - barLow.x);
-    draw->AddRectFilled(
-        low, high, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
-        px(4));
-    draw->AddRectFilled(ImVec2(std::min(middle, x), low.y), ImVec2(std::max(middle, x), high.y),
-                        IM_COL32(96, 152, 224, 70));
-    draw->AddLine(ImVec2(middle, low.y + px(3)), ImVec2(middle, high.y - px(3)), kFaint, px(1));
-    drawGrab(barLow, barHigh, at, active);
-  }
-  layers.Merge(draw);
-  return changed;
 }
 
 bool kelvinSlider(const char* id, float* kelvin, float width) {

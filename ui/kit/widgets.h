@@ -16,9 +16,6 @@ bool toggleButton(const char* label, bool on, ImU32 litColor, float side, const 
 /// A filled, rounded swatch of display codes. True when clicked.
 bool colorChip(const char* id, const Rgb& codes, ImVec2 size, const char* tooltip);
 
-/// A slider of stops: the middle is 0, its bar runs from there. Ctrl-click types, double-click on it resets.
-bool stopsSlider(const char* id, float* stops, float range, float width);
-
 /// A slider of colour temperature in equal steps of reciprocal Kelvin, warm on the left.
 bool kelvinSlider(const char* id, float* kelvin, float width);
 

@@ -3,11 +3,14 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/control/light_edit.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/widgets.h"
+#include "ui/mixer/level_field.h"
+#include "ui/mixer/level_slider.h"
 #include "ui/mixer/light_menu.h"
 #include "ui/mixer/mixer_card.h"
 
@@ -41,6 +44,34 @@ void groupName(LightsContext& studio, const LightGroup& group, const MixerCard& 
   ImGui::EndPopup();
 }
 
+void previewGroup(LightsContext& studio, size_t index, double level) {
+  Document next = studio.document();
+  LightGroup& group = next.rig.groups[index];
+  group.stops = static_cast<float>(std::log2(level));
+  studio.editor.preview(group.name + ": fader", std::move(next));
+}
+
+void groupLevel(LightsContext& studio, size_t index, float width) {
+  const LightGroup group = studio.document().rig.groups[index];
+  const std::string mark = "mixer.group." + group.name;
+  const double level = std::exp2(static_cast<double>(group.stops));
+  float stops = group.stops;
+  const LevelSliding sliding = levelSlider("##stops", &stops, kStopsRange, width);
+  markItem({mark, ".stops"});
+  tooltip("Level of the group in stops. Shift drags finely, wheel and arrow keys step, double-click resets.");
+  keepNudges(studio.mixer, mark, sliding);
+  if (sliding.toType) typeLevel(studio.mixer, mark, level);
+  if (sliding.changed) previewGroup(studio, index, std::exp2(static_cast<double>(stops)));
+  ImGui::SameLine(0, px(kGap));
+  const auto change = levelField(studio, mark, level);
+  if (change && change->level == 0)
+    editGroup(studio, index, "out", group.stops, false);
+  else if (change && change->typed)
+    editGroup(studio, index, "fader", static_cast<float>(std::log2(change->level)), group.on);
+  else if (change)
+    previewGroup(studio, index, change->level);
+}
+
 }  // namespace
 
 void drawGroupRow(LightsContext& studio, size_t index) {
@@ -53,18 +84,8 @@ void drawGroupRow(LightsContext& studio, size_t index) {
   card.toMiddleLine();
   groupName(studio, group, card);
   ImGui::SameLine(card.at(px(kNameWidth), 0).x);
-  float stops = group.stops;
-  const float rest = px(kNumberWidth) + side + px(kDotWidth) + 3 * gap;
-  bool changed = stopsSlider("##stops", &stops, kStopsRange, card.innerWidth() - px(kNameWidth) - rest);
-  markItem({mark, ".stops"});
-  ImGui::SameLine(0, gap);
-  ImGui::SetNextItemWidth(px(kNumberWidth));
-  changed |= ImGui::DragFloat("##number", &stops, 0.02F, -kMostStops, kMostStops, "%+.2f st");
-  if (changed) {
-    Document next = studio.document();
-    next.rig.groups[index].stops = stops;
-    studio.editor.preview(group.name + ": fader", std::move(next));
-  }
+  groupLevel(studio, index,
+             card.innerWidth() - px(kNameWidth) - px(kNumberWidth) - side - px(kDotWidth) - 3 * gap);
   ImGui::SameLine(0, gap);
   if (toggleButton(kIconPower, group.on, kLitPower, side, "Turn the whole group on or off"))
     editGroup(studio, index, group.on ? "off" : "on", group.stops, !group.on);

@@ -88,7 +88,7 @@ void shotMenu(LightsContext& studio) {
 
 void unitMenu(LightsContext& studio) {
   if (!ImGui::BeginMenu("Show levels in")) return;
-  using Unit = MixerState::Unit;
+  using Unit = LevelUnit;
   for (const auto& [unit, name] :
        {std::pair{Unit::Stops, "stops"}, {Unit::Percent, "percent"}, {Unit::Multiplier, "multiplier"}})
     if (ImGui::MenuItem(name, nullptr, studio.mixer.unit == unit)) studio.mixer.unit = unit;

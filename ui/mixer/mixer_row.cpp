@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/relight/level.h"
 #include "ui/control/light_edit.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/light_words.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
+#include "ui/mixer/level_field.h"
+#include "ui/mixer/level_slider.h"
 #include "ui/mixer/light_menu.h"
 #include "ui/mixer/mixer_card.h"
 
@@ -22,15 +25,11 @@ namespace {
 constexpr float kRowHeight = 82;
 constexpr float kChipSide = 32;
 
-float timesOf(const LightSetting& setting) {
-  return std::exp2(setting.stops) * setting.multiplier;
-}
-
 /// What a row says below the light's name.
 std::string underName(const LightSetting& setting) {
-  const float times = timesOf(setting);
+  const double times = levelOf(setting);
   std::string words = colorWords(setting.color);
-  words += times < 9.995F ? fmt::format("  ·  {:.0f} %", 100 * times) : fmt::format("  ·  ×{:.0f}", times);
+  words += times < 9.995 ? fmt::format("  ·  {:.0f} %", 100 * times) : fmt::format("  ·  ×{:.0f}", times);
   if (setting.role != Role::Other && roleName(setting.role) != setting.light)
     words = roleName(setting.role) + "  ·  " + words;
   if (!setting.group.empty()) words += "  ·  " + setting.group;
@@ -125,34 +124,27 @@ void switches(LightsContext& studio, size_t light, const LightSetting& setting) 
   markItem({mark, ".on"});
 }
 
-/// The intensity as a number in the unit that the person likes. True while it changes.
-bool intensityNumber(LightsContext& studio, const LightSetting& setting, float* stops) {
-  ImGui::SetNextItemWidth(px(kNumberWidth));
-  if (studio.mixer.unit == MixerState::Unit::Stops)
-    return ImGui::DragFloat("##number", stops, 0.02F, -kMostStops, kMostStops, "%+.2f st");
-  const bool percent = studio.mixer.unit == MixerState::Unit::Percent;
-  float value = timesOf(setting) * (percent ? 100 : 1);
-  if (!ImGui::DragFloat("##number", &value, std::max(0.002F, value / 150), 1e-6F, 1e9F,
-                        percent ? "%.1f %%" : "×%.3f"))
-    return false;
-  const float times = std::max(1e-8F, value / (percent ? 100 : 1));
-  *stops = std::clamp(std::log2(times / std::max(1e-8F, setting.multiplier)), -kMostStops, kMostStops);
-  return true;
-}
-
 void intensity(LightsContext& studio, size_t light, const LightSetting& setting, float width) {
   const std::string mark = "mixer." + setting.light;
   const float gap = px(6);
-  float stops = setting.stops;
-  bool changed =
-      stopsSlider("##stops", &stops, kStopsRange, width - px(kDotWidth) - px(kNumberWidth) - 2 * gap);
+  const double level = levelOf(setting);
+  float stops = level > 0 ? static_cast<float>(std::log2(level)) : -kStopsRange;
+  const LevelSliding sliding =
+      levelSlider("##stops", &stops, kStopsRange, width - px(kDotWidth) - px(kNumberWidth) - 2 * gap);
   markItem({mark, ".stops"});
-  tooltip("Level in stops relative to the capture. Double-click resets.");
+  tooltip(
+      "Level in stops relative to the capture. Shift drags finely, wheel and arrow keys step, double-click "
+      "resets.");
+  keepNudges(studio.mixer, mark, sliding);
+  if (sliding.toType) typeLevel(studio.mixer, mark, level);
+  if (sliding.changed) previewLevel(studio, light, std::exp2(static_cast<double>(stops)));
   ImGui::SameLine(0, gap);
-  changed |= intensityNumber(studio, setting, &stops);
-  markItem({mark, ".number"});
-  tooltip("Drag, or double-click to type. The mixer's menu sets the unit: stops, percent or multiplier.");
-  if (changed) previewStops(studio, light, stops - setting.stops);
+  if (const auto change = levelField(studio, mark, level)) {
+    if (change->typed)
+      editLevel(studio, light, change->level);
+    else
+      previewLevel(studio, light, change->level);
+  }
   ImGui::SameLine(0, gap);
   const bool differs = setting.stops != 0 || setting.multiplier != 1;
   if (changedDot("##reset stops", differs, "Changed from the capture. Click to reset."))

@@ -30,6 +30,11 @@ std::vector<fs::path> findSamples(const fs::path& folder) {
   return samples;
 }
 
+bool isNoArrow(const KeyPress& press) {
+  const std::string& key = press.key;
+  return key != "Left" && key != "Right" && key != "Up" && key != "Down";
+}
+
 }  // namespace
 
 StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
@@ -239,6 +244,9 @@ bool StudioWindow::closeTop() {
 
 void StudioWindow::hearKeys() {
   const std::vector<KeyPress>& presses = m_window.keyboard().presses;
+  // What a key may do comes after the steps that the wheel has made.
+  if (std::exchange(m_mixer.nudging, false) && std::any_of(presses.begin(), presses.end(), isNoArrow))
+    m_editor.commit();
   const bool escape = std::any_of(presses.begin(), presses.end(), [](const KeyPress& press) {
     return press.key == "Escape" && !press.repeat;  // held, it closes one thing
   });
@@ -302,7 +310,7 @@ void StudioWindow::frame() {
   drawAboutBox(m_pictures->words(), *m_colors.config(), &m_aboutOpen);
   drawHistoryPanel(m_editor, &m_historyOpen);
   // However it was made, a gesture ends when nothing is held any more: one gesture, one step.
-  if (m_editor.inGesture() && !ImGui::IsAnyItemActive()) m_editor.commit();
+  if (m_editor.inGesture() && !ImGui::IsAnyItemActive() && !m_mixer.nudging) m_editor.commit();
   markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");
   markState("title", m_title);
   markState("popups", std::to_string(openPopups()));

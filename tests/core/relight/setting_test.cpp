@@ -47,6 +47,11 @@ TEST(Setting, EveryFormOfTheGrammarHasItsFactor) {
   EXPECT_EQ(factor("1st"), Rgb(2));
   EXPECT_EQ(factor("x1.7"), Rgb(1.7f));
   EXPECT_EQ(factor("x2,+1st"), Rgb(4));
+  EXPECT_EQ(factor("x2,+1st,50%"), Rgb(0.5f)) << "all of the level";
+  EXPECT_EQ(factor("@25"), Rgb(0.25f));
+  EXPECT_EQ(factor("-3st,full"), Rgb(1));
+  EXPECT_EQ(factor("out"), Rgb(0));
+  EXPECT_EQ(factor("out,50%"), Rgb(0.5f));
   EXPECT_EQ(factor("off,+1st"), Rgb(0));
   EXPECT_EQ(factor(" 3200K , +1st "), 2.0f * factor("3200k"));
 }
