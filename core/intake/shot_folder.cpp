@@ -64,8 +64,17 @@ std::optional<double> exposureOf(const ImageFileInfo& info) {
   return std::log2(seconds * iso / (stop * stop));
 }
 
-FoundShot describe(const ColorConfig& config, const fs::path& file) {
-  ImageFileInfo info;
+/// A picture that this program has made of photographs, and no photograph. Linear ones may have been rendered
+/// or registered to be photographs; of those, what it exports says more of itself than its name.
+bool isExport(const ImageFileInfo& info) {
+  const bool saysSo = std::any_of(info.text.begin(), info.text.end(),
+                                  [](const auto& text) { return text.first.starts_with("swaplight/"); });
+  const auto software = info.text.find("Software");
+  const bool written = software != info.text.end() && software->second.starts_with("swaplight ");
+  return saysSo || (written && !info.isFloat);
+}
+
+FoundShot describe(const ColorConfig& config, const fs::path& file, ImageFileInfo& info) {
   const ImageSpec spec = readImageSpec(file, &info);
   const std::string byRule = config.colorSpaceOfFile(file);
   return {file.filename().string(),
@@ -122,9 +131,12 @@ ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
   for (const fs::path& file : files) {
     const std::string name = file.filename().string();
     try {
-      FoundShot shot = describe(config, file);
+      ImageFileInfo info;
+      FoundShot shot = describe(config, file, info);
       if (shot.format == "openexr" && isSolvedSet(file))
         found.notes.push_back(name + " is left out: it is a solved set");
+      else if (isExport(info))
+        found.notes.push_back(name + " is left out: Swaplight has made it");
       else if (lower(name).starts_with("ambient"))
         found.ambient = name;
       else if (lower(name).starts_with("dark"))
@@ -147,7 +159,8 @@ ShotFolder withShots(const ColorConfig& config, ShotFolder folder, const std::ve
   for (const std::string& file : files) {
     if (!fs::exists(folder.folder / file))
       throw InputError("{}: there is no such picture in {}", file, folder.folder.string());
-    shots.push_back(describe(config, folder.folder / file));
+    ImageFileInfo info;
+    shots.push_back(describe(config, folder.folder / file, info));
     shots.back().file = file;
   }
   folder.shots = std::move(shots);

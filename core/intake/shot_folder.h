@@ -31,9 +31,10 @@ struct ShotFolder {
 };
 
 /// Looks at the pictures directly in a folder; their colour spaces are those of the configuration's file
-/// rules, else of their headers. Solved sets are left out, and of a camera's pair the JPEG
-/// beside its raw file. Numbers in names count as numbers: shot_10 comes after shot_9. Throws InputError
-/// where it is no folder or has no picture; a picture that cannot be read is left out with a note.
+/// rules, else of their headers. Left out are solved sets, what this program has exported (layers, frames,
+/// beta maps), and of a camera's pair the JPEG beside its raw file. Numbers in names count as numbers:
+/// shot_10 comes after shot_9. Throws InputError where it is no folder or has no picture; a picture that
+/// cannot be read is left out with a note.
 [[nodiscard]] ShotFolder scanShotFolder(const ColorConfig& config, const std::filesystem::path& folder);
 
 /// The same with these files as its shots, in this order. Throws InputError for one that is not there.

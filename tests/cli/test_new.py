@@ -82,6 +82,15 @@ class New(cli.CliTest):
         self.succeed(*arguments, '--force')
         self.assertEqual(self.manifest()['format'], 'swaplight-capture')
 
+    def test_what_the_program_has_made_is_no_photograph(self):
+        folder = self.photographs()
+        first = self.succeed_json('new', folder, '--lights', 'key,fill,back', '--colors', RING)
+        for name in ('frame.exr', 'frame.png', 'frame.jpg', 'frame.tif'):
+            self.succeed('relight', folder, '--light', 'key=50%', '-o', self.path('plain', name))
+        self.succeed('export', folder, '-o', self.path('plain', 'layers.exr'))
+        again = self.succeed_json('new', folder, '--lights', 'key,fill,back', '--colors', RING, '--force')
+        self.assertEqual(again['shots'], first['shots'])
+
     def test_a_shot_is_told_by_itself_and_an_unknown_colour_is_said(self):
         folder = self.photographs(('key', 'fill'))
         result = self.succeed_json('new', folder, '--lights', 'key,fill', '--shot', 'IMG_9.exr=0.9/0.2/0.15,unknown',

@@ -2,6 +2,7 @@
 import json
 import os
 import shutil
+import subprocess
 import sys
 import unittest
 
@@ -9,7 +10,7 @@ import numpy as np
 import OpenImageIO as oiio
 
 from drop_files import drop_files
-from studio_session import HERE, SAMPLES, StudioTest
+from studio_session import HERE, PROGRAM, SAMPLES, StudioTest
 
 sys.path.append(os.path.join(HERE, '../cli'))
 from camera_raw import write_dng
@@ -102,6 +103,23 @@ class Wizard(StudioTest):
         studio.wait(lambda layout: layout.get('title', '').startswith('brought'), 'the session has a name')
         with open(self.path('brought.swaplight')) as file:
             self.assertTrue(json.load(file)['solve']['align'])
+
+    def test_lamps_one_by_one_by_a_button(self):
+        manifest = self.photographs('three_point')
+        count = len(manifest['shots'])
+        subprocess.run([PROGRAM, 'relight', os.path.join(SAMPLES, 'three_point'), '-o', os.path.join(self.shots, 'mine.png')],
+                       check=True, capture_output=True)
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        self.assertTrue(studio.has(f'wizard.picture.{count - 1}'))
+        self.assertFalse(studio.has(f'wizard.picture.{count}'), 'what it has exported is no photograph')
+        texts = lambda: [[studio.state(f'wizard.cell.{k}.{i}.text') for i in range(count)] for k in range(count)]
+        for button, alone, others in (('wizard.one_lamp', 'white', 'off'), ('wizard.one_off', 'off', 'white')):
+            studio.click(button)
+            studio.settle()
+            self.assertEqual(texts(), [[alone if i == k else others for i in range(count)] for k in range(count)])
+        studio.screenshot('wizard_one_off')
 
     def test_a_gel_from_the_list_and_a_colour_from_a_white_card(self):
         rng = np.random.default_rng(5)

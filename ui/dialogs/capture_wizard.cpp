@@ -116,6 +116,13 @@ void CaptureWizard::setLights(size_t count) {
   for (std::vector<Cell>& row : m_cells) row.resize(count);
 }
 
+void CaptureWizard::oneLampAShot(bool on) {
+  setLights(m_cells.size());
+  for (size_t k = 0; k < m_cells.size(); ++k)
+    for (size_t i = 0; i < m_lights.size(); ++i) m_cells[k][i] = {(k == i) == on ? "white" : "off", false};
+  m_guess.clear();
+}
+
 /// What has to be put right before it can be solved; empty where nothing has.
 std::string CaptureWizard::mistake() const {
   try {
@@ -192,7 +199,25 @@ void CaptureWizard::drawLights() {
   tooltip("Use this if the camera moved: photographs are registered to the first one before solving.");
 }
 
+// The two ways of photographing lights that have no gels.
+void CaptureWizard::drawPresets() {
+  const bool fits = m_cells.size() > 1 && m_cells.size() <= kMostLights;
+  const std::string count = fits ? fmt::format("{} photographs, {} lights: ", m_cells.size(), m_cells.size())
+                                 : fmt::format("For 2 to {} photographs: ", kMostLights);
+  const auto preset = [&](const char* words, const char* mark, bool on, const char* tip) {
+    ImGui::BeginDisabled(!fits);
+    if (ImGui::Button(words)) oneLampAShot(on);
+    ImGui::EndDisabled();
+    markItem(mark);
+    tooltip((count + tip).c_str());
+    ImGui::SameLine(0, px(10));
+  };
+  preset("One lamp per shot", "wizard.one_lamp", true, "in each of them one lamp was on, in their order.");
+  preset("All on, one off", "wizard.one_off", false, "in each of them one lamp was off, in their order.");
+}
+
 void CaptureWizard::drawGuess() {
+  drawPresets();
   const bool first = std::all_of(m_cells.front().begin(), m_cells.front().end(), [](const Cell& cell) {
     try {
       return !cell.text.empty() && shotColorFromText(cell.text).color.has_value();

@@ -54,6 +54,9 @@ class CaptureWizard {
   /// What was typed for this folder before it was closed without a solve, or before a solve that failed.
   void restoreTyped();
   void setLights(size_t count);
+  /// One light a photograph, on alone in it (`on`), or off alone.
+  void oneLampAShot(bool on);
+  void drawPresets();
   [[nodiscard]] std::string mistake() const;
   [[nodiscard]] CaptureDraft draft() const;
   [[nodiscard]] std::vector<ShotColor> ring() const;
