@@ -73,8 +73,7 @@ std::optional<double> levelFromText(std::string_view text, std::optional<LevelUn
   if (!unit || !number) return std::nullopt;
   const double factor = factorOf(*unit, static_cast<double>(*number));
   const bool none = factor == 0 && *unit != LevelUnit::Stops;
-  if (!none &&
-      !(factor >= std::exp2(-double(kMostStops)) && factor <= std::exp2(double(kMostStops))))
+  if (!none && !(factor >= std::exp2(-double(kMostStops)) && factor <= std::exp2(double(kMostStops))))
     throw InputError(
         "'{}' is no level of a light: write 0 or more, from {:g} stops below the captured level to {:g} "
         "above",

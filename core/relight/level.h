@@ -10,7 +10,6 @@ namespace swaplight {
 
 // The level of a light: a factor of the captured one, as people at a lighting desk say it.
 
-
 /// In which unit a bare number is meant.
 enum class LevelUnit { Stops, Percent, Multiplier };
 

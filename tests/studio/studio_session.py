@@ -207,7 +207,7 @@ class Studio:
             self.act('key', key)
 
     def type(self, text):
-        self.xdotool('type', '--delay', '15', text)
+        self.xdotool('type', '--delay', '15', '--', text)
         self.rest()
 
     # The end

@@ -62,7 +62,7 @@ void groupLevel(LightsContext& studio, size_t index, float width) {
   keepNudges(studio.mixer, mark, sliding);
   if (sliding.toType) typeLevel(studio.mixer, mark, level);
   if (sliding.changed) previewGroup(studio, index, std::exp2(static_cast<double>(stops)));
-  ImGui::SameLine(0, px(kGap));
+  ImGui::SameLine(0, px(kFaderGap));
   const auto change = levelField(studio, mark, level);
   if (change && change->level == 0)
     editGroup(studio, index, "out", group.stops, false);

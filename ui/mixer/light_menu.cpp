@@ -11,6 +11,7 @@
 #include "ui/control/light_edit.h"
 #include "ui/kit/action_widgets.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/widgets.h"
 
 namespace swaplight {
 namespace {
@@ -100,6 +101,7 @@ void unitMenu(LightsContext& studio) {
 void drawWhiteMenu(const ActionTable& actions) {
   const bool open = ImGui::BeginMenu("White point");
   markItem("menu.white_point");
+  if (!open) tooltip("The white that neutralised lamps have.");
   if (!open) return;
   for (const NamedWhite& named : namedWhites()) actionMenuItem(actions, std::string("white.") + named.name);
   ImGui::EndMenu();
