@@ -23,6 +23,11 @@ namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
 
+#ifdef SWAPLIGHT_SANITIZE
+constexpr bool kSanitizerReports = true;  // it says more than we can
+#else
+constexpr bool kSanitizerReports = false;
+#endif
 constexpr size_t kMostText = 8192;
 constexpr int kMostFrames = 128;
 constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
@@ -119,7 +124,7 @@ std::string nowText() {
 }  // namespace
 
 void reportCrashes(const fs::path& folder, int words) {
-#ifndef SWAPLIGHT_SANITIZE
+  if (kSanitizerReports) return;
   std::error_code error;
   fs::create_directories(folder, error);
   if (error || ::access(folder.c_str(), W_OK) != 0) return;
@@ -136,10 +141,6 @@ void reportCrashes(const fs::path& folder, int words) {
   action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER;
   for (const int signal : kSignals) ::sigaction(signal, &action, nullptr);
   std::set_terminate(onTerminate);
-#else
-  static_cast<void>(folder);
-  static_cast<void>(words);
-#endif
 }
 
 void setCrashFact(std::string_view name, std::string_view value) {

@@ -11,16 +11,18 @@
 namespace swaplight {
 namespace {
 
-constexpr const char* kTimesSign = "\u00d7";
+constexpr std::string_view kTimesSign = "\u00d7";
 constexpr const char* kLevelGrammar = "50%, @50, full, out, x2 or -1st";
 
 /// Without spaces and in lower case; the sign of multiplication as an x.
 std::string plain(std::string_view text) {
-  std::string said(text);
-  if (const size_t sign = said.find(kTimesSign); sign != std::string::npos)
-    said.replace(sign, std::string_view(kTimesSign).size(), "x");
-  std::erase_if(said, [](unsigned char c) { return std::isspace(c) != 0; });
-  std::transform(said.begin(), said.end(), said.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::string said;
+  while (!text.empty()) {
+    const bool times = text.starts_with(kTimesSign);
+    const auto c = static_cast<unsigned char>(text.front());
+    if (!std::isspace(c)) said += times ? 'x' : static_cast<char>(std::tolower(c));
+    text.remove_prefix(times ? kTimesSign.size() : 1);
+  }
   return said;
 }
 

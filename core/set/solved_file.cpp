@@ -56,7 +56,7 @@ Image sumAsWritten(const SolvedSet& set, bool half) {
 /// Whether half float holds the sum to a thousandth of full scale. Where lamps in the picture are brighter
 /// than that allows, R G B is written as float even where half was asked for: it stays the sum of its layers.
 bool halfIsEnough(const Image& sum) {
-  constexpr float kMost = 1e-3F;
+  constexpr float kMostError = 1e-3F;
   std::atomic<bool> enough = true;
   parallelRows(sum.height(), kGrain, [&](int begin, int end) {
     const ptrdiff_t first = ptrdiff_t{begin} * sum.width();
@@ -65,7 +65,7 @@ bool halfIsEnough(const Image& sum) {
     for (int c = 0; c < sum.channelCount() && enough; ++c)
       for (ptrdiff_t p = first; p < last; ++p)
         worst = std::max(worst, std::abs(roundedToHalf(sum.plane(c)[p]) - sum.plane(c)[p]));
-    if (worst > kMost) enough = false;
+    if (worst > kMostError) enough = false;
   });
   return enough;
 }

@@ -32,7 +32,6 @@ void askForGels(LightsContext& studio, FileChooser& chooser) {
 
 void addLightActions(ActionTable& actions, LightsContext& studio, FileChooser& chooser) {
   const auto hasLights = [&studio] { return !studio.document().rig.lights.empty(); };
-  const auto hasSet = [&studio] { return studio.set() != nullptr; };
   const auto light = [&studio] { return shownLight(studio); };
   actions.add(
       {"light.solo", "Solo", "S", "Solo the selected light.",
