@@ -1,6 +1,7 @@
 """Captures that cannot be solved: one clear line, exit 2, nothing written."""
 import json
 import os
+import shutil
 import subprocess
 import unittest
 
@@ -155,6 +156,8 @@ class DiskTest(cli.CliTest):
         super().setUp()
         self.disk = self.path('disk')
         os.mkdir(self.disk)
+        if not shutil.which('mount'):
+            self.skipTest('SKIPPED: there is no mount here (the package of that name)')
         mounted = subprocess.run(['mount', '-t', 'tmpfs', '-o', 'size=96k', 'none', self.disk], capture_output=True)
         if mounted.returncode:
             self.skipTest('SKIPPED: no tmpfs can be mounted here (that needs root): '
