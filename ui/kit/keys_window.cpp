@@ -31,10 +31,10 @@ void mouseHelp() {
   ImGui::PopFont();
   for (const char* text :
        {"Wheel: zoom at the pointer", "Drag: pan", "Alt + click: match the light to a pixel",
-        "Hold E + drag: viewer exposure", "Double-click a slider: reset to the capture",
-        "Ctrl + click a slider: type a value", "Shift + drag a level: finely",
-        "Wheel or arrows over a level: steps", "Ctrl or Shift + click lights: select several",
-        "Right-click a light: context menu"})
+        "Hold Q: which light is this? Click selects it", "Hold E + drag: viewer exposure",
+        "Double-click a slider: reset to the capture", "Ctrl + click a slider: type a value",
+        "Shift + drag a level: finely", "Wheel or arrows over a level: steps",
+        "Ctrl or Shift + click lights: select several", "Right-click a light: context menu"})
     hint(text);
 }
 

@@ -10,34 +10,16 @@
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 #include "ui/tools/pointer.h"
+#include "ui/viewer/share_bar.h"
 #include "ui/viewer/viewer_overlay.h"
 
 namespace swaplight {
 namespace {
 
-constexpr float kWidth = 250;
 constexpr float kCardMargin = 12;
 
 std::string stopsWords(float stops) {
   return std::isfinite(stops) ? fmt::format("{:+.2f} st from grey", stops) : "black";
-}
-
-void shareBar(const std::string& name, float share, const Rgb& color) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float row = ImGui::GetTextLineHeight() + px(4);
-  const float left = px(76), right = px(48);
-  const float room = px(kWidth) - 2 * px(10) - left - right;
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->PushClipRect(at, ImVec2(at.x + left - px(4), at.y + row), true);
-  draw->AddText(at, kText, name.c_str());
-  draw->PopClipRect();
-  const ImVec2 low(at.x + left, at.y + px(3));
-  draw->AddRectFilled(low, ImVec2(low.x + room, low.y + row - px(8)), IM_COL32(70, 70, 70, 255), px(2));
-  draw->AddRectFilled(low, ImVec2(low.x + room * share, low.y + row - px(8)), colorU32(color), px(2));
-  const std::string number = fmt::format("{:.1f} %", 100 * share);
-  draw->AddText(ImVec2(at.x + px(kWidth) - 2 * px(10) - ImGui::CalcTextSize(number.c_str()).x, at.y), kText,
-                number.c_str());
-  ImGui::Dummy(ImVec2(px(kWidth) - 2 * px(10), row));
 }
 
 }  // namespace
@@ -52,11 +34,11 @@ void drawProbeCard(ViewerContext& studio, ImVec2 origin, ImVec2 size) {
   const PixelProbe probe = probePixels(*studio.colors.config(), set, document.rig, pixel->x, pixel->y,
                                        studio.view.probeSide, *table, studio.table.luminanceWeights());
   // At the right, unless the mouse is there.
-  const bool right = ImGui::GetIO().MousePos.x < origin.x + size.x - px(kWidth + 3 * kCardMargin);
+  const bool right = ImGui::GetIO().MousePos.x < origin.x + size.x - px(kSharesWidth + 3 * kCardMargin);
   ImGui::SetNextWindowPos(ImVec2(right ? origin.x + size.x - px(kCardMargin) : origin.x + px(kCardMargin),
                                  origin.y + size.y - px(kCardMargin) - px(right ? 0 : kCardMargin + 30)),
                           ImGuiCond_Always, ImVec2(right ? 1 : 0, 1));
-  ImGui::SetNextWindowSize(ImVec2(px(kWidth), 0));
+  ImGui::SetNextWindowSize(ImVec2(px(kSharesWidth), 0));
   ImGui::SetNextWindowBgAlpha(0.85F);
   if (ImGui::Begin("##probe", nullptr,
                    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
@@ -73,8 +55,8 @@ void drawProbeCard(ViewerContext& studio, ImVec2 origin, ImVec2 size) {
                 stopsWords(probe.stops).c_str());
     ImGui::Separator();
     for (size_t i = 0; i < document.rig.lights.size(); ++i)
-      shareBar(document.rig.lights[i].title(), probe.shares[i], chipColor(document.rig.lights[i].color));
-    if (set.ambient) shareBar("ambient", probe.shares.back(), Rgb(0.6F));
+      drawShareBar(document.rig.lights[i].title(), probe.shares[i], chipColor(document.rig.lights[i].color));
+    if (set.ambient) drawShareBar("ambient", probe.shares.back(), Rgb(0.6F));
     const std::string flags = flagWords(probe.flags);
     ImGui::TextDisabled("%s", fmt::format("residual {:.2f}   error {:.1f} %{}{}", probe.residual,
                                           100 * probe.sigma, flags.empty() ? "" : "   ", flags)

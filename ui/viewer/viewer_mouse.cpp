@@ -9,6 +9,7 @@
 #include "ui/kit/theme.h"
 #include "ui/tools/picture_tool.h"
 #include "ui/tools/pointer.h"
+#include "ui/viewer/which_light.h"
 
 namespace swaplight {
 namespace {
@@ -28,6 +29,7 @@ float distance(ImVec2 a, ImVec2 b) {
 /// What the left button takes hold of here.
 Grab grabbed(const ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
   if (studio.keyboard.isHeld("E")) return Grab::Exposure;
+  if (asksWhichLight(studio)) return Grab::Light;
   if (studio.tool == &kScopeRegion) return Grab::Region;
   if (studio.view.compare.mode != CompareState::Mode::Wipe) return Grab::Pan;
   const ViewPictures& pictures = studio.set()->pictures();
@@ -71,6 +73,7 @@ void drag(ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
   CompareState& compare = studio.view.compare;
   switch (studio.viewer.grab) {
     case Grab::None:
+    case Grab::Light:
       return;
     case Grab::Pan:
       if (delta.x != 0 || delta.y != 0) studio.view.pan(window, delta.x, delta.y);
@@ -100,7 +103,7 @@ const PictureTool* toolAtWork(ViewerContext& studio, const ToolInput& input) {
 void showCursor(const PictureTool* tool, Grab over) {
   if (tool) {
     if (tool->cursor != PictureTool::kOwnCursor) ImGui::SetMouseCursor(tool->cursor);
-  } else if (over == Grab::WipeMove || over == Grab::WipeTurn) {
+  } else if (over == Grab::WipeMove || over == Grab::WipeTurn || over == Grab::Light) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   } else if (over == Grab::Exposure) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -123,7 +126,7 @@ WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2
 void handleViewerMouse(ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
-  const bool moves = studio.keyboard.isHeld("E") || studio.keyboard.isHeld("Space");
+  const bool moves = studio.keyboard.isHeld("E") || studio.keyboard.isHeld("Space") || asksWhichLight(studio);
   Grab& grab = studio.viewer.grab;
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) grab = Grab::Pan;
   const PictureTool* tool =
@@ -134,6 +137,7 @@ void handleViewerMouse(ViewerContext& studio, const ViewWindow& window, ImVec2 o
   if (!tool && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     grab = grabbed(studio, window, origin);
     if (grab == Grab::Region) drawRegion(studio, window, origin, true);
+    if (grab == Grab::Light) selectLightOf(studio, pixelUnder(studio, window, origin));
   }
   const bool clicked = hovered && grab == Grab::Pan && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < px(kClickReach) * px(kClickReach);

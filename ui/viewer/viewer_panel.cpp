@@ -147,6 +147,7 @@ void drawViewerPanel(ViewerContext& studio) {
   drawPanes(studio, window, origin);
   drawViewerOverlay(studio, window, origin, size);
   drawProbeCard(studio, origin, size);
+  drawWhichLight(studio, origin, size);
 }
 
 }  // namespace swaplight
