@@ -7,13 +7,13 @@
 #     PUBLIC glm::glm               others that its headers include
 #     PRIVATE TBB::tbb)             others that its sources include
 #
-# With SWAPLIGHT_UNITY (the release and demo presets) several sources of a folder are compiled as one: most of the compiler's
+# With SWAPLIGHT_UNITY (the presets of releases and sanitizers) several sources of a folder are compiled as one: most of the compiler's
 # time goes into headers. What is local to a file must then have a name of its own in its folder.
 #
 # The link line is the architecture: a test refuses an include that the line does not name, a file that is not
 # listed, and circles (tests/structure).
 
-option(SWAPLIGHT_UNITY "Compile several sources of a folder as one: all of it in a third of the time, one file in more" OFF)
+option(SWAPLIGHT_UNITY "Compile several sources of a folder as one: a whole build is faster, one after a small change slower" OFF)
 set(SWAPLIGHT_KERNEL_LEVELS "all" CACHE STRING "all: kernels for each class of processor; native: for this one only")
 set(SWAPLIGHT_LEVELS 1)
 set(SWAPLIGHT_LEVEL_1_OPTIONS "")

@@ -8,8 +8,6 @@
 #include "core/color/chromaticity.h"
 
 namespace swaplight {
-namespace {}  // namespace
-
 Rig neutralized(Rig rig, std::span<const size_t> lights, const WhitePoint& white) {
   for (const size_t i : lights) {
     LightSetting& light = rig.lights.at(i);

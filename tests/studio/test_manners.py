@@ -68,10 +68,13 @@ class Manners(StudioTest):
                 seen.append(focus)
         self.fail(f'Tab does not come round: {seen}')
 
-    def run_action(self, words):
+    def find_action(self, words):
         self.studio.key('ctrl+shift+p')
         self.studio.item('palette.filter')
         self.studio.type(words)
+
+    def run_action(self, words):
+        self.find_action(words)
         self.studio.key('Return')
 
     # Menus and lists
@@ -170,13 +173,9 @@ class Manners(StudioTest):
                 opener()
                 self.escape_closes(item)
                 self.row(name, 'closes it', '', '', '')
-        studio.key('ctrl+shift+p')
-        studio.item('palette.filter')
-        studio.type('expor')
+        self.find_action('expor')
         self.escape_closes('palette.filter')
-        studio.key('ctrl+shift+p')
-        studio.item('palette.filter')
-        studio.type('wipe')
+        self.find_action('wipe')
         studio.key('Down', 'Up', 'Return')
         self.gone('palette.filter')
         studio.item('viewer.wipe')

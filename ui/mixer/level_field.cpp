@@ -19,9 +19,8 @@ namespace swaplight {
 namespace {
 
 constexpr const char* kTip =
-    "Drag, with Shift finer. Double-click to type: 50%, @50, full, x2, -1st. Tab types the next light's. The "
-    "mixer's menu "
-    "sets the unit.";
+    "Drag, with Shift finer. Double-click to type: 50%, @50, full, x2, -1st; Tab goes on to the next light. "
+    "The mixer's menu sets the unit.";
 
 std::string textOfLevel(LevelUnit unit, double level) {
   if (level == 0) return "out";

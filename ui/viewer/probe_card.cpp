@@ -40,10 +40,7 @@ void drawProbeCard(ViewerContext& studio, ImVec2 origin, ImVec2 size) {
                           ImGuiCond_Always, ImVec2(right ? 1 : 0, 1));
   ImGui::SetNextWindowSize(ImVec2(px(kSharesWidth), 0));
   ImGui::SetNextWindowBgAlpha(0.85F);
-  if (ImGui::Begin("##probe", nullptr,
-                   ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                       ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (ImGui::Begin("##probe", nullptr, kCardFlags)) {
     ImGui::PushFont(fonts().small);
     const Rgb& v = probe.linear;
     ImGui::TextDisabled("%s", fmt::format("x {}  y {}   {} \u00d7 {}", pixel->x, pixel->y,

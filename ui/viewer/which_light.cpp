@@ -43,14 +43,18 @@ std::optional<PixelLights> lightsOf(const ViewerContext& studio, const std::opti
   return found;
 }
 
+/// How often the pixel has been clicked since another one was.
+size_t clicksOn(const ViewerContext& studio, const PicturePixel& pixel) {
+  const ViewerState::LightAsked& last = studio.viewer.lightAsked;
+  return last.x == pixel.x && last.y == pixel.y ? last.clicks : 0;
+}
+
 /// The light that a click selects; nothing where none of them shines on the pixel.
 std::optional<size_t> lightOfClick(const ViewerContext& studio, const PixelLights& found) {
-  const ViewerState::LightAsked& last = studio.viewer.lightAsked;
-  const bool again = last.x == found.pixel.x && last.y == found.pixel.y;
   const auto giving = static_cast<size_t>(std::count_if(
       found.order.begin(), found.order.end(), [&](size_t i) { return found.shares[i] >= kLeastShare; }));
   if (giving == 0) return std::nullopt;
-  return found.order[again ? last.clicks % giving : 0];
+  return found.order[clicksOn(studio, found.pixel) % giving];
 }
 
 }  // namespace
@@ -64,9 +68,7 @@ void selectLightOf(ViewerContext& studio, const std::optional<PicturePixel>& pix
   const auto found = lightsOf(studio, pixel);
   if (!found) return;
   const auto light = lightOfClick(studio, *found);
-  ViewerState::LightAsked& last = studio.viewer.lightAsked;
-  if (last.x != found->pixel.x || last.y != found->pixel.y) last = {found->pixel.x, found->pixel.y, 0};
-  ++last.clicks;
+  studio.viewer.lightAsked = {found->pixel.x, found->pixel.y, clicksOn(studio, found->pixel) + 1};
   if (!light) return;
   studio.view.selectedLights.clear();
   studio.view.selectedLight = static_cast<int>(*light);
@@ -84,10 +86,7 @@ void drawWhichLight(ViewerContext& studio, ImVec2 origin, ImVec2 size) {
       ImGuiCond_Always, ImVec2(left ? 1 : 0, above ? 1 : 0));
   ImGui::SetNextWindowSize(ImVec2(px(kSharesWidth), 0));
   ImGui::SetNextWindowBgAlpha(0.9F);
-  if (ImGui::Begin("##which light", nullptr,
-                   ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                       ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (ImGui::Begin("##which light", nullptr, kCardFlags)) {
     ImGui::PushFont(fonts().small);
     const std::vector<LightSetting>& lights = studio.document().rig.lights;
     const auto taken = lightOfClick(studio, *found);
