@@ -1,9 +1,11 @@
 #include "core/image/exr/exr_attributes.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <string_view>
 
 namespace swaplight {
 namespace {
@@ -11,6 +13,36 @@ namespace {
 constexpr int kMostAttributes = 1 << 16;
 constexpr size_t kLongestName = 255;
 constexpr uint32_t kMultiPart = 0x1000;
+
+/// Attributes of these types have one size, which OpenEXR reads whatever the header says.
+struct SizedType {
+  std::string_view type;
+  uint32_t bytes;
+};
+constexpr std::array kSizedTypes = std::to_array<SizedType>({{"box2f", 16},
+                                                             {"box2i", 16},
+                                                             {"chromaticities", 32},
+                                                             {"compression", 1},
+                                                             {"deepImageState", 1},
+                                                             {"double", 8},
+                                                             {"envmap", 1},
+                                                             {"float", 4},
+                                                             {"int", 4},
+                                                             {"keycode", 28},
+                                                             {"lineOrder", 1},
+                                                             {"m33d", 72},
+                                                             {"m33f", 36},
+                                                             {"m44d", 128},
+                                                             {"m44f", 64},
+                                                             {"rational", 8},
+                                                             {"tiledesc", 9},
+                                                             {"timecode", 8},
+                                                             {"v2d", 16},
+                                                             {"v2f", 8},
+                                                             {"v2i", 8},
+                                                             {"v3d", 24},
+                                                             {"v3f", 12},
+                                                             {"v3i", 12}});
 
 /// Reads a header bit by bit; every answer is false where the file has ended.
 class HeaderWalk {
@@ -26,6 +58,8 @@ class HeaderWalk {
     value = bytes[0] | uint32_t{bytes[1]} << 8 | uint32_t{bytes[2]} << 16 | uint32_t{bytes[3]} << 24;
     return true;
   }
+  /// Where the next byte lies; -1 after the end.
+  [[nodiscard]] int64_t at() { return m_in.tellg(); }
   /// Up to the zero that ends it.
   bool name(std::string& text) {
     text.clear();
@@ -35,8 +69,8 @@ class HeaderWalk {
   }
   /// Whether so many bytes are there; passes over them.
   bool skip(uint32_t bytes) {
-    const auto at = static_cast<int64_t>(m_in.tellg());
-    if (at < 0 || int64_t{bytes} > m_size - at) return false;
+    const int64_t here = at();
+    if (here < 0 || int64_t{bytes} > m_size - here) return false;
     m_in.seekg(bytes, std::ios::cur);
     return static_cast<bool>(m_in);
   }
@@ -46,8 +80,36 @@ class HeaderWalk {
   int64_t m_size = 0;
 };
 
-/// A string vector is made of lengths and letters: each length is held against what is left of the attribute
-/// by the library; the attribute's own size is what it trusts.
+/// Passes over a list of channels, which OpenEXR reads up to the empty name that ends it.
+bool skipChannels(HeaderWalk& walk) {
+  constexpr uint32_t kTypeAndSampling = 16;
+  std::string channel;
+  while (walk.name(channel)) {
+    if (channel.empty()) return true;
+    if (!walk.skip(kTypeAndSampling)) return false;
+  }
+  return false;
+}
+
+/// Passes over a small picture of the picture: OpenEXR makes room for as many pixels as it says it has.
+bool skipPreview(HeaderWalk& walk) {
+  uint32_t width = 0, height = 0;
+  if (!walk.number(width) || !walk.number(height)) return false;
+  const uint64_t bytes = uint64_t{width} * height * 4;
+  return bytes <= UINT32_MAX && walk.skip(static_cast<uint32_t>(bytes));
+}
+
+/// Passes over an attribute's value as OpenEXR reads it; false where that is not as long as the header says:
+/// what comes then would be read out of step. A string vector's lengths are held against the attribute's by
+/// the library.
+bool skipValue(HeaderWalk& walk, std::string_view type, uint32_t size) {
+  const int64_t end = walk.at() + size;
+  if (type == "chlist") return skipChannels(walk) && walk.at() == end;
+  if (type == "preview") return skipPreview(walk) && walk.at() == end;
+  const auto* sized = std::ranges::find(kSizedTypes, type, &SizedType::type);
+  return (sized == kSizedTypes.end() || sized->bytes == size) && walk.skip(size);
+}
+
 std::string headerFault(HeaderWalk& walk, bool& empty) {
   std::string name, type;
   empty = true;
@@ -57,8 +119,8 @@ std::string headerFault(HeaderWalk& walk, bool& empty) {
     empty = false;
     uint32_t size = 0;
     if (!walk.name(type) || !walk.number(size)) return "its header is cut";
-    if (!walk.skip(size))
-      return "the header says " + name + " has " + std::to_string(size) + " bytes, more than are there";
+    if (!skipValue(walk, type, size))
+      return "the header says " + name + " has " + std::to_string(size) + " bytes, which is wrong";
   }
   return "its header has no end";
 }

@@ -6,8 +6,9 @@
 namespace swaplight {
 
 /// What is wrong with the header of an OpenEXR file: an attribute that says that it is longer than the file
-/// (readers allocate that before they look), a header without an end. Empty where nothing is. Reads the
-/// attributes' names and sizes only (OpenEXR File Layout: name, type, size, value).
+/// (readers allocate that before they look), or has another size than its type (readers get out of step), a
+/// header without an end. Empty where nothing is. Reads names, types and sizes, and values whose length is in
+/// them (OpenEXR File Layout: name, type, size, value).
 [[nodiscard]] std::string exrHeaderFault(const std::filesystem::path& file);
 
 }  // namespace swaplight
