@@ -9,6 +9,8 @@ build_packages=(g++ cmake ninja-build pkg-config
   fonts-inter fonts-material-design-icons-iconfont)
 test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-numpy python3-openimageio xvfb xdotool python3-xlib imagemagick)
 check_packages=(git clang clang-format clang-tidy)
+# libc6-dbg: the thread sanitizer's suppressions name a function of the C library.
+sanitize_packages=(libc6-dbg)
 fresh_packages=(mmdebstrap git)
 
 # Installs those of the packages named that are missing.

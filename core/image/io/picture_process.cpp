@@ -20,6 +20,13 @@ constexpr size_t kLongestMessage = size_t{64} << 20;
 constexpr int kProcessorSeconds = 600;  // no photograph takes a tenth of it
 constexpr int kSlots = 2;               // one is decoded while the other is taken
 
+// A sanitizer watches one process, and takes more memory than a decoder is given.
+#ifdef SWAPLIGHT_SANITIZE
+constexpr bool kWatched = true;
+#else
+constexpr bool kWatched = false;
+#endif
+
 std::unique_ptr<HelperProcesses>& processes() {
   static std::unique_ptr<HelperProcesses> made;
   return made;
@@ -120,11 +127,11 @@ class PictureApart : public PictureSource {
 }  // namespace
 
 PictureProcesses::PictureProcesses() {
-#ifndef SWAPLIGHT_SANITIZE
-  const auto memory = static_cast<size_t>(0.75e9 * machineGigabytes());
-  processes() = std::make_unique<HelperProcesses>(
-      HelperProcesses::Work{prepareDecoders, decodeFor, {memory, kProcessorSeconds}});
-#endif
+  if constexpr (!kWatched) {
+    const auto memory = static_cast<size_t>(0.75e9 * machineGigabytes());
+    processes() = std::make_unique<HelperProcesses>(
+        HelperProcesses::Work{prepareDecoders, decodeFor, {memory, kProcessorSeconds}});
+  }
 }
 
 PictureProcesses::~PictureProcesses() {
