@@ -20,7 +20,7 @@ class Program {
   /// Adds a verb with the options that every verb has. The caller adds the verb's own to what is returned.
   CLI::App& addVerb(const std::string& name, const std::string& description, Run run);
 
-  /// Exit codes: 0 done, 1 done but some frames failed, 2 bad input, 3 out of resources, 130 interrupted.
+  /// Exit codes: 0 done, 1 done but not all of it, 2 bad input, 3 out of resources, 130 interrupted.
   int run(int argc, const char* const* argv);
 
  private:

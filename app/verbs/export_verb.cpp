@@ -1,5 +1,6 @@
 #include <fmt/ranges.h>
 
+#include "app/arguments/camera_look_arguments.h"
 #include "app/arguments/display_arguments.h"
 #include "app/arguments/lighting_arguments.h"
 #include "app/verbs/verbs.h"
@@ -15,6 +16,7 @@ namespace {
 
 struct ExportCommand {
   LightingArguments lighting;
+  CameraLookArguments cameraLook;
   std::string file;
   std::string naming = "layers";
   std::string pictures = "half";
@@ -72,7 +74,10 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   const bool look = isLookFile(arguments.file);
   if (look) config->checkView(displayOver(session, arguments.display));
   if (!options.colorSpace.empty()) config->checkColorSpace(options.colorSpace);
-  checkOutput(arguments.file, arguments.lighting.inputs(session));
+  const std::shared_ptr<CameraLook> seen = look ? nullptr : arguments.cameraLook.look(session, terminal);
+  std::vector<std::filesystem::path> inputs = arguments.lighting.inputs(session);
+  for (const std::filesystem::path& file : arguments.cameraLook.inputs(seen.get())) inputs.push_back(file);
+  checkOutput(arguments.file, inputs);
   arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();
@@ -82,17 +87,22 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   if (look) return exportLook(*config, arguments, session, set, rig, terminal);
   options.dataWindow = windowOf(arguments.window, set);
   options.text = provenanceOf(set, rig, arguments.lighting.source(session));
+  options.cameraLook = seen;
+  options.seenThrough = displayOver(session, arguments.display);
+  options.frameNumber = arguments.cameraLook.frame();
   exportLayers(*config, set, rig, arguments.file, options, progress.part(0.6F, 1));
   const std::vector<std::string> layers = exportedLayers(set, options);
   terminal.say("wrote {}, {} x {} pixels; the layers {} add up to the picture", arguments.file, set.width(),
                set.height(), fmt::join(layers, ", "));
+  if (seen) terminal.say("the layer camera_look is the picture seen through \"{}\"", seen->pipeline().name);
   terminal.result("", {{"file", arguments.file},
                        {"layers", layers},
                        {"width", set.width()},
                        {"height", set.height()},
                        {"color_space", options.colorSpace.empty() ? set.colorSpace() : options.colorSpace},
+                       {"left_out", seen ? seen->leftOut() : std::vector<std::string>{}},
                        {"rig", jsonFromRig(rig)}});
-  return 0;
+  return codeWithLook(0, seen.get());
 }
 
 }  // namespace
@@ -130,7 +140,8 @@ void addExportVerb(Program& program) {
       ->capture_default_str();
   verb.add_option("--data-window", a->window, "shots (as the photographs have it), full, or X,Y,WIDTH,HEIGHT")
       ->type_name("WINDOW");
-  addDisplayOptions(*verb.add_option_group("For .cube"), a->display);
+  a->cameraLook.addTo(verb);
+  addDisplayOptions(*verb.add_option_group("For .cube and a camera look"), a->display);
 }
 
 }  // namespace swaplight

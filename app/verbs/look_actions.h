@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/arguments/camera_look_arguments.h"
 #include "app/program/terminal.h"
 #include "core/export/frame_file.h"
 #include "core/filter/filter_library.h"
@@ -13,9 +14,8 @@ namespace swaplight {
 /// What `swaplight look` is asked for.
 struct LookArguments {
   std::string action;
-  std::vector<std::string> names;    ///< of filters, looks or a frame, as the action has it
-  std::string look;                  ///< a .swaplook file
-  std::vector<std::string> filters;  ///< stages as typed
+  std::vector<std::string> names;  ///< of filters, looks or a frame, as the action has it
+  FilterRequest request;
   std::string output, save, name;
   FrameOptions frame;
   FilterTime time;

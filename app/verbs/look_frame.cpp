@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/color/srgb.h"
 #include "core/image/io/image_io.h"
 #include "core/image/rgb_image.h"
-#include "core/ocio/icc_profile.h"
 
 namespace swaplight {
 
@@ -27,44 +25,6 @@ FilteredImage readFrame(const fs::path& file, bool alpha) {
   for (int c = 0; c < 3; ++c) std::copy_n(rgb.plane(c), rgb.pixelCount(), all.plane(c));
   if (!matte.empty()) std::copy(matte.begin(), matte.end(), all.plane(3));
   return {std::move(all), space};
-}
-
-void writeFiltered(const ColorConfig& config, FilteredImage frame, const fs::path& file,
-                   const LookArguments& arguments) {
-  FrameOptions options = arguments.frame;
-  if (frame.space == FilterSpace::Display) {
-    const DisplayChoice choice =
-        options.display.empty() ? DisplayChoice{} : namedDisplay(config, options.display);
-    options.linear = true;  // as they are
-    options.display = {};
-    if (isSceneLinear(file)) {
-      for (int c = 0; c < 3; ++c)
-        std::transform(frame.image.plane(c), frame.image.plane(c) + frame.image.pixelCount(),
-                       frame.image.plane(c), [](float code) { return linearFromSrgb(code); });
-      frame.image.setColorSpace("lin_rec709");
-    } else {
-      options.write.iccProfile =
-          choice.empty() ? iccProfileOf("sRGB", "") : iccProfileOf(choice.display, choice.view);
-      frame.image.setColorSpace("srgb");
-    }
-  }
-  writeFrame(config, std::move(frame.image), file, options);
-}
-
-PipelineOptions pipelineOptionsFor(const ColorConfig& config, const FilteredImage& frame,
-                                   const LookArguments& arguments) {
-  PipelineOptions options;
-  options.time = arguments.time;
-  options.tileSide = arguments.tileSide;
-  options.mostSecondsPerTile = arguments.mostSeconds;
-  options.displayFromScene = [&config, space = frame.image.spec().colorSpace,
-                              display = arguments.frame.display](ImageSpan image) {
-    if (display.empty())
-      config.convert(image, space, "srgb");
-    else
-      config.applyView(image, space, namedDisplay(config, display));
-  };
-  return options;
 }
 
 }  // namespace swaplight

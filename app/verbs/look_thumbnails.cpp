@@ -4,6 +4,7 @@
 #include "app/verbs/look_frame.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/export/filtered_frame.h"
 #include "core/image/shrunk_image.h"
 #include "core/ocio/chosen_config.h"
 #include "render/gl/egl_context.h"
@@ -47,11 +48,15 @@ int drawThumbnails(const LookArguments& arguments, Terminal& terminal) {
   const EglContext context;
   PipelineRenderer renderer;
   Json written = Json::array();
+  PipelineOptions options;
+  options.time = arguments.time;
+  options.mostSecondsPerTile = arguments.mostSeconds;
+  options.displayFromScene = displayFromScene(*config, frame.image.spec().colorSpace, arguments.frame);
   for (const auto& [name, stages] : allOf(library)) try {
       FilteredImage picture{frame.image.clone(), frame.space};
-      picture = renderer.apply(std::move(picture), stages, pipelineOptionsFor(*config, frame, arguments));
+      picture = renderer.apply(std::move(picture), stages, options);
       const fs::path file = fs::path(arguments.output) / (name + ".png");
-      writeFiltered(*config, std::move(picture), file, arguments);
+      writeFilteredFrame(*config, std::move(picture), file, arguments.frame);
       written.push_back(file.string());
     } catch (const InputError& broken) {
       terminal.say("warning: {}", broken.what());

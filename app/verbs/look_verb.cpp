@@ -28,9 +28,10 @@ void addLookVerb(Program& program) {
   verb.add_option("NAME", a->names,
                   "list: words to look for; show: a filter or .swaplook; "
                   "lint: files or folders; apply: the frame");
-  verb.add_option("--look", a->look, "apply: a camera look, by name or file")->type_name("NAME");
+  verb.add_option("--look", a->request.look, "apply: a camera look, by name or file")->type_name("NAME");
   // One value an option: a filter is not to swallow the frame.
-  verb.add_option("--filter", a->filters, "apply: a filter, with its parameters; again for the next one")
+  verb.add_option("--filter", a->request.filters,
+                  "apply: a filter, with its parameters; again for the next one")
       ->type_name("NAME,param=value")
       ->expected(1)
       ->take_all();

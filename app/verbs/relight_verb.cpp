@@ -1,3 +1,4 @@
+#include "app/arguments/camera_look_arguments.h"
 #include "app/arguments/display_arguments.h"
 #include "app/arguments/lighting_arguments.h"
 #include "app/arguments/sequence_arguments.h"
@@ -19,6 +20,7 @@ namespace {
 struct RelightCommand {
   LightingArguments lighting;
   SequenceArguments sequence;
+  CameraLookArguments cameraLook;
   std::string frame;
   std::string tone;
   std::string histogram;
@@ -74,9 +76,17 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
   checkFrame(*config, arguments.frame, output);
   if (arguments.sequence.given() && !arguments.histogram.empty())
     throw InputError("--histogram is of one frame: leave it out, or --frames");
+  if (arguments.sequence.given() && arguments.cameraLook.frameGiven())
+    throw InputError("--frame is the number of a still: leave it out, -F numbers the frames");
+  const std::shared_ptr<CameraLook> look = arguments.cameraLook.look(session, terminal);
+  output.cameraLook = look;
+  output.frameNumber = arguments.cameraLook.frame();
   if (arguments.sequence.given())
-    return arguments.sequence.run(*config, arguments.lighting, session, arguments.frame, output, terminal);
-  const std::vector<std::filesystem::path> inputs = arguments.lighting.inputs(session);
+    return codeWithLook(
+        arguments.sequence.run(*config, arguments.lighting, session, arguments.frame, output, terminal),
+        look.get());
+  std::vector<std::filesystem::path> inputs = arguments.lighting.inputs(session);
+  for (const std::filesystem::path& file : arguments.cameraLook.inputs(look.get())) inputs.push_back(file);
   checkOutput(arguments.frame, inputs);
   if (!arguments.histogram.empty()) checkFrame(*config, arguments.histogram, {});
   if (!arguments.histogram.empty()) checkOutput(arguments.histogram, inputs);
@@ -99,8 +109,10 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
     json["luminance"] = writeHistogram(*config, set, rig, arguments.histogram);
     terminal.say("wrote {}", arguments.histogram);
   }
+  if (look) json["camera_look"] = jsonFromPipeline(look->pipeline());
+  if (look) json["left_out"] = look->leftOut();
   terminal.result("", json);
-  return 0;
+  return codeWithLook(0, look.get());
 }
 
 }  // namespace
@@ -111,6 +123,7 @@ void addRelightVerb(Program& program) {
                                    [a](Terminal& terminal) { return run(*a, terminal); });
   a->lighting.addTo(verb);
   a->sequence.addTo(verb);
+  a->cameraLook.addTo(verb);
   verb.add_option("-o,--output", a->frame, "The frame: EXR, HDR, PNG, TIFF or JPEG")
       ->required()
       ->type_name("FRAME");

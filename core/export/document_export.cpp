@@ -30,6 +30,7 @@ std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
   switch (request.kind) {
     case ExportKind::Frame: {
       FrameOptions options = frameOptionsFor(document.display, file, request.frame);
+      options.cameraLook = request.cameraLook;
       if (isSceneLinear(file)) options.write.text = provenanceOf(shown, document.rig, document.source);
       exportFrame(config, shown, document.rig, file, options, progress);
       break;
@@ -37,6 +38,8 @@ std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
     case ExportKind::Layers: {
       LayerOptions options = request.layers;
       options.text = provenanceOf(shown, document.rig, document.source);
+      options.cameraLook = request.cameraLook;
+      options.seenThrough = document.display;
       exportLayers(config, shown, document.rig, file, options, progress);
       break;
     }

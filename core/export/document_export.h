@@ -26,6 +26,9 @@ struct ExportRequest {
   std::filesystem::path file;
   FrameOptions frame;   ///< Frame; the document's view where nothing is asked for: see frameOptionsFor
   LayerOptions layers;  ///< Layers; its text is filled in
+  bool seesLook = true;  ///< Frame, Layers: the document's camera look is put on, where it has one
+  /// Draws the document's camera look; null where it has none, or it is not asked for.
+  std::shared_ptr<FrameFilter> cameraLook = {};
 };
 
 /// Says what is wrong before the work. Throws InputError.

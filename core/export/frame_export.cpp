@@ -1,6 +1,7 @@
 #include "core/export/frame_export.h"
 
 #include "core/base/json.h"
+#include "core/export/filtered_frame.h"
 #include "core/file/json_file.h"
 #include "core/relight/relight.h"
 
@@ -9,7 +10,8 @@ namespace swaplight {
 FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file,
                              FrameOptions asked) {
   const bool decided = asked.linear || asked.tone;
-  if (!decided && !isSceneLinear(file)) asked.display = asked.display.over(display);
+  asked.seenThrough = asked.display.over(display);
+  if (!decided && !isSceneLinear(file)) asked.display = asked.seenThrough;
   return asked;
 }
 
@@ -17,10 +19,18 @@ void exportFrame(const ColorConfig& config, const SolvedSet& set, const Rig& rig
                  const std::filesystem::path& file, FrameOptions options, const Progress& progress) {
   progress.update(0, "relighting");
   Image frame = relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient);
-  progress.update(0.4F, "writing");
   options.write.text["swaplight/rig"] = jsonText(jsonFromRig(rig));
   if (!options.write.carried) options.write.carried = set.carried;
-  writeFrame(config, std::move(frame), file, options, progress.part(0.4F, 1));
+  FilteredImage seen{std::move(frame), FilterSpace::SceneLinear};
+  if (options.cameraLook) {
+    options.write.text["swaplight/cameraLook"] = jsonText(jsonFromPipeline(options.cameraLook->pipeline()));
+    progress.update(0.3F, "filtering");
+    const auto toDisplay = displayFromScene(config, set.colorSpace(), options);
+    seen =
+        options.cameraLook->apply(std::move(seen), toDisplay, options.frameNumber, progress.part(0.3F, 0.6F));
+  }
+  progress.update(0.6F, "writing");
+  writeFilteredFrame(config, std::move(seen), file, options, progress.part(0.6F, 1));
 }
 
 }  // namespace swaplight

@@ -15,9 +15,9 @@ namespace swaplight {
 [[nodiscard]] FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem::path& file,
                                            FrameOptions asked = {});
 
-/// Relights a set under a rig and writes the frame, with the rig in its header: the one way by which frames
-/// leave the studio and the command line, so that they are the same to the bit. Throws InputError as
-/// writeFrame does.
+/// Relights a set under a rig, puts the camera look on it and writes the frame, with both in its header: the
+/// one way by which frames leave the studio and the command line, so that they are the same to the bit.
+/// Throws InputError as writeFrame does.
 void exportFrame(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
                  const std::filesystem::path& file, FrameOptions options, const Progress& progress = {});
 

@@ -43,40 +43,46 @@ void checkFrame(const ColorConfig& config, const std::filesystem::path& file, co
   config.checkView(options.display);
 }
 
+void writeCodes(Image codes, const std::filesystem::path& file, const DisplayChoice& display,
+                WriteOptions write, const Progress& progress) {
+  codes.setColorSpace(display.empty() ? "srgb" : "data");
+  write.iccProfile = display.empty() ? iccProfileOf("sRGB", "") : iccProfileOf(display.display, display.view);
+  const std::optional<CodePoints> codePoints = codePointsOf(display.display);
+  if (!codePoints || imageFormatForWriting(file) != "png") {
+    writeImage(codes, file, write, progress);
+    return;
+  }
+  AtomicFile whole(file);
+  writeImage(codes, whole.temporary(), write, progress);
+  addCicp(whole.temporary(), *codePoints);
+  whole.commit();
+}
+
 void writeFrame(const ColorConfig& config, Image frame, const std::filesystem::path& file,
                 FrameOptions options, const Progress& progress) {
   checkFrame(config, file, options);
   const std::string space = frame.spec().colorSpace;
-  std::optional<CodePoints> codePoints;
   if (options.tone) {
     config.convert(frame.span(), space, "lin_rec709");
     applyStillTone(frame.span(), *options.tone);
     frame.setColorSpace("lin_rec709");
   }
-  const bool seen = !options.display.empty() || (!options.linear && !isSceneLinear(file));
-  if (!seen && !options.colorSpace.empty()) {
-    config.convert(frame.span(), space, options.colorSpace);
-    frame.setColorSpace(options.colorSpace);
-  }
-  if (!seen) keepInHalf(frame, file, options.write);
   if (!options.display.empty()) {
     const DisplayChoice choice = namedDisplay(config, options.display);
     config.applyView(frame.span(), space, choice);
-    frame.setColorSpace("data");
-    options.write.iccProfile = iccProfileOf(choice.display, choice.view);
-    codePoints = codePointsOf(choice.display);
-  } else if (!options.linear && !isSceneLinear(file)) {
-    config.convert(frame.span(), frame.spec().colorSpace, "srgb");
-    frame.setColorSpace("srgb");
-    options.write.iccProfile = iccProfileOf("sRGB", "");
-  }
-  if (codePoints && imageFormatForWriting(file) == "png") {
-    AtomicFile whole(file);
-    writeImage(frame, whole.temporary(), options.write, progress);
-    addCicp(whole.temporary(), *codePoints);
-    whole.commit();
+    writeCodes(std::move(frame), file, choice, options.write, progress);
     return;
   }
+  if (!options.linear && !isSceneLinear(file)) {
+    config.convert(frame.span(), frame.spec().colorSpace, "srgb");
+    writeCodes(std::move(frame), file, {}, options.write, progress);
+    return;
+  }
+  if (!options.colorSpace.empty()) {
+    config.convert(frame.span(), space, options.colorSpace);
+    frame.setColorSpace(options.colorSpace);
+  }
+  keepInHalf(frame, file, options.write);
   writeImage(frame, file, options.write, progress);
 }
 

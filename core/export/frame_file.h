@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "core/base/progress.h"
 #include "core/export/still_tone.h"
+#include "core/filter/frame_filter.h"
 #include "core/image/image.h"
 #include "core/image/io/image_io.h"
 #include "core/ocio/color_config.h"
@@ -25,6 +27,12 @@ struct FrameOptions {
   std::string colorSpace = {};
   /// Instead of a view: tone mapped by the whole picture, then plain sRGB. Not for EXR and HDR.
   std::optional<StillTone> tone = {};
+  /// A camera look that frames are seen through before they are written; null: none. writeFrame does not ask
+  /// for it, exportFrame does.
+  std::shared_ptr<FrameFilter> cameraLook = {};
+  int frameNumber = 0;  ///< from which the camera look's grain and flicker follow
+  /// The view in which the camera look's filters for a display work where `display` says none.
+  DisplayChoice seenThrough = {};
 };
 
 /// True where a frame is scene-linear unless a view is asked for, by the file's extension. Throws InputError
@@ -35,6 +43,12 @@ struct FrameOptions {
 /// format, the display, the view or a look is unknown, and where more than one of linear, a view and a
 /// tone mapping is asked for, or a tone mapping or a look alone for a scene-linear format.
 void checkFrame(const ColorConfig& config, const std::filesystem::path& file, const FrameOptions& options);
+
+/// Writes codes of a display as they are, with its ICC profile or code points. `display` by the
+/// configuration's own names (namedDisplay); empty: plain sRGB. Throws InputError as writeImage does;
+/// Stopped.
+void writeCodes(Image codes, const std::filesystem::path& file, const DisplayChoice& display,
+                WriteOptions write, const Progress& progress = {});
 
 /// Writes R G B of a scene-linear frame, in its colour space's primaries, to a temporary name that is then
 /// renamed. Throws InputError as checkFrame and writeImage do; Stopped.

@@ -90,6 +90,7 @@ class SequenceRun {
     FrameOptions options = m_options.frame;
     options.write.text = input.text;
     options.write.carried = input.carried;
+    options.frameNumber = frame;
     auto writing = started;
     Progress progress;
     progress.stop = m_progress.stop;

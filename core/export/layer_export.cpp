@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/base/parallel.h"
+#include "core/export/filtered_frame.h"
 #include "core/export/layer_names.h"
+#include "core/file/json_file.h"
 #include "core/image/half.h"
 #include "core/image/io/image_write.h"
 #include "core/ocio/color_config.h"
@@ -21,6 +25,7 @@ constexpr std::array<const char*, 3> kColors = {"R", "G", "B"};
 struct Layers {
   std::vector<Image> pictures;
   Image sum;
+  Image seen;  ///< the sum under the camera look; empty where there is none
 };
 
 struct Source {
@@ -58,7 +63,7 @@ std::vector<Image> shining(const ColorConfig& config, const SolvedSet& set, cons
   return pictures;
 }
 
-bool allFitHalf(const std::vector<Image>& pictures) {
+bool allFitHalf(std::span<const Image> pictures) {
   for (const Image& picture : pictures)
     for (int c = 0; c < 3; ++c)
       if (!fitsHalf(picture.plane(c), picture.pixelCount())) return false;
@@ -67,7 +72,7 @@ bool allFitHalf(const std::vector<Image>& pictures) {
 
 Layers layersOf(std::vector<Image> pictures, PixelType type) {
   const ImageSpec spec = pictures.front().spec();
-  Layers layers{std::move(pictures), Image(spec, 0)};
+  Layers layers{std::move(pictures), Image(spec, 0), {}};
   const int width = layers.sum.width();
   parallelRows(layers.sum.height(), kGrain, [&](int begin, int end) {
     const ptrdiff_t first = ptrdiff_t{begin} * width;
@@ -101,6 +106,19 @@ PartToWrite dataPart(const std::string& name, const Image& image, const std::vec
   return part;
 }
 
+/// The sum as the camera look shows it, as light of this colour space.
+Image seenThroughLook(const ColorConfig& config, const Image& sum, const std::string& colorSpace,
+                      const LayerOptions& options, const Progress& progress) {
+  FrameOptions frame;
+  frame.seenThrough = options.seenThrough;
+  Image seen = lightOf(options.cameraLook->apply({sum.clone(), FilterSpace::SceneLinear},
+                                                 displayFromScene(config, colorSpace, frame),
+                                                 options.frameNumber, progress));
+  const std::string space = seen.spec().colorSpace;
+  if (space != colorSpace) config.convert(seen.span(), space, colorSpace);
+  return seen;
+}
+
 std::vector<std::string> lightLayers(const SolvedSet& set) {
   std::vector<std::string> lights;
   for (const Light& light : set.capture.lights) lights.push_back(light.name);
@@ -116,6 +134,11 @@ std::vector<PartToWrite> partsOf(const SolvedSet& set, const Layers& layers, con
   for (size_t i = 0; i < names.size(); ++i)
     parts.push_back(colorPart(names[i], layers.pictures[i], options.pictures));
   const std::string prefix = blender ? std::string(kViewLayer) + "." : "";
+  if (!layers.seen.empty()) {
+    const bool fits = allFitHalf({&layers.seen, 1});
+    parts.push_back(
+        colorPart(prefix + "camera_look", layers.seen, fits ? options.pictures : PixelType::Float));
+  }
   if (options.beta) parts.push_back(dataPart(prefix + "beta", set.beta, lightLayers(set), options.data));
   if (options.quality && !set.quality.empty())
     parts.push_back(dataPart(prefix + "quality", set.quality, {"residual", "sigma", "flags"}, options.data));
@@ -169,14 +192,20 @@ void exportLayers(const ColorConfig& config, const SolvedSet& set, const Rig& ri
   std::vector<Image> pictures = shining(config, set, rig, colorSpace);
   LayerOptions written = options;
   if (!allFitHalf(pictures)) written.pictures = PixelType::Float;
-  const Layers layers = layersOf(std::move(pictures), written.pictures);
+  Layers layers = layersOf(std::move(pictures), written.pictures);
+  layers.sum.setColorSpace(colorSpace);
+  if (options.cameraLook) {
+    progress.update(0.2F, "filtering");
+    layers.seen = seenThroughLook(config, layers.sum, colorSpace, options, progress.part(0.2F, 0.4F));
+    written.text["swaplight/cameraLook"] = jsonText(jsonFromPipeline(options.cameraLook->pipeline()));
+  }
   std::vector<PartToWrite> parts = partsOf(set, layers, written);
   if (!options.multipart) parts = {merged(parts)};
   FileToWrite contents{set.width(), set.height(),        std::move(parts),
-                       colorSpace,  options.compression, options.text};
+                       colorSpace,  options.compression, written.text};
   contents.dataWindow = options.dataWindow;
   if (set.carried) addCarried(contents, *set.carried);
-  writeChannels(contents, file, progress.part(0.3F, 1));
+  writeChannels(contents, file, progress.part(0.4F, 1));
 }
 
 }  // namespace swaplight

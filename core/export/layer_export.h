@@ -2,12 +2,15 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "core/base/progress.h"
+#include "core/filter/frame_filter.h"
 #include "core/image/pixel_pack.h"
 #include "core/image/pixel_rect.h"
+#include "core/ocio/display_choice.h"
 #include "core/relight/rig.h"
 #include "core/set/solved_set.h"
 
@@ -34,6 +37,10 @@ struct LayerOptions {
   /// The part of the picture that is written; nothing: that of the photographs.
   std::optional<PixelRect> dataWindow;
   std::map<std::string, std::string> text;  ///< for the header: see provenanceOf
+  /// Adds the layer camera_look: the sum as this look shows it, as light. No part of the sum. Null: none.
+  std::shared_ptr<FrameFilter> cameraLook = {};
+  DisplayChoice seenThrough = {};  ///< the view in which the look's filters for a display work; empty: sRGB
+  int frameNumber = 0;             ///< from which the look's grain and flicker follow
 };
 
 /// Writes each light as it shines under the rig, and what no light explains, as layers of one EXR; R G B (or

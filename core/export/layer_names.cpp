@@ -19,10 +19,10 @@ std::string lowerCase(std::string text) {
 }
 
 bool isReserved(const std::string& name) {
-  constexpr std::array<std::string_view, 22> kReserved = {
-      "r",    "g",     "b",       "a",       "rgb",     "rgba",     "red",  "green",
-      "blue", "alpha", "depth",   "motion",  "forward", "backward", "mask", "other",
-      "z",    "beta",  "quality", "ambient", "main",    "beauty"};
+  constexpr std::array<std::string_view, 23> kReserved = {
+      "r",    "g",     "b",       "a",       "rgb",     "rgba",     "red",        "green",
+      "blue", "alpha", "depth",   "motion",  "forward", "backward", "mask",       "other",
+      "z",    "beta",  "quality", "ambient", "main",    "beauty",   "camera_look"};
   return std::find(kReserved.begin(), kReserved.end(), lowerCase(name)) != kReserved.end();
 }
 

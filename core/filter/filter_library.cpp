@@ -105,9 +105,12 @@ FilterLibrary::FilterLibrary(std::span<const FilterFolder> folders) {
 }
 
 std::shared_ptr<const Filter> FilterLibrary::find(const std::string& name, const fs::path& folder) const {
-  if (name.size() > 3 && name.ends_with(".fs"))
-    return std::make_shared<const Filter>(
-        readFilter(fs::path(name).is_absolute() ? fs::path(name) : folder / name));
+  if (name.size() > 3 && name.ends_with(".fs")) {
+    const fs::path file = folder / name;  // an absolute name is one without the folder
+    const auto loaded = m_loaded.find(file);
+    return loaded != m_loaded.end() ? loaded->second.filter
+                                    : std::make_shared<const Filter>(readFilter(file));
+  }
   const std::string key = filterKey(name);
   for (const auto& filter : m_filters)
     if (filterKey(filter->name) == key) return filter;
@@ -115,6 +118,19 @@ std::shared_ptr<const Filter> FilterLibrary::find(const std::string& name, const
     if (filterKey(fs::path(problem.substr(0, problem.find(".fs:"))).filename().string()) == key)
       throw InputError("{}", problem);
   throw InputError("there is no filter \"{}\"{}; swaplight look list shows all", name, namesLike(name));
+}
+
+void FilterLibrary::load(const fs::path& file) {
+  std::error_code error;
+  const fs::file_time_type changed = fs::last_write_time(file, error);
+  Loaded& loaded = m_loaded[file];
+  if (loaded.filter && loaded.changed == changed) return;
+  try {
+    loaded = {changed, std::make_shared<const Filter>(readFilter(file))};
+  } catch (const InputError&) {
+    m_loaded.erase(file);
+    throw;
+  }
 }
 
 std::string FilterLibrary::namesLike(const std::string& name) const {
@@ -154,6 +170,21 @@ ResolvedStage resolveStage(const FilterLibrary& library, const FilterStage& stag
     resolved.values.push_back(std::move(value));
   }
   return resolved;
+}
+
+FilterPipeline standalone(FilterPipeline pipeline, const FilterLibrary& library) {
+  for (FilterStage& stage : pipeline.stages) try {
+      const ResolvedStage resolved =
+          resolveStage(library, stage, fs::absolute(pipeline.folder), pipeline.name);
+      if (stage.filter.ends_with(".fs")) stage.filter = resolved.filter->file.string();
+      for (size_t i = 0; i < resolved.values.size(); ++i)
+        if (const auto given = stage.parameters.find(resolved.filter->inputs[i].name);
+            given != stage.parameters.end())
+          given->second = resolved.values[i];
+    } catch (const InputError&) {  // whoever draws it says so
+      continue;
+    }
+  return pipeline;
 }
 
 }  // namespace swaplight

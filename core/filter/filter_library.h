@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -35,12 +36,20 @@ class FilterLibrary {
   /// file, named from `folder`. Throws InputError that suggests names alike.
   [[nodiscard]] std::shared_ptr<const Filter> find(const std::string& name,
                                                    const std::filesystem::path& folder = {}) const;
+  /// Reads a file, once as long as it does not change, so that find() gives the same filter every time.
+  /// Throws InputError.
+  void load(const std::filesystem::path& file);
 
  private:
   [[nodiscard]] std::string namesLike(const std::string& name) const;
 
   std::vector<std::shared_ptr<const Filter>> m_filters;  ///< sorted by name
   std::vector<std::string> m_problems;
+  struct Loaded {
+    std::filesystem::file_time_type changed;
+    std::shared_ptr<const Filter> filter;
+  };
+  std::map<std::filesystem::path, Loaded> m_loaded;  ///< by load()
 };
 
 /// A stage whose filter is known: every parameter has a value of its own type. Pictures are named by paths
@@ -54,6 +63,10 @@ struct ResolvedStage {
 /// value of the wrong type or out of range.
 [[nodiscard]] ResolvedStage resolveStage(const FilterLibrary& library, const FilterStage& stage,
                                          const std::filesystem::path& folder, const std::string& where);
+
+/// The same look wherever its file will lie: values of the filters' own types, pictures and filters' files by
+/// absolute paths. Stages that cannot be resolved stay as they are.
+[[nodiscard]] FilterPipeline standalone(FilterPipeline pipeline, const FilterLibrary& library);
 
 /// Every .swaplook file of some folders, by name; broken ones are passed over.
 [[nodiscard]] std::vector<FilterPipeline> pipelinesIn(std::span<const std::filesystem::path> folders);

@@ -11,7 +11,6 @@ namespace swaplight {
 namespace {
 
 constexpr const char* kFormat = "swaplight-look";
-constexpr int kVersion = 1;
 constexpr size_t kMostStages = 1000;
 
 /// By what the JSON is; the filter's own type is asked when it is known.
@@ -57,8 +56,10 @@ Json jsonFromStage(const FilterStage& stage) {
 Json jsonFromPipeline(const FilterPipeline& pipeline) {
   Json stages = Json::array();
   for (const FilterStage& stage : pipeline.stages) stages.push_back(jsonFromStage(stage));
-  Json json{
-      {"format", kFormat}, {"version", kVersion}, {"name", pipeline.name}, {"filters", std::move(stages)}};
+  Json json{{"format", kFormat},
+            {"version", kPipelineVersion},
+            {"name", pipeline.name},
+            {"filters", std::move(stages)}};
   json.update(pipeline.kept.json());
   return json;
 }
@@ -69,7 +70,7 @@ FilterPipeline pipelineFromJson(const Json& json, const std::string& where) {
   if (format != kFormat)
     throw InputError("{}: \"format\" is \"{}\", expected \"{}\": this is no camera look", where, format,
                      kFormat);
-  if (fields.number("version", 1, 1e6).value_or(kVersion) > kVersion)
+  if (fields.number("version", 1, 1e6).value_or(kPipelineVersion) > kPipelineVersion)
     throw InputError("{}: was written by a newer version of swaplight; update this one", where);
   FilterPipeline pipeline;
   pipeline.name = fields.text("name").value_or("");

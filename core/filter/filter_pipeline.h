@@ -19,6 +19,9 @@ struct FilterStage {
   bool operator==(const FilterStage&) const = default;
 };
 
+/// The newest version of a .swaplook file that this program knows.
+inline constexpr int kPipelineVersion = 1;
+
 /// A camera look: filters in the order of their working, under a name. What a .swaplook file holds:
 ///
 ///   {"format": "swaplight-look", "version": 1, "name": "Night vision",

@@ -21,6 +21,9 @@ size_t documentBytes(const Document& document, const Document& before) {
   size_t bytes = sizeof(Document) + document.source.native().size() + document.colorConfig.native().size() +
                  document.workingSpace.size() + rigBytes(document.rig);
   bytes += editBytes(document.edits, before.edits);
+  for (const FilterStage& stage : document.cameraLook.stages)
+    bytes += sizeof(FilterStage) + stage.filter.size() +
+             stage.parameters.size() * sizeof(std::pair<std::string, FilterValue>);
   for (const SavedLook& look : document.looks)
     bytes += sizeof(SavedLook) + look.name.size() + look.note.size() + rigBytes(look.rig);
   return bytes;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/edit/stack/edit.h"
+#include "core/filter/filter_pipeline.h"
 #include "core/look/saved_look.h"
 #include "core/ocio/display_choice.h"
 #include "core/relight/rig.h"
@@ -24,6 +25,7 @@ struct Document {
   std::string workingSpace;
   std::filesystem::path colorConfig;  ///< an OpenColorIO configuration, absolute; empty: none chosen
   DisplayChoice display;              ///< of the picture on the monitor
+  FilterPipeline cameraLook;          ///< what the lit picture is seen through; without stages: nothing
   std::vector<SavedLook> looks;       ///< the gallery
   bool operator==(const Document&) const = default;
 };

@@ -15,6 +15,8 @@ namespace swaplight {
 namespace {
 
 constexpr const char* kFormat = "swaplight-session";
+constexpr const char* kCameraLook = "camera_look";
+constexpr const char* kFolder = "folder";
 constexpr int kLargestSide = 1 << 16;
 constexpr int64_t kMostPixels = int64_t{1} << 28;  // no solved set of more fits into a machine of today
 
@@ -64,6 +66,35 @@ EditStack editsFromJson(const Json& json, const std::filesystem::path& folder, c
                    [&](const std::string& file) { return readPath(file, folder).string(); });
 }
 
+/// As a .swaplook file has it, and the folder from which its files are named.
+Json jsonFromCameraLook(const FilterPipeline& look, const std::filesystem::path& folder) {
+  Json json = jsonFromPipeline(look);
+  if (look.name.empty()) json["name"] = kCameraLook;
+  if (!look.folder.empty()) json[kFolder] = writtenPath(look.folder, folder);
+  return json;
+}
+
+FilterPipeline cameraLookFromJson(Json json, const std::filesystem::path& folder, const std::string& where) {
+  const std::string files = JsonFields(json, where).text(kFolder).value_or("");
+  json.erase(kFolder);
+  FilterPipeline look = pipelineFromJson(json, where);
+  look.folder = readPath(files, folder);
+  if (!look.folder.has_filename()) look.folder = look.folder.parent_path();  // "FOLDER/." is "FOLDER/"
+  return look;
+}
+
+/// One of a newer version is kept, unread: a picture without it is better than no session.
+void readCameraLook(JsonFields& fields, const std::filesystem::path& folder, Session& session) {
+  const Json* look = fields.find(kCameraLook);
+  if (!look) return;
+  const std::string where = fields.where() + ": " + kCameraLook;
+  if (JsonFields(*look, where).number("version", 1, 1e6).value_or(kPipelineVersion) > kPipelineVersion)
+    session.warnings.push_back(
+        where + " is of a newer Swaplight: it is kept when you save, but pictures are shown without it.");
+  else
+    session.document.cameraLook = cameraLookFromJson(*look, folder, where);
+}
+
 std::string workingSpaceFrom(JsonFields& fields) {
   std::string space = fields.text("working_space").value_or("");
   try {
@@ -96,6 +127,8 @@ Json jsonFromSession(const Session& session, const std::filesystem::path& folder
   if (!document.workingSpace.empty()) json["working_space"] = document.workingSpace;
   if (!document.selection.empty()) json["selection"] = jsonFromMask(document.selection);
   json["display"] = jsonFromDisplay(document.display);
+  if (!document.cameraLook.stages.empty())
+    json[kCameraLook] = jsonFromCameraLook(document.cameraLook, folder);
   if (!document.looks.empty()) json["looks"] = jsonFromSavedLooks(document.looks);
   if (!session.studio.empty()) json["studio"] = session.studio.json();
   keepUnknownKeys(json, session.unknown.json());
@@ -120,6 +153,7 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& folder, c
   session.document.workingSpace = workingSpaceFrom(fields);
   if (const Json* display = fields.find("display"))
     session.document.display = displayFromJson(*display, name + ": display");
+  readCameraLook(fields, folder, session);
   if (const Json* looks = fields.find("looks"))
     session.document.looks = savedLooksFromJson(*looks, name + ": look");
   if (const Json* studio = fields.find("studio")) session.studio = *studio;

@@ -77,6 +77,26 @@ FilterWindow grown(const FilterWindow& part, int halo) {
   return window;
 }
 
+/// What keeps a stage from being drawn.
+class BrokenStage : public InputError {
+ public:
+  BrokenStage(size_t stage, const std::string& why) : InputError("{}", why), m_stage(stage) {}
+  [[nodiscard]] size_t stage() const { return m_stage; }
+
+ private:
+  size_t m_stage;
+};
+
+/// Does a stage's part of the work; what is wrong with it says which stage it is.
+template <typename Work>
+auto ofStage(size_t stage, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw BrokenStage(stage, error.what());
+  }
+}
+
 }  // namespace
 
 std::filesystem::path builtInFilterFolder() {
@@ -118,7 +138,7 @@ std::shared_ptr<const FilterTexture> PipelineRenderer::pictureFrom(const std::fi
   return picture;
 }
 
-FilterPictures PipelineRenderer::picturesOf(const ResolvedStage& stage, const Image& frame) {
+FilterPictures PipelineRenderer::picturesFromFiles(const ResolvedStage& stage) {
   const Filter& filter = *stage.filter;
   FilterPictures pictures;
   for (size_t i = 0; i < filter.inputs.size(); ++i)
@@ -127,6 +147,12 @@ FilterPictures PipelineRenderer::picturesOf(const ResolvedStage& stage, const Im
         pictures[filter.inputs[i].name] = pictureFrom(*file, filter.space);
   for (const FilterImport& import : filter.imports)
     pictures[import.name] = pictureFrom(import.file, FilterSpace::Display);
+  return pictures;
+}
+
+FilterPictures PipelineRenderer::picturesOf(const ResolvedStage& stage, const Image& frame) {
+  const Filter& filter = *stage.filter;
+  FilterPictures pictures = picturesFromFiles(stage);
   if (!filter.overview.empty()) {
     const float scale = std::min(1.0F, static_cast<float>(kOverviewSide) /
                                            static_cast<float>(std::max(frame.width(), frame.height())));
@@ -146,20 +172,19 @@ void PipelineRenderer::drawRun(Image& image, std::span<const ResolvedStage> stag
   int halo = 0;
   bool tiles = true;
   std::vector<FilterPictures> pictures;
-  for (const ResolvedStage& stage : stages) {
-    const FilterProgram& compiled = program(stage.filter);
+  for (size_t i = 0; i < stages.size(); ++i) {
+    const FilterProgram& compiled = program(stages[i].filter);
     tiles = tiles && compiled.tiles();
-    halo += compiled.halo(stage.values, image.width(), image.height());
-    pictures.push_back(picturesOf(stage, image));
+    halo += ofStage(i, [&] { return compiled.halo(stages[i].values, image.width(), image.height()); });
+    pictures.push_back(ofStage(i, [&] { return picturesOf(stages[i], image); }));
   }
   const int most = glInfo().maxTextureSize;
   const int longest = std::max(image.width(), image.height());
-  if (!tiles && longest > most)
-    throw InputError(
-        "{}: sees the whole frame at once, which is {} x {}; the graphics driver takes {} a side. Give its "
-        "file a "
-        "HALO, or a smaller frame",
-        stages[0].filter->name, image.width(), image.height(), most);
+  if (!tiles && longest > most)  // such a filter is drawn alone
+    throw BrokenStage(
+        0, fmt::format("{}: sees the whole frame at once, which is {} x {}; the graphics driver takes {} a "
+                       "side. Give its file a HALO, or a smaller frame",
+                       stages[0].filter->name, image.width(), image.height(), most));
   const std::vector<FilterWindow> parts = partsOf(image, tiles ? options.tileSide : longest);
   const bool inPlace = parts.size() == 1;
   Image result = inPlace ? Image() : Image(image.spec());
@@ -168,20 +193,37 @@ void PipelineRenderer::drawRun(Image& image, std::span<const ResolvedStage> stag
     FilterTexture texture(grown(parts[p], halo));
     texture.upload(image.view());
     for (size_t i = 0; i < stages.size(); ++i)
-      texture = program(stages[i].filter)
-                    .draw(texture, stages[i].values, pictures[i], options.time, options.mostSecondsPerTile);
+      texture = ofStage(i, [&] {
+        return program(stages[i].filter)
+            .draw(texture, stages[i].values, pictures[i], options.time, options.mostSecondsPerTile);
+      });
     texture.download(parts[p], inPlace ? image.span() : result.span());
   }
   if (!inPlace) image = std::move(result);
 }
 
-FilteredImage PipelineRenderer::apply(FilteredImage frame, std::span<const ResolvedStage> stages,
+std::vector<ResolvedStage> PipelineRenderer::usable(std::span<const ResolvedStage> stages,
+                                                    const PipelineOptions& options) {
+  std::vector<ResolvedStage> fine;
+  for (const ResolvedStage& stage : stages) try {
+      program(stage.filter);
+      static_cast<void>(picturesFromFiles(stage));
+      fine.push_back(stage);
+    } catch (const InputError& error) {
+      if (!options.leftOut) throw;
+      options.leftOut(error.what());
+    }
+  return fine;
+}
+
+FilteredImage PipelineRenderer::apply(FilteredImage frame, std::span<const ResolvedStage> wanted,
                                       const PipelineOptions& options, const Progress& progress) {
   Encoding encoding = frame.space == FilterSpace::Display ? Encoding::DisplayCodes : Encoding::SceneLight;
+  std::vector<ResolvedStage> stages = usable(wanted, options);
   for (size_t begin = 0; begin < stages.size();) {
-    const Encoding wanted = wantedBy(*stages[begin].filter, encoding);
-    convert(frame.image, encoding, wanted, options);
-    encoding = wanted;
+    const Encoding wantedEncoding = wantedBy(*stages[begin].filter, encoding);
+    convert(frame.image, encoding, wantedEncoding, options);
+    encoding = wantedEncoding;
     // As many filters as work on the same values and can be drawn together, part by part.
     size_t end = begin + 1;
     if (program(stages[begin].filter).tiles())
@@ -191,9 +233,15 @@ FilteredImage PipelineRenderer::apply(FilteredImage frame, std::span<const Resol
     const auto share = [&](size_t stage) {
       return static_cast<float>(stage) / static_cast<float>(stages.size());
     };
-    drawRun(frame.image, stages.subspan(begin, end - begin), options,
-            progress.part(share(begin), share(end)));
-    begin = end;
+    try {
+      drawRun(frame.image, std::span(stages).subspan(begin, end - begin), options,
+              progress.part(share(begin), share(end)));
+      begin = end;
+    } catch (const BrokenStage& broken) {  // the picture is as it was before the run
+      if (!options.leftOut) throw;
+      options.leftOut(broken.what());
+      stages.erase(stages.begin() + static_cast<ptrdiff_t>(begin + broken.stage()));
+    }
   }
   if (encoding == Encoding::DisplayLight) {
     convert(frame.image, encoding, Encoding::DisplayCodes, options);

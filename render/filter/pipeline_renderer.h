@@ -9,7 +9,7 @@
 
 #include "core/base/progress.h"
 #include "core/filter/filter_library.h"
-#include "core/image/image.h"
+#include "core/filter/filtered_image.h"
 #include "render/filter/filter_program.h"
 
 namespace swaplight {
@@ -21,18 +21,14 @@ namespace swaplight {
 /// The person's filters, the machine's and the program's own.
 [[nodiscard]] FilterLibrary installedFilters();
 
-/// A picture, and what its values mean.
-struct FilteredImage {
-  Image image;                                   ///< R G B, or R G B A
-  FilterSpace space = FilterSpace::SceneLinear;  ///< never Any
-};
-
 struct PipelineOptions {
   /// Scene-linear light to display code values 0..1, in place, on R G B. Called at most once a frame.
   std::function<void(ImageSpan)> displayFromScene;
   FilterTime time;
   int tileSide = 4096;             ///< larger frames are drawn in parts where the filters allow it
   double mostSecondsPerTile = 20;  ///< for one filter that is not the program's own
+  /// Told, in a line, of each filter that cannot be drawn, which is then left out. Empty: that is an error.
+  std::function<void(const std::string&)> leftOut = {};
 };
 
 /// Runs pipelines on pictures in the current OpenGL context, which must be the same as long as it lives.
@@ -48,17 +44,22 @@ class PipelineRenderer {
   PipelineRenderer(const PipelineRenderer&) = delete;
   PipelineRenderer& operator=(const PipelineRenderer&) = delete;
 
-  /// Throws InputError that names the filter: it does not compile, takes too long, its picture cannot be
-  /// read, the frame is too large for one that sees it whole. ResourceError, Stopped.
+  /// Throws InputError that names the filter, unless it is left out: it does not compile, takes too long, its
+  /// picture cannot be read, the frame is too large for one that sees it whole. ResourceError, Stopped.
   [[nodiscard]] FilteredImage apply(FilteredImage frame, std::span<const ResolvedStage> stages,
                                     const PipelineOptions& options, const Progress& progress = {});
 
+  /// The stages whose filters compile and whose pictures can be read: before any of them changes what the
+  /// picture's values mean. Of the others options.leftOut is told; without it, throws InputError.
+  [[nodiscard]] std::vector<ResolvedStage> usable(std::span<const ResolvedStage> stages,
+                                                  const PipelineOptions& options);
   /// Compiles a filter, or gives the one that is compiled already. Throws InputError.
   const FilterProgram& program(const std::shared_ptr<const Filter>& filter);
 
  private:
   void drawRun(Image& image, std::span<const ResolvedStage> stages, const PipelineOptions& options,
                const Progress& progress);
+  FilterPictures picturesFromFiles(const ResolvedStage& stage);
   FilterPictures picturesOf(const ResolvedStage& stage, const Image& frame);
   std::shared_ptr<const FilterTexture> pictureFrom(const std::filesystem::path& file, FilterSpace space);
 

@@ -181,6 +181,36 @@ inline SolveOptions anySolveOptions() {
   return options;
 }
 
+/// What JSON keeps as it is: whole numbers of choices become their filter's when it is known.
+inline FilterValue anyFilterValue() {
+  switch (anyInt(0, 4)) {
+    case 0:
+      return anyBool();
+    case 1:
+      return anyFloat(-100, 100);
+    case 2:
+      return FilterPoint{anyFloat(0, 1), anyFloat(0, 1)};
+    case 3:
+      return FilterColor{anyFloat(0, 1), anyFloat(0, 1), anyFloat(0, 1), anyFloat(0, 1)};
+    default:
+      return anyText();
+  }
+}
+
+/// Nothing, or at least one filter.
+inline FilterPipeline anyCameraLook() {
+  FilterPipeline look;
+  look.stages = anyList<FilterStage>(4, [] {
+    FilterStage stage{"f" + anyText(), anyBool(), {}, {}};
+    for (int i = anyInt(0, 3); i > 0; --i) stage.parameters["p" + anyText(4)] = anyFilterValue();
+    return stage;
+  });
+  if (look.stages.empty()) return look;
+  look.name = "look " + anyText();
+  if (anyBool()) look.folder = "/looks/warm";
+  return look;
+}
+
 /// A document, but for files and what a colour configuration has names for.
 inline Document anyDocument() {
   Document document;
@@ -189,6 +219,7 @@ inline Document anyDocument() {
   document.edits = anyEditStack();
   document.rig = anyRig();
   document.display = {anyText(), anyText(), anyBool() ? std::optional(anyText()) : std::nullopt};
+  document.cameraLook = anyCameraLook();
   const int looks = anyInt(0, 2);
   for (int i = 0; i < looks; ++i)
     document.looks.push_back({"look " + std::to_string(i), anyText(), anyRig()});

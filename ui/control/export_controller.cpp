@@ -1,23 +1,45 @@
 #include "ui/control/export_controller.h"
 
+#include "render/filter/camera_look.h"
+
 namespace swaplight {
+namespace {
+
+bool isPicture(ExportKind kind) {
+  return kind == ExportKind::Frame || kind == ExportKind::Layers;
+}
+
+/// Null where the document has none.
+std::shared_ptr<CameraLook> cameraLookOf(const Document& document) {
+  const FilterPipeline& look = document.cameraLook;
+  if (look.stages.empty()) return nullptr;
+  CameraLookOptions options;
+  options.leftOut = [](const std::string&) {};  // it is asked for afterwards
+  return std::make_shared<CameraLook>(look, installedFilters(), "camera look " + look.name, options);
+}
+
+}  // namespace
 
 void ExportController::start(std::shared_ptr<const ColorConfig> config, std::shared_ptr<const SolvedSet> set,
                              const Document& document, const ExportRequest& request) {
   m_name = request.file.filename().string();
   m_job.start(
-      [config = std::move(config), set = std::move(set), document, request](const Progress& progress) {
-        return exportDocument(*config, set, document, request, progress);
+      [config = std::move(config), set = std::move(set), document,
+       request = request](const Progress& progress) mutable -> Exported {
+        const std::shared_ptr<CameraLook> look = isPicture(request.kind) && request.seesLook ? cameraLookOf(document) : nullptr;
+        request.cameraLook = look;
+        std::vector<std::filesystem::path> files = exportDocument(*config, set, document, request, progress);
+        return {std::move(files), look ? look->leftOut() : std::vector<std::string>{}};
       },
       m_wake);
 }
 
 void ExportController::update(Messages& messages) {
-  using Files = std::vector<std::filesystem::path>;
-  const Taken taken = takeOrReport(m_job, messages, "this export", [&](const Files& files) {
-    std::string words = "Exported " + files.front().string();
-    if (files.size() > 1) words += " and " + std::to_string(files.size() - 1) + " more";
+  const Taken taken = takeOrReport(m_job, messages, "this export", [&](const Exported& exported) {
+    std::string words = "Exported " + exported.files.front().string();
+    if (exported.files.size() > 1) words += " and " + std::to_string(exported.files.size() - 1) + " more";
     messages.info(words);
+    for (const std::string& line : exported.leftOut) messages.warn("Left out of the camera look: " + line);
   });
   if (taken == Taken::Stopped) messages.info("Export cancelled.");
 }

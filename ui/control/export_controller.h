@@ -17,7 +17,8 @@ class ExportController {
  public:
   explicit ExportController(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
-  /// `set` without edits: they are the document's.
+  /// `set` without edits: they are the document's. Frames and layers are seen through the document's camera
+  /// look.
   void start(std::shared_ptr<const ColorConfig> config, std::shared_ptr<const SolvedSet> set,
              const Document& document, const ExportRequest& request);
   [[nodiscard]] bool busy() const { return m_job.running(); }
@@ -31,9 +32,14 @@ class ExportController {
   void update(Messages& messages);
 
  private:
+  struct Exported {
+    std::vector<std::filesystem::path> files;
+    std::vector<std::string> leftOut;  ///< filters of the camera look that are broken, a line each
+  };
+
   std::function<void()> m_wake;
   std::string m_name;
-  Job<std::vector<std::filesystem::path>> m_job;
+  Job<Exported> m_job;
 };
 
 }  // namespace swaplight

@@ -149,6 +149,43 @@ TEST(SessionFile, ComesBackAsItWasWritten) {
   EXPECT_TRUE(read.warnings.empty());
 }
 
+FilterPipeline warmLook() {
+  FilterPipeline look;
+  look.name = "Warm";
+  look.stages = {{"exposure", true, {{"stops", -1.0F}}, {}}, {"sepia", false, {}, {}}};
+  return look;
+}
+
+TEST(SessionFile, KeepsItsCameraLookAndTheFolderOfItsFiles) {
+  Session session;
+  session.document = documentWithKey("white");
+  EXPECT_FALSE(jsonFromSession(session, "/sets").contains("camera_look"));
+  session.document.cameraLook = warmLook();
+  for (const char* folder : {"", "/sets", "/sets/looks"}) {
+    session.document.cameraLook.folder = folder;
+    const Json json = jsonFromSession(session, "/sets");
+    EXPECT_EQ(json["camera_look"]["filters"][0]["parameters"]["stops"], -1);
+    const Session read = sessionFromJson(json, "/sets", "a.swaplight");
+    EXPECT_EQ(read.document, session.document) << folder;
+    EXPECT_TRUE(read.warnings.empty());
+    EXPECT_TRUE(read.unknown.empty());
+  }
+}
+
+TEST(SessionFile, ACameraLookOfANewerVersionIsSaidAndKept) {
+  Session session;
+  session.document = documentWithKey("white");
+  session.document.cameraLook = warmLook();
+  Json json = jsonFromSession(session, "/sets");
+  json["camera_look"]["version"] = 2;
+  json["camera_look"]["lens"] = "anamorphic";
+  const Session read = sessionFromJson(json, "/sets", "a.swaplight");
+  EXPECT_TRUE(read.document.cameraLook.stages.empty());
+  ASSERT_FALSE(read.warnings.empty());
+  EXPECT_THAT(read.warnings[0], HasSubstr("a.swaplight: camera_look"));
+  EXPECT_EQ(jsonFromSession(read, "/sets")["camera_look"], json["camera_look"]);
+}
+
 TEST(SessionFile, AWorkingSpaceThatNoSetCanHaveIsSaid) {
   Json json = jsonFromSession({}, "/");
   EXPECT_FALSE(json.contains("working_space"));

@@ -1,0 +1,82 @@
+#include "app/arguments/camera_look_arguments.h"
+
+#include "app/program/number_range.h"
+#include "core/base/error.h"
+
+namespace swaplight {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNoLook = "none";
+
+}  // namespace
+
+FilterPipeline FilterRequest::pipeline() const {
+  if (!look.empty() && !filters.empty()) throw InputError("--filter and a camera look: ask for one of them");
+  if (!look.empty()) return findPipeline(look, installedLookFolders());
+  FilterPipeline pipeline;
+  pipeline.name = "filters";
+  pipeline.folder = fs::current_path();
+  for (const std::string& text : filters) pipeline.stages.push_back(stageFromText(text));
+  return pipeline;
+}
+
+std::shared_ptr<CameraLook> readyLook(const FilterPipeline& pipeline, const std::string& where, bool strict,
+                                      CameraLookOptions options, Terminal& terminal) {
+  const FilterLibrary library = installedFilters();
+  if (!strict)
+    options.leftOut = [&terminal](const std::string& line) { terminal.say("warning: left out: {}", line); };
+  return std::make_shared<CameraLook>(pipeline, library, where, options);
+}
+
+int codeWithLook(int code, const CameraLook* look) {
+  return code == 0 && look && !look->leftOut().empty() ? 1 : code;
+}
+
+void CameraLookArguments::addTo(CLI::App& verb) {
+  constexpr const char* kGroup = "Camera look";
+  verb.add_option("--camera-look", m_request.look,
+                  "What the picture is seen through: a camera look by name (swaplight look list) or "
+                  "FILE.swaplook; none: not the session's either")
+      ->type_name("NAME")
+      ->group(kGroup);
+  verb.add_option("--filter", m_request.filters, "A filter, with its parameters; again for the next one")
+      ->type_name("NAME,param=value")
+      ->expected(1)
+      ->take_all()
+      ->group(kGroup);
+  verb.add_option("--frame", m_frame,
+                  "The number of a still, from which grain and flicker follow (default: 0)")
+      ->check(NumberRange(0, 1e8))
+      ->type_name("N")
+      ->group(kGroup);
+  verb.add_option("--fps", m_options.framesPerSecond, "Frames a second, for filters that ask (default: 24)")
+      ->check(NumberRange(0.01, 10000))
+      ->type_name("X")
+      ->group(kGroup);
+}
+
+std::shared_ptr<CameraLook> CameraLookArguments::look(const std::optional<Session>& session,
+                                                      Terminal& terminal) const {
+  const bool typed = !m_request.filters.empty();
+  const bool none = m_request.look == kNoLook && !typed;
+  const bool ofSession = m_request.empty() && session && !session->document.cameraLook.stages.empty();
+  if (none || (m_request.empty() && !ofSession)) return nullptr;
+  const FilterPipeline pipeline = ofSession ? session->document.cameraLook : m_request.pipeline();
+  const std::string where = typed ? "--filter" : "camera look " + pipeline.name;
+  try {
+    return readyLook(pipeline, where, typed, m_options, terminal);
+  } catch (const ResourceError& error) {
+    throw ResourceError(fmt::format("{}: {}; --camera-look none leaves it out", where, error.what()));
+  }
+}
+
+std::vector<fs::path> CameraLookArguments::inputs(const CameraLook* look) const {
+  std::vector<fs::path> files;
+  if (look) files = look->files();
+  if (m_request.look.ends_with(".swaplook")) files.emplace_back(m_request.look);
+  return files;
+}
+
+}  // namespace swaplight

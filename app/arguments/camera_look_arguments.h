@@ -1,0 +1,57 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/program/terminal.h"
+#include "core/session/session_file.h"
+#include "render/filter/camera_look.h"
+
+namespace swaplight {
+
+/// Filters as the command line names them: a look by its name or file, or filters one by one.
+struct FilterRequest {
+  std::string look;
+  std::vector<std::string> filters;  ///< "NAME,parameter=value"
+
+  [[nodiscard]] bool empty() const { return look.empty() && filters.empty(); }
+  /// Throws InputError: both, no such look.
+  [[nodiscard]] FilterPipeline pipeline() const;
+};
+
+/// Ready to be drawn. Filters of a look that are broken are left out and said in a line; those that were
+/// typed one by one (`strict`) have to be right. `where` begins messages. Throws InputError; ResourceError
+/// where OpenGL is missing.
+[[nodiscard]] std::shared_ptr<CameraLook> readyLook(const FilterPipeline& pipeline, const std::string& where,
+                                                    bool strict, CameraLookOptions options,
+                                                    Terminal& terminal);
+
+/// 1 where a filter was left out, else `code`.
+[[nodiscard]] int codeWithLook(int code, const CameraLook* look);
+
+/// The camera look of verbs that make frames: what the command line asks for, else the session's.
+class CameraLookArguments {
+ public:
+  void addTo(CLI::App& verb);
+
+  /// Null where there is nothing to draw. Throws as readyLook.
+  [[nodiscard]] std::shared_ptr<CameraLook> look(const std::optional<Session>& session,
+                                                 Terminal& terminal) const;
+  /// What it reads: no output may replace it.
+  [[nodiscard]] std::vector<std::filesystem::path> inputs(const CameraLook* look) const;
+
+  /// The number of a still.
+  [[nodiscard]] int frame() const { return m_frame.value_or(0); }
+  [[nodiscard]] bool frameGiven() const { return m_frame.has_value(); }
+
+ private:
+  FilterRequest m_request;
+  std::optional<int> m_frame;
+  CameraLookOptions m_options;
+};
+
+}  // namespace swaplight
