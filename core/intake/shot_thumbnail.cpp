@@ -43,7 +43,7 @@ float brightPartOf(const Image& image) {
 
 }  // namespace
 
-std::vector<ShotThumbnail> shotThumbnails(const CapturePixels& pixels, int width, int height) {
+std::vector<SmallPicture> shotThumbnails(const CapturePixels& pixels, int width, int height) {
   const double scale = std::min(
       {1.0, static_cast<double>(width) / pixels.width(), static_cast<double>(height) / pixels.height()});
   const int w = std::max(1, static_cast<int>(pixels.width() * scale));
@@ -54,9 +54,9 @@ std::vector<ShotThumbnail> shotThumbnails(const CapturePixels& pixels, int width
     small.push_back(shrunk(shot, w, h));
     brightest = std::max(brightest, brightPartOf(small.back()));
   }
-  std::vector<ShotThumbnail> thumbnails;
+  std::vector<SmallPicture> thumbnails;
   for (const Image& image : small) {
-    ShotThumbnail thumbnail{w, h, std::vector<uint8_t>(4 * image.pixelCount(), 255)};
+    SmallPicture thumbnail{w, h, std::vector<uint8_t>(4 * image.pixelCount(), 255)};
     for (size_t p = 0; p < image.pixelCount(); ++p) {
       const Rgb codes = srgbFromLinear(Rgb(image.plane(0)[p], image.plane(1)[p], image.plane(2)[p]) *
                                        (kBright / brightest));

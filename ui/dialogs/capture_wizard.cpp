@@ -89,7 +89,7 @@ void CaptureWizard::update(Messages& messages) {
     m_cells.resize(m_found->folder.shots.size());
     setLights(std::clamp<size_t>(m_found->folder.shots.size(), 2, 4));
     restoreTyped();
-    for (const ShotThumbnail& thumbnail : m_found->thumbnails)
+    for (const SmallPicture& thumbnail : m_found->thumbnails)
       m_textures.emplace_back().update(thumbnail.width, thumbnail.height, thumbnail.rgba.data());
   });
   const Taken guessed = takeOrReport(m_guessing, messages, "this guess", [this](const RotationGuess& guess) {

@@ -41,7 +41,7 @@ class CaptureWizard {
   struct Photographs {
     ShotFolder folder;
     std::shared_ptr<const CapturePixels> pixels;
-    std::vector<ShotThumbnail> thumbnails;
+    std::vector<SmallPicture> thumbnails;
     std::vector<std::string> warnings;
   };
   /// A light's colour in a shot, as it is being typed.

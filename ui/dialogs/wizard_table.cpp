@@ -117,7 +117,7 @@ void CaptureWizard::drawFrame() {
 }
 
 void CaptureWizard::drawThumbnail(size_t shot) {
-  const ShotThumbnail& picture = m_found->thumbnails[shot];
+  const SmallPicture& picture = m_found->thumbnails[shot];
   const float scale = std::min(px(kThumbnailColumn - 10) / static_cast<float>(picture.width),
                                px(kRowHeight) / static_cast<float>(picture.height));
   const ImVec2 size(std::floor(scale * static_cast<float>(picture.width)),

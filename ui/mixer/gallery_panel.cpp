@@ -7,13 +7,13 @@
 #include <algorithm>
 
 #include "core/look/rig_blend.h"
-#include "core/view/window_pixels.h"
 #include "ui/control/look_edit.h"
 #include "ui/kit/action_widgets.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
+#include "ui/pictures/frame_picture.h"
 
 namespace swaplight {
 namespace {
@@ -130,17 +130,9 @@ unsigned GalleryPanel::thumbnail(LightsContext& studio, size_t index, int width,
   if (made.texture.id() != 0 && made.rig == look.rig && made.set == studio.session.setRevision() &&
       made.table == table)
     return made.texture.id();
-  const Rig rig = fitRig(look.rig, set.solved().capture);
-  const ViewPictures& pictures = set.pictures();
-  ViewWindow window{0, 0, fitZoom(pictures.width(), pictures.height(), width, height), width, height};
-  std::vector<uint8_t> pixels(4 * static_cast<size_t>(width) * static_cast<size_t>(height));
-  windowPixels(
-      pictures.layers({}, rigFactors(*studio.colors.config(), rig, colorSpace), rig.ambient), window,
-      [&](const float* r, const float* g, const float* b, int count, uint8_t* rgba) {
-        table->apply(r, g, b, count, rgba);
-      },
-      pixels.data());
-  made.texture.update(width, height, pixels.data());
+  const SmallPicture picture =
+      framePicture(*set.live, *studio.colors.config(), *table, look.rig, width, height);
+  made.texture.update(width, height, picture.rgba.data());
   made.rig = look.rig;
   made.set = studio.session.setRevision();
   made.table = table;

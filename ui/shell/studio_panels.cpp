@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "ui/dialogs/welcome_panel.h"
 #include "ui/edits/edits_panel.h"
 #include "ui/kit/action_widgets.h"
 #include "ui/kit/icons.h"
@@ -190,7 +189,7 @@ void StudioWindow::drawViewer(ImVec2 size) {
           if (m_session.hasDocument() || m_sets.busy())
             drawViewerPanel(m_context);
           else
-            drawWelcomePanel(m_session, m_actions, m_samples);
+            m_start.draw(m_session, m_actions);
         });
 }
 

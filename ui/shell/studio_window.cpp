@@ -21,15 +21,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kTick{250};  // between looks at timers while nothing happens
 
-std::vector<fs::path> findSamples(const fs::path& folder) {
-  std::vector<fs::path> samples;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (fs::exists(entry.path() / "capture.json", error)) samples.push_back(entry.path() / "capture.json");
-  std::sort(samples.begin(), samples.end());
-  return samples;
-}
-
 bool isNoArrow(const KeyPress& press) {
   const std::string& key = press.key;
   return key != "Left" && key != "Right" && key != "Up" && key != "Down";
@@ -40,7 +31,6 @@ bool isNoArrow(const KeyPress& press) {
 StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
     : m_window(window),
       m_layoutFile(stateFolder() / "panels.json"),
-      m_samples(findSamples(options.samplesFolder)),
       m_layout(readPanelLayout(m_layoutFile)),
       m_layoutOnDisk(m_layout),
       m_sets([&window] { window.wake(); }),
@@ -80,6 +70,8 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
       m_lights{{m_editor, m_view}, m_session, m_messages, m_colors, m_layout, m_mixer, m_looks, m_table,
                m_actions},
       m_lamps([&window] { window.wake(); }),
+      m_keeper(stateFolder() / "pictures", [&window] { window.wake(); }),
+      m_start(options.samplesFolder, m_keeper.pictures(), [&window] { window.wake(); }),
       m_panels(allPanels()),
       m_export(stateFolder() / "export.json"),
       m_wizard([&window] { window.wake(); }),
@@ -195,6 +187,7 @@ void StudioWindow::update() {
   m_session.update();
   m_exports.update(m_messages);
   m_lamps.update(m_lights);
+  m_keeper.update(m_lights);
   m_wizard.update(m_messages);
   m_subjects.update(m_messages);
   if (m_messages.expire()) m_window.requestFrames();

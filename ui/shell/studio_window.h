@@ -11,6 +11,8 @@
 #include "ui/dialogs/capture_wizard.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/export_dialog.h"
+#include "ui/dialogs/picture_keeper.h"
+#include "ui/dialogs/start_page.h"
 #include "ui/kit/command_palette.h"
 #include "ui/kit/file_chooser.h"
 #include "ui/kit/keys_window.h"
@@ -87,7 +89,6 @@ class StudioWindow {
 
   Window& m_window;
   std::filesystem::path m_layoutFile;
-  std::vector<std::filesystem::path> m_samples;
 
   DocumentEditor m_editor;
   ViewState m_view;
@@ -117,6 +118,8 @@ class StudioWindow {
   ViewerContext m_context;
   LightsContext m_lights;
   LampReader m_lamps;
+  PictureKeeper m_keeper;
+  StartPage m_start;
   std::vector<PanelInfo> m_panels;
 
   FileChooser m_chooser;
