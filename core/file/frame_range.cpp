@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <regex>
-#include <set>
 #include <sstream>
+#include <unordered_set>
 
 #include "core/base/error.h"
 
@@ -52,7 +53,9 @@ std::optional<Place> placeIn(const std::string& pattern) {
   return found;
 }
 
-void addRange(const std::string& part, std::vector<int>& frames, std::set<int>& seen) {
+/// The frames of one part after those before it. They are counted before any is made: a short text can ask
+/// for many.
+void addRange(const std::string& part, std::vector<int>& frames) {
   static const std::regex kRange("(-?[0-9]{1,9})(?:-(-?[0-9]{1,9})(?:x([0-9]{1,9}))?)?");
   std::smatch match;
   if (!std::regex_match(part, match, kRange))
@@ -62,10 +65,19 @@ void addRange(const std::string& part, std::vector<int>& frames, std::set<int>& 
   const int step = match[3].matched ? std::stoi(match[3]) : 1;
   if (step == 0) throw InputError("frames '{}': the step is 0; write 1 or more", part);
   const int64_t direction = last < first ? -1 : 1;
-  for (int64_t frame = first; direction * (last - frame) >= 0; frame += direction * step) {
-    if (seen.insert(static_cast<int>(frame)).second) frames.push_back(static_cast<int>(frame));
-    if (frames.size() > kMostFrames) throw InputError("frames '{}': more than a million", part);
-  }
+  const int64_t count = direction * (int64_t{last} - first) / step + 1;
+  if (frames.size() + static_cast<size_t>(count) > kMostFrames)
+    throw InputError("frames '{}': more than a million", part);
+  for (int64_t i = 0; i < count; ++i) frames.push_back(static_cast<int>(first + direction * i * step));
+}
+
+/// Leaves out what comes again.
+std::vector<int> onceEach(const std::vector<int>& frames) {
+  std::unordered_set<int> seen(frames.size());
+  std::vector<int> once;
+  std::copy_if(frames.begin(), frames.end(), std::back_inserter(once),
+               [&](int frame) { return seen.insert(frame).second; });
+  return once;
 }
 
 }  // namespace
@@ -75,11 +87,10 @@ std::vector<int> framesFromRange(const std::string& text) {
   std::replace(spaced.begin(), spaced.end(), ',', ' ');
   std::istringstream parts(spaced);
   std::vector<int> frames;
-  std::set<int> seen;
   std::string part;
-  while (parts >> part) addRange(part, frames, seen);
+  while (parts >> part) addRange(part, frames);
   if (frames.empty()) throw InputError("frames '{}': there are none; write 7, 1-100 or 1-100x5", text);
-  return frames;
+  return onceEach(frames);
 }
 
 bool hasFrameNumber(const std::string& pattern) {

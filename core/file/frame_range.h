@@ -8,7 +8,7 @@ namespace swaplight {
 
 /// Frames by a range: `3`, `1-10`, `1-10x3` (every third), `1,5,10-20x2` (commas or spaces), `-8--5`, `5-1`.
 /// Each frame once, in the order given. Throws InputError that quotes the part that is wrong, and above a
-/// million frames.
+/// million frames, those that come again counted.
 [[nodiscard]] std::vector<int> framesFromRange(const std::string& text);
 
 /// True where a file's name has a place for the frame's number: %d, %04d, #, ####, @@@.

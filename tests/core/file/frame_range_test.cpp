@@ -1,0 +1,34 @@
+#include "core/file/frame_range.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+
+namespace swaplight {
+namespace {
+
+using Frames = std::vector<int>;
+
+TEST(FrameRange, EachFrameOnceInTheOrderGiven) {
+  EXPECT_EQ(framesFromRange("3"), Frames({3}));
+  EXPECT_EQ(framesFromRange("1-10x3 5,4"), Frames({1, 4, 7, 10, 5}));
+  EXPECT_EQ(framesFromRange("-8--5"), Frames({-8, -7, -6, -5}));
+  EXPECT_EQ(framesFromRange("5-1x2"), Frames({5, 3, 1}));
+  EXPECT_EQ(framesFromRange("1-10x999999999"), Frames({1}));
+}
+
+TEST(FrameRange, AMillionFramesAreMany) {
+  EXPECT_EQ(framesFromRange("1-1000000").size(), 1000000U);
+  EXPECT_THROW(static_cast<void>(framesFromRange("0-1000000")), InputError);
+  EXPECT_THROW(static_cast<void>(framesFromRange("-999999999-999999999")), InputError);
+}
+
+// Found by fuzzing: a short text that asks for the same frames again and again took minutes.
+TEST(FrameRange, ThoseThatComeAgainAreCounted) {
+  std::string text = "1-999999";
+  for (int i = 0; i < 1000; ++i) text += ",1-999999";
+  EXPECT_THROW(static_cast<void>(framesFromRange(text)), InputError);
+}
+
+}  // namespace
+}  // namespace swaplight
