@@ -21,10 +21,10 @@ struct ViewWindow {
   [[nodiscard]] double windowY(double pictureY) const { return (pictureY - top) * zoom; }
 };
 
-/// Whether enlarged pixels are shown as squares; otherwise they are interpolated. Squares of unequal size
-/// disturb more than softness does, until they are large.
+/// Whether pixels are shown as they are, enlarged ones as squares; otherwise they are interpolated: a picture
+/// is looked at up to 400 %, beyond it pixels are.
 [[nodiscard]] inline bool showsSquares(double zoom) {
-  return zoom >= 4 || (zoom >= 1 && zoom == std::floor(zoom));
+  return zoom > 4 || zoom == 1;
 }
 
 /// The halved picture, 0 or more, from which a window is made: the one nearest in size.

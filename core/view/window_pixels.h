@@ -27,9 +27,9 @@ using RowCodes =
 /// The pixels of a window: the layers' sum at the window's size, through `codes`, into rows of
 /// window.width * 4 bytes. The layers are of one size, and the window lies inside of them. Shrunk pictures
 /// are read from the nearest level of their pyramid and interpolated; enlarged ones are interpolated, too,
-/// and from four times on, or at a whole multiple, show their pixels as squares. What is read is what is
-/// seen: each visible pixel of that level once, whatever the number of layers. A memory, where given, makes
-/// that true of the speed too while few of the factors change.
+/// and show their pixels as squares beyond four times. What is read is what is seen: each visible pixel of
+/// that level once, whatever the number of layers. A memory, where given, makes that true of the speed too
+/// while few of the factors change.
 void windowPixels(std::span<const ViewLayer> layers, const ViewWindow& window, const RowCodes& codes,
                   uint8_t* rgba, LayerSum* memory = nullptr);
 

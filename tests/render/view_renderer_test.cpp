@@ -66,7 +66,7 @@ TEST_F(ViewRendererTest, FalseColoursAreThoseOfTheProcessor) {
   EXPECT_LT(static_cast<double>(differing), 0.005 * static_cast<double>(codes.size()));  // the edges of bands
 }
 
-TEST_F(ViewRendererTest, EnlargedPixelsAreSquaresAndOutsideIsTransparent) {
+TEST_F(ViewRendererTest, BeyondFourTimesPixelsAreSquaresAndOutsideIsTransparent) {
   const ColorConfig config("");
   Image image(ImageSpec::rgb(3, 2), 0);
   image.span().at(0, 1, 0) = 1;
@@ -74,14 +74,14 @@ TEST_F(ViewRendererTest, EnlargedPixelsAreSquaresAndOutsideIsTransparent) {
   TiledTexture picture = uploaded(image);
   ViewRenderer renderer(config, "");
   ViewTarget target;
-  renderer.draw(picture, {-0.5, 0, 4, 16, 8}, {}, target);
+  renderer.draw(picture, {-0.5, 0, 8, 32, 16}, {}, target);
   const std::vector<uint8_t> codes = target.readback();
   const auto at = [&](int x, int y, int c) {
-    return codes[4 * (16 * static_cast<size_t>(y) + static_cast<size_t>(x)) + static_cast<size_t>(c)];
+    return codes[4 * (32 * static_cast<size_t>(y) + static_cast<size_t>(x)) + static_cast<size_t>(c)];
   };
-  for (int y = 0; y < 8; ++y)
-    for (int x = 0; x < 16; ++x) {
-      const int px = (x + 2) / 4 - 1, py = y / 4;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 32; ++x) {
+      const int px = (x + 4) / 8 - 1, py = y / 8;
       EXPECT_EQ(at(x, y, 3), px >= 0 && px < 3 ? 255 : 0) << x << " " << y;
       EXPECT_EQ(at(x, y, 0), px == 1 && py == 0 ? 255 : 0) << x << " " << y;
       EXPECT_EQ(at(x, y, 1), px == 2 && py == 1 ? 255 : 0) << x << " " << y;

@@ -38,7 +38,18 @@ TEST(WindowPixels, AtOneToOneAreTheSumOfTheLayersToTheBit) {
     }
 }
 
-TEST(WindowPixels, EnlargedShowSquares) {
+TEST(WindowPixels, UpToFourTimesIsSmooth) {
+  const Image picture = gradient(16, 16);
+  const Pyramid pyramid(picture.view());
+  const ViewLayer layer{&pyramid};
+  for (const double zoom : {1.5, 2.0, 3.0, 4.0}) {
+    const Image out = shown({&layer, 1}, {2.5, 1, zoom, 18, 20});
+    for (int x = 2; x < 16; ++x)
+      EXPECT_NEAR(out.view().at(0, x, 9), 2.5 + (x + 0.5) / zoom - 0.5, 1e-4) << zoom << " " << x;
+  }
+}
+
+TEST(WindowPixels, BeyondThatShowsSquares) {
   const Image picture = gradient(16, 16);
   const Pyramid pyramid(picture.view());
   const ViewLayer layer{&pyramid};
