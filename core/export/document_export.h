@@ -24,8 +24,8 @@ enum class ExportKind {
 struct ExportRequest {
   ExportKind kind = ExportKind::Frame;
   std::filesystem::path file;
-  FrameOptions frame;   ///< Frame; the document's view where nothing is asked for: see frameOptionsFor
-  LayerOptions layers;  ///< Layers; its text is filled in
+  FrameOptions frame;    ///< Frame; the document's view where nothing is asked for: see frameOptionsFor
+  LayerOptions layers;   ///< Layers; its text is filled in
   bool seesLook = true;  ///< Frame, Layers: the document's camera look is put on, where it has one
   /// Draws the document's camera look; null where it has none, or it is not asked for.
   std::shared_ptr<FrameFilter> cameraLook = {};

@@ -26,7 +26,8 @@ void ExportController::start(std::shared_ptr<const ColorConfig> config, std::sha
   m_job.start(
       [config = std::move(config), set = std::move(set), document,
        request = request](const Progress& progress) mutable -> Exported {
-        const std::shared_ptr<CameraLook> look = isPicture(request.kind) && request.seesLook ? cameraLookOf(document) : nullptr;
+        const std::shared_ptr<CameraLook> look =
+            isPicture(request.kind) && request.seesLook ? cameraLookOf(document) : nullptr;
         request.cameraLook = look;
         std::vector<std::filesystem::path> files = exportDocument(*config, set, document, request, progress);
         return {std::move(files), look ? look->leftOut() : std::vector<std::string>{}};
