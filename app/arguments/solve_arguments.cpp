@@ -19,6 +19,24 @@ bool chosen(const char* option, const std::string& text, const char* off, const 
   return text == on;
 }
 
+/// "120,80". `where` begins the message. Throws InputError.
+std::array<int, 2> placeFromText(const std::string& text, const std::string& where) {
+  std::array<int, 2> place{};
+  const size_t comma = text.find(',');
+  if (comma == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, comma), place[0]) ||
+      !CLI::detail::lexical_cast(text.substr(comma + 1), place[1]))
+    throw InputError("{}: write X,Y in pixels", where);
+  return place;
+}
+
+/// "key=120,80"
+OpenColorChoice::OneLamp oneLampFromText(const std::string& text) {
+  const size_t equals = text.find('=');
+  if (equals == std::string::npos) throw InputError("--one-lamp {}: write LIGHT=X,Y in pixels", text);
+  const auto [x, y] = placeFromText(text.substr(equals + 1), "--one-lamp " + text);
+  return {text.substr(0, equals), x, y};
+}
+
 }  // namespace
 
 SensorNoise noiseFromText(const std::string& text) {
@@ -76,6 +94,18 @@ void SolveArguments::addTo(CLI::App& verb) {
                       "Relative standard error of the light colours, e.g. .03 (default: estimated)"))
       ->check(NumberRange(0.0, 1.0))
       ->type_name("X");
+  add(verb.add_option("--one-lamp", m_oneLamp,
+                      "Settles an unknown colour: a pixel that only this light reaches"))
+      ->type_name("LIGHT=X,Y");
+  add(verb.add_option("--grey", m_grey, "Settles an unknown colour: a pixel of a grey surface"))
+      ->type_name("X,Y");
+  add(verb.add_option("--open-color", m_position,
+                      "Chooses an unknown colour where photographs leave it open: 0 nearest to the known one "
+                      "(default), 1 farthest from it"))
+      ->check(NumberRange(0.0, 1.0))
+      ->type_name("X");
+  add(verb.add_flag("--exchange-lamps", m_solve.openColor.exchanged,
+                    "With an unknown colour: the lamps are the other way round than is likelier"));
   add(verb.add_option("--noise", m_noise, "The sensor's noise (default: the capture's, or estimated)"))
       ->type_name("read=X,full_well=X");
 }
@@ -90,6 +120,11 @@ SolveOptions SolveArguments::resolve() const {
   resolved.model = modelFromName(m_model);
   resolved.align = chosen("--align", m_align, "off", "on");
   if (chosen("--denoise", m_denoise, "off", "guided")) resolved.denoise = Denoise::Guided;
+  const int settled = !m_oneLamp.empty() + !m_grey.empty() + (m_position >= 0);
+  if (settled > 1) throw InputError("--one-lamp, --grey, --open-color: give one of them");
+  if (!m_oneLamp.empty()) resolved.openColor.oneLamp = oneLampFromText(m_oneLamp);
+  if (!m_grey.empty()) resolved.openColor.grey = placeFromText(m_grey, "--grey " + m_grey);
+  if (m_position >= 0) resolved.openColor.position = m_position;
   if (!m_noise.empty()) resolved.noise = noiseFromText(m_noise);
   return resolved;
 }

@@ -26,6 +26,9 @@ class SolveArguments {
   std::string m_align = "off";
   std::string m_denoise = "off";
   std::string m_noise;
+  std::string m_oneLamp;
+  std::string m_grey;
+  float m_position = -1;
   SolveOptions m_solve;
   std::vector<const CLI::Option*> m_options;
 };

@@ -115,7 +115,7 @@ void loadPlain(const BalanceCommand& arguments, Work& work, const Progress& prog
   capture.colorSpace = arguments.colorSpace.empty()
                            ? colorSpaceOfPhotograph(*work.config, capture, arguments.photograph)
                            : arguments.colorSpace;
-  capture.shots.push_back({std::filesystem::absolute(arguments.photograph).string(), {}, 0, {}});
+  capture.shots.emplace_back().image = std::filesystem::absolute(arguments.photograph).string();
   CapturePixels pixels = loadCapturePixels(*work.config, capture, progress);
   work.warnings = pixels.warnings;
   work.picture = std::move(pixels.shots.front());

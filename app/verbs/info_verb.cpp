@@ -54,9 +54,12 @@ std::string shotsText(const Capture& capture) {
   for (const Light& light : capture.lights) rows.front().push_back(light.name);
   for (const Shot& shot : capture.shots) {
     rows.push_back({shot.image, fmt::format("{:+.2f}", shot.exposureStops)});
-    for (const std::optional<Rgb>& color : shot.lightColors)
+    for (size_t i = 0; i < shot.lightColors.size(); ++i) {
+      const std::optional<Rgb>& color = shot.lightColors[i];
+      const std::string name = shot.colorName(i);
       rows.back().push_back(color ? fmt::format("{:.3f} {:.3f} {:.3f}", color->x, color->y, color->z)
-                                  : "unknown");
+                                  : (name.empty() ? "unknown" : name));
+    }
   }
   return tableText(rows);
 }

@@ -47,7 +47,7 @@ std::pair<std::string, std::string> pairOf(const std::string& text, const char* 
 std::vector<ShotColor> ringOf(const NewCommand& arguments) {
   std::vector<ShotColor> ring = shotColorsFromText(arguments.gels);
   for (ShotColor& color : shotColorsFromText(arguments.colors)) ring.push_back(std::move(color));
-  return ring;
+  return namedUnknowns(std::move(ring));
 }
 
 /// Every colour the same step on in every shot.
@@ -204,7 +204,7 @@ void addNewVerb(Program& program) {
                   "The gel of each light in the first photograph; how the gels moved is guessed")
       ->type_name("L106,L119");
   verb.add_option("--colors", a->colors,
-                  "The same as colours: linear r/g/b, #rrggbb, 3200K, gel number, off, unknown")
+                  "The same as colours: linear r/g/b, #rrggbb, 3200K, gel number, off; ? or ?a: unknown")
       ->type_name("LIST");
   verb.add_option("--rotation", a->rotation,
                   "How they moved: guess (from the pictures), forward (a light takes the colour of the next "

@@ -1,9 +1,12 @@
+#include <algorithm>
+
 #include "app/arguments/solve_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
 #include "core/file/json_file.h"
 #include "core/file/same_file.h"
+#include "core/intake/replaced_colors.h"
 #include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
 #include "core/set/set_color_space.h"
@@ -18,14 +21,29 @@ struct SolveCommand {
   std::string output;
   std::string report;
   std::string colorSpace;
+  std::string colors;
   SolvedFileOptions file;
   SolveArguments solve;
 };
 
+/// Those that have not been said already.
+std::vector<std::string> warningsOfSolve(const SolveReport& report,
+                                         const std::vector<std::vector<std::string>>& said) {
+  std::vector<std::string> fresh;
+  for (const std::string& warning : report.warnings)
+    if (std::none_of(said.begin(), said.end(), [&](const auto& list) {
+          return std::find(list.begin(), list.end(), warning) != list.end();
+        }))
+      fresh.push_back(warning);
+  return fresh;
+}
+
 int run(const SolveCommand& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolve();
   const std::shared_ptr<const ColorConfig> config = programConfig();
-  const Capture capture = readCapture(*config, sourceFile(arguments.capture));
+  Capture capture = readCapture(*config, sourceFile(arguments.capture));
+  if (!arguments.colors.empty())
+    capture = withReplacedColors(std::move(capture), namedUnknowns(shotColorsFromText(arguments.colors)));
   sayWarnings(capture.warnings, terminal);
   checkSetColorSpace(arguments.colorSpace);
   const std::vector<std::filesystem::path> inputs = filesOfSource(arguments.capture);
@@ -36,6 +54,7 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   const CapturePixels pixels = loadCapturePixels(*config, capture, progress.part(0, 0.2f));
   sayWarnings(pixels.warnings, terminal);
   SolvedSet set = solve(capture, pixels, options, progress.part(0.2f, 0.8f));
+  sayWarnings(warningsOfSolve(*set.report, {capture.warnings, pixels.warnings}), terminal);
   set = inColorSpace(*config, std::move(set), arguments.colorSpace);
   writeSolvedSet(set, arguments.output, arguments.file, progress.part(0.8f, 1));
   if (!arguments.report.empty()) writeJson(jsonFromSolveReport(*set.report), arguments.report);
@@ -61,6 +80,10 @@ void addSolveVerb(Program& program) {
           "--color-space", a->colorSpace,
           "Working space of the set: lin_rec709, acescg or aces2065_1 (default: that of the photographs)")
       ->type_name("NAME");
+  verb.add_option("--colors", a->colors,
+                  "Other colours for the gels of the first photograph, one per light, wherever they went on; "
+                  "?a: unknown, the same gel everywhere")
+      ->type_name("LIST");
   verb.add_flag("--multipart", a->file.multipart, "Multi-part EXR, one part per light, instead of layers");
   verb.add_flag("--float", a->file.floatPictures, "Contributions as 32-bit float instead of half");
   verb.add_flag("--half", a->file.halfSum,

@@ -24,7 +24,7 @@ CapturePixels loadPhotographOf(const ColorConfig& config, const SolvedSet& set,
   photograph.colorSpace = colorSpace.empty() ? colorSpaceOfPhotograph(config, set.capture, file) : colorSpace;
   photograph.frame = set.capture.frame;
   photograph.noise = set.capture.noise;
-  photograph.shots.push_back({std::filesystem::absolute(file).string(), {}, 0, {}});
+  photograph.shots.emplace_back().image = std::filesystem::absolute(file).string();
   CapturePixels pixels = loadCapturePixels(config, photograph, progress);
   Image& image = pixels.shots.front();
   if (image.width() != set.width() || image.height() != set.height())

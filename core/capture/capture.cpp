@@ -1,6 +1,8 @@
 #include "core/capture/capture.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -32,6 +34,11 @@ Role roleFromName(const std::string& name) {
     list += (list.empty() ? "" : ", ") + std::string(known);
   }
   throw InputError("the role \"{}\" is not known. Known roles: {}.", name, list);
+}
+
+bool isColorName(const std::string& text) {
+  const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  return text.size() > 1 && text[0] == '?' && std::all_of(text.begin() + 1, text.end(), letter);
 }
 
 int Capture::lightIndex(const std::string& light) const {

@@ -31,9 +31,20 @@ struct Shot {
   std::string image;  ///< path, relative to the capture's folder
   /// One linear RGB a light, in the capture's order; {0,0,0} is off, nothing is "unknown: estimate it".
   std::vector<std::optional<Rgb>> lightColors;
+  /// What unknown colours are called, one a light: the same name is the same colour, in whatever shot it
+  /// stands (a gel that travels). "" for a colour without a name; may be shorter than the lights.
+  std::vector<std::string> colorNames;
   float exposureStops = 0;  ///< this shot's exposure over the first one's
   KeptJson extra;
+
+  /// "?a", or "" where the light's colour is known or has no name.
+  [[nodiscard]] std::string colorName(size_t light) const {
+    return light < colorNames.size() && !lightColors[light] ? colorNames[light] : "";
+  }
 };
+
+/// Whether a text is the name of an unknown colour: a question mark, then letters, digits or _.
+[[nodiscard]] bool isColorName(const std::string& text);
 
 /// Sensor noise: variance = signal / fullWell + read^2, in full-scale units (1 = clipping).
 struct SensorNoise {

@@ -65,8 +65,11 @@ std::vector<Light> lightsFromJson(JsonFields& fields, std::vector<std::string>& 
 }
 
 std::optional<Rgb> colorFromJson(const Json& json, const std::string& where) {
-  if (json.is_null()) return std::nullopt;
-  const std::string expected = "expected [red, green, blue] in linear light, or null for unknown";
+  if (json.is_null() || json.is_string()) return std::nullopt;
+  const std::string expected =
+      "expected [red, green, blue] in linear light, null for unknown, or a name such as \"?a\" for an "
+      "unknown "
+      "colour that several lights or shots have";
   if (!json.is_array() || json.size() != 3)
     throw InputError("{}: is {}, {}.", where, describeJson(json), expected);
   Rgb color(0);
@@ -84,17 +87,32 @@ std::optional<Rgb> colorFromJson(const Json& json, const std::string& where) {
   return color;
 }
 
-std::vector<std::optional<Rgb>> colorsFromJson(JsonFields& shot, const std::vector<Light>& lights) {
+/// The name of an unknown colour; "" where it has none.
+std::string colorNameFromJson(const Json& json, const std::string& where) {
+  if (!json.is_string() || json == "?" || json == "unknown") return "";
+  const auto name = json.get<std::string>();
+  if (!isColorName(name))
+    throw InputError(
+        "{}: is \"{}\", expected [red, green, blue] in linear light, null for unknown, or the name of an "
+        "unknown colour: a question mark and letters or digits, such as \"?a\".",
+        where, name);
+  return name;
+}
+
+void readColors(JsonFields& shot, const std::vector<Light>& lights, Shot& result) {
   const Json& list = shot.list("light_colors", "one [red, green, blue] a light");
   if (list.size() != lights.size())
     throw InputError(
         "{}: \"light_colors\" has {} colour{}, the capture has {} light{}. Give one colour a light.",
         shot.where(), list.size(), list.size() == 1 ? "" : "s", lights.size(), lights.size() == 1 ? "" : "s");
-  std::vector<std::optional<Rgb>> colors;
-  for (size_t i = 0; i < list.size(); ++i)
-    colors.push_back(
-        colorFromJson(list[i], fmt::format("{}: the colour of {}", shot.where(), lights[i].name)));
-  return colors;
+  bool anyName = false;
+  for (size_t i = 0; i < list.size(); ++i) {
+    const std::string where = fmt::format("{}: the colour of {}", shot.where(), lights[i].name);
+    result.colorNames.push_back(colorNameFromJson(list[i], where));
+    result.lightColors.push_back(colorFromJson(list[i], where));
+    anyName = anyName || !result.colorNames.back().empty();
+  }
+  if (!anyName) result.colorNames.clear();
 }
 
 std::string requiredPath(JsonFields& fields, const std::string& key) {
@@ -115,7 +133,7 @@ std::vector<Shot> shotsFromJson(JsonFields& fields, const std::vector<Light>& li
     Shot shot;
     shot.image = requiredPath(fieldsOfShot, "image");
     fieldsOfShot.setWhere(fmt::format("{} ({})", fieldsOfShot.where(), shot.image));
-    shot.lightColors = colorsFromJson(fieldsOfShot, lights);
+    readColors(fieldsOfShot, lights, shot);
     shot.exposureStops =
         static_cast<float>(fieldsOfShot.number("exposure_stops", -kMostStops, kMostStops).value_or(0));
     shot.extra = keepUnknown(fieldsOfShot, warnings);
@@ -180,7 +198,9 @@ Json jsonFromTruth(const Capture& capture) {
 Json jsonFromShot(const Shot& shot) {
   Json json = {{"image", shot.image}};
   Json& colors = json["light_colors"] = Json::array();
-  for (const auto& color : shot.lightColors) colors.push_back(jsonFromColor(color));
+  for (size_t i = 0; i < shot.lightColors.size(); ++i)
+    colors.push_back(shot.colorName(i).empty() ? jsonFromColor(shot.lightColors[i])
+                                               : Json(shot.colorName(i)));
   if (shot.exposureStops != 0) json["exposure_stops"] = jsonNumber(shot.exposureStops);
   addExtra(json, shot.extra);
   return json;

@@ -61,7 +61,13 @@ Capture captureOf(const CaptureDraft& draft) {
   for (size_t k = 0; k < draft.folder.shots.size(); ++k) {
     Shot shot;
     shot.image = draft.folder.shots[k].file;
-    for (const ShotColor& color : draft.colors[k]) shot.lightColors.push_back(color.color);
+    bool anyName = false;
+    for (const ShotColor& color : draft.colors[k]) {
+      shot.lightColors.push_back(color.color);
+      shot.colorNames.push_back(color.name());
+      anyName = anyName || !color.name().empty();
+    }
+    if (!anyName) shot.colorNames.clear();
     shot.exposureStops = exposures[k];
     capture.shots.push_back(std::move(shot));
   }

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/intake/capture_draft.h"
 #include "core/solve/model/lighting_matrix.h"
+#include "core/solve/model/unknown_color.h"
 #include "core/solve/registration/align_shots.h"
 
 namespace swaplight {
@@ -39,6 +40,22 @@ void exposureWarnings(const CaptureDraft& draft, std::vector<std::string>& warni
                     silent, shots.size()));
 }
 
+constexpr const char* kOneNumberOpen =
+    ", but two photographs leave one number of it open; a third one under other colours settles it, or a "
+    "place "
+    "that one lamp alone lights";
+
+/// "?a, that of fill in 1.exr and key in 2.exr,"; "the colour of fill in 1.exr".
+std::string placeWords(const Capture& capture, const UnknownColor& unknown) {
+  std::vector<std::string> places;
+  for (const int entry : unknown.entries)
+    places.push_back(fmt::format("{} in {}",
+                                 capture.lights[static_cast<size_t>(entry % capture.lightCount())].name,
+                                 capture.shots[static_cast<size_t>(entry / capture.lightCount())].image));
+  const std::string all = fmt::format("the colour of {}", fmt::join(places, ", "));
+  return unknown.name.empty() ? all : fmt::format("{}, {},", unknown.name, all);
+}
+
 }  // namespace
 
 std::vector<std::string> pictureWarnings(const CaptureDraft& draft, const CapturePixels& pixels) {
@@ -64,19 +81,18 @@ std::vector<std::string> pictureWarnings(const CaptureDraft& draft, const Captur
 std::vector<std::string> colorWarnings(const CaptureDraft& draft) {
   std::vector<std::string> warnings;
   const Capture capture = captureOf(draft);
-  std::vector<int> unknown;
-  const LightingMatrix lighting = lightingFromCapture(capture, &unknown);
-  for (const int entry : unknown) {
-    const int shot = entry / lighting.lights, light = entry % lighting.lights;
-    const Rgb& start = lighting.color(shot, light);
-    warnings.push_back(
-        fmt::format("the colour of {} in {} is unknown: it is estimated from the pictures, starting at "
-                    "{:.3f}/{:.3f}/{:.3f}",
-                    lighting.names[static_cast<size_t>(light)],
-                    capture.shots[static_cast<size_t>(shot)].image, start.r, start.g, start.b));
+  const LightingMatrix lighting = lightingFromCapture(capture);
+  const std::vector<UnknownColor> unknown = unknownColorsOf(capture);
+  const auto swapped = swappedColorOf(capture);
+  const bool open = swapped && swapped->open;
+  std::vector<int> places(lighting.colors.size(), -1);
+  for (size_t j = 0; j < unknown.size(); ++j) {
+    for (const int entry : unknown[j].entries) places[static_cast<size_t>(entry)] = static_cast<int>(j);
+    warnings.push_back(fmt::format("{} is unknown: it is estimated from the pictures{}",
+                                   placeWords(capture, unknown[j]), open ? kOneNumberOpen : ""));
   }
   try {
-    checkSolvable(lighting, "the colours");
+    checkSolvable(lighting, "the colours", places);
     if (unknown.empty())
       for (const std::string& advice : conditioningOf(lighting).advice) warnings.push_back(advice);
   } catch (const InputError& error) {

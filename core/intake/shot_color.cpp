@@ -29,6 +29,7 @@ bool looksLikeGel(const std::string& text) {
 ShotColor shotColorFromText(const std::string& written) {
   const std::string text = trimmed(written);
   if (text.empty() || text == "unknown" || text == "?") return {"unknown", std::nullopt};
+  if (isColorName(text)) return {text, std::nullopt};
   std::string setting = text;
   if (looksLikeGel(text)) setting = "gel:" + findGel(text).id;
   if (text.find('/') != std::string::npos && text.find(':') == std::string::npos) setting = "rgb:" + text;
@@ -37,8 +38,8 @@ ShotColor shotColorFromText(const std::string& written) {
     applySetting(light, setting);
   } catch (const InputError& error) {
     throw InputError(
-        "'{}' is no colour of a light: write a gel's number, linear r/g/b, #rrggbb, 3200K, off or unknown "
-        "({})",
+        "'{}' is no colour of a light: write a gel's number, linear r/g/b, #rrggbb, 3200K, off, unknown, or "
+        "?a for one that is unknown and the same elsewhere ({})",
         text, error.what());
   }
   return {text, lightFactor(light)};
@@ -49,6 +50,19 @@ std::vector<ShotColor> shotColorsFromText(const std::string& text) {
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) colors.push_back(shotColorFromText(part));
   return colors;
+}
+
+std::vector<ShotColor> namedUnknowns(std::vector<ShotColor> ring) {
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(ring.begin(), ring.end(), [&](const ShotColor& c) { return c.text == name; });
+  };
+  for (ShotColor& color : ring) {
+    if (color.color || !color.name().empty()) continue;
+    std::string name = "?a";
+    while (name[1] < 'z' && taken(name)) ++name[1];
+    color.text = name;
+  }
+  return ring;
 }
 
 ShotColor shotColorFromRgb(const Rgb& color) {

@@ -92,6 +92,40 @@ Conditioning conditioningFromJson(JsonFields& fields) {
   return result;
 }
 
+Json jsonFromOpenColor(const OpenColor& open) {
+  const auto list = [](const Rgb& color) { return Json{color.r, color.g, color.b}; };
+  return {{"name", open.name},
+          {"nearest", list(open.nearest)},
+          {"farthest", list(open.farthest)},
+          {"taken", list(open.taken)},
+          {"exchanged", list(open.exchanged)},
+          {"position", open.position},
+          {"by", open.by},
+          {"settled", open.settled}};
+}
+
+std::optional<OpenColor> openColorFromJson(JsonFields& fields) {
+  const Json* json = fields.find("open_color");
+  if (!json || json->is_null()) return std::nullopt;
+  JsonFields inner(*json, fields.where() + ": open_color");
+  const auto color = [&](const char* key) {
+    const Json* list = inner.find(key);
+    if (!list) return Rgb(0);
+    const std::vector<float> parts = numbers(inner, key, *list, 3);
+    return Rgb(parts[0], parts[1], parts[2]);
+  };
+  OpenColor open;
+  open.name = inner.text("name").value_or("");
+  open.nearest = color("nearest");
+  open.farthest = color("farthest");
+  open.taken = color("taken");
+  open.exchanged = color("exchanged");
+  open.position = static_cast<float>(inner.number("position", 0, 1).value_or(0));
+  open.by = inner.text("by").value_or("");
+  open.settled = inner.boolean("settled").value_or(false);
+  return open;
+}
+
 KeptJson kept(JsonFields& fields, const std::string& key) {
   const Json* json = fields.find(key);
   return json ? KeptJson(*json) : KeptJson();
@@ -126,6 +160,7 @@ Json jsonFromSolveReport(const SolveReport& report) {
                {"color_change", report.colorChange},
                {"refined_colors", refined},
                {"estimated", report.estimated},
+               {"open_color", report.openColor ? jsonFromOpenColor(*report.openColor) : Json()},
                {"shifts", shifts},
                {"conditioning", jsonFromConditioning(report.conditioning)},
                {"residual_median", report.residualMedian},
@@ -169,6 +204,7 @@ SolveReport solveReportFromJson(const Json& json, const std::string& where) {
     report.refinedColors.emplace_back(color[0], color[1], color[2]);
   });
   report.estimated = texts(fields, "estimated");
+  report.openColor = openColorFromJson(fields);
   report.conditioning = conditioningFromJson(fields);
   each(fields, "shifts", "a list of shifts", [&](const Json& item) {
     ShotShift& shift = report.shifts.emplace_back();

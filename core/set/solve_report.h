@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "core/capture/capture.h"
 #include "core/color/rgb.h"
 #include "core/set/conditioning.h"
+#include "core/set/open_color.h"
 #include "core/set/shot_shift.h"
 
 namespace swaplight {
@@ -24,6 +26,7 @@ struct SolveReport {
   double colorChange = 0;          ///< RMS change of the colours that were refined, relative
   std::vector<Rgb> refinedColors;  ///< [shot * lights + light], exposure included; empty: as given
   std::vector<std::string> estimated;  ///< colours that were not given, and what they were found to be
+  std::optional<OpenColor> openColor;  ///< a colour that the photographs do not determine
   Conditioning conditioning;
   std::vector<ShotShift>
       shifts;                 ///< of each shot against the first; empty: not measured. A file keeps no spread

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 
@@ -41,17 +42,36 @@ SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
   return set;
 }
 
+/// Relative standard error of an unknown colour above which it is said to be hardly determined.
+constexpr double kUnsure = 0.1;
+
+/// A colour's value, with its shot's exposure taken off.
+Rgb valueOf(const UnknownColor& unknown, const LightingMatrix& lighting, const Capture& capture) {
+  const int entry = unknown.entries.front();
+  const float stops = capture.shots[size_t(entry / lighting.lights)].exposureStops;
+  return lighting.colors[size_t(entry)] * std::exp2(-stops);
+}
+
 /// A sentence for each colour that was not known: what it was found to be.
-std::vector<std::string> estimatedColors(const std::vector<int>& unknown, const LightingMatrix& lighting) {
+std::vector<std::string> estimatedColors(const std::vector<UnknownColor>& unknown,
+                                         const LightingMatrix& lighting, const Capture& capture) {
   std::vector<std::string> sentences;
-  for (const int entry : unknown) {
-    const int shot = entry / lighting.lights, light = entry % lighting.lights;
-    const Rgb& color = lighting.color(shot, light);
-    sentences.push_back(fmt::format(
-        "The colour of {} in shot {} was not known: estimated from the pictures as {:.3f}/{:.3f}/{:.3f}",
-        lighting.names[size_t(light)], shot + 1, color.r, color.g, color.b));
+  for (const UnknownColor& one : unknown) {
+    const Rgb color = valueOf(one, lighting, capture);
+    std::string what = wordsFor(one, lighting);
+    what.front() = char(std::toupper(static_cast<unsigned char>(what.front())));
+    sentences.push_back(fmt::format("{} was not known: estimated from the pictures as {:.3f}/{:.3f}/{:.3f}",
+                                    what, color.r, color.g, color.b));
   }
   return sentences;
+}
+
+/// For checkSolvable: which unknown colour stands where.
+std::vector<int> placesOf(const std::vector<UnknownColor>& unknown, const LightingMatrix& lighting) {
+  std::vector<int> places(lighting.colors.size(), -1);
+  for (size_t j = 0; j < unknown.size(); ++j)
+    for (const int entry : unknown[j].entries) places[size_t(entry)] = int(j);
+  return places;
 }
 
 }  // namespace
@@ -65,8 +85,9 @@ SolveRun::SolveRun(const Capture& given, const CapturePixels& photographs, const
       m_progress(progress),
       m_info(options.solver.empty() ? estimatorFor(options.model) : estimatorInfo(options.solver)),
       m_capture(options.solveAmbient ? withAmbientLight(given, nameOf(given)) : given) {
-  m_context.lighting = lightingFromCapture(m_capture, &m_unknownColors);
-  checkSolvable(m_context.lighting, nameOf(given));
+  m_context.lighting = lightingFromCapture(m_capture);
+  m_unknownColors = unknownColorsOf(m_capture);
+  checkSolvable(m_context.lighting, nameOf(given), placesOf(m_unknownColors, m_context.lighting));
   m_report.solver = m_info.name;
   m_report.model = modelName(m_info.model);
   m_report.conditioning = conditioningOf(m_context.lighting);
@@ -108,7 +129,51 @@ void SolveRun::calibrateNoise() {
   for (const Shot& shot : m_capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
   m_context.noise = noiseModel(m_report.noise, pixels(), 0);
   m_signal.emplace(pixels(), m_context.lighting, m_context.noise, exposure);
+  placeUnknownColor();
   if (!m_report.noiseGiven) m_context.noise = calibratedNoise(m_context, *m_signal, m_tuning.noise);
+}
+
+void SolveRun::placeUnknownColor() {
+  const auto swapped = swappedColorOf(m_capture);
+  if (!swapped) {
+    if (m_options.openColor != OpenColorChoice{})
+      warn(
+          {"there is no unknown colour that has changed places with a known one: what was told of it is not "
+           "used"});
+    return;
+  }
+  const SwappedColorLine line =
+      swappedColorLine(m_capture, *swapped, *m_signal, m_context.noise, m_tuning.swapped);
+  if (!swapped->open) return startFromLine(*swapped, line);
+  OpenColor open = chosenColor(m_capture, *swapped, *m_signal, line, m_options.openColor);
+  setSwappedColor(*swapped, open.taken);
+  open.name = wordsFor(m_unknownColors.front(), m_context.lighting);
+  if (!open.settled) warn({wordsFor(open)});
+  m_report.openColor = std::move(open);
+}
+
+void SolveRun::setSwappedColor(const SwappedColor& swapped, const Rgb& color) {
+  const int lights = m_context.lighting.lights;
+  for (int j = 0; j < 2; ++j)
+    for (const UnknownColor& unknown : m_unknownColors)
+      if (const int place = swapped.shots[j] * lights + 1 - swapped.lights[j];
+          std::find(unknown.entries.begin(), unknown.entries.end(), place) != unknown.entries.end())
+        for (const int entry : unknown.entries)
+          m_context.lighting.colors[size_t(entry)] =
+              color * std::exp2(m_capture.shots[size_t(entry / lights)].exposureStops);
+}
+
+/// Two photographs leave a line of colours, the others choose among them.
+void SolveRun::startFromLine(const SwappedColor& swapped, const SwappedColorLine& line) {
+  Rgb best = line.at(0);
+  double least = INFINITY;
+  for (const SwappedColorLine& side : {line, line.opposite()})
+    for (const float position : {0.0F, 0.25F, 0.5F, 0.75F}) {
+      setSwappedColor(swapped, side.at(position));
+      const double misfit = fitColors(m_context, *m_signal, {}, m_tuning.colors).disagreement;
+      if (misfit < least) least = misfit, best = side.at(position);
+    }
+  setSwappedColor(swapped, best);
 }
 
 void SolveRun::calibrateColors() {
@@ -119,7 +184,7 @@ void SolveRun::calibrateColors() {
   m_report.colorUncertainty = m_options.colorUncertainty;
   fitLightColors();
   if (!m_unknownColors.empty()) {
-    m_report.estimated = estimatedColors(m_unknownColors, m_context.lighting);
+    m_report.estimated = estimatedColors(m_unknownColors, m_context.lighting, m_capture);
     m_report.conditioning = conditioningOf(m_context.lighting);
   }
   m_context.noise.square += m_report.colorUncertainty * m_report.colorUncertainty;
@@ -128,17 +193,26 @@ void SolveRun::calibrateColors() {
 /// Learns from the pictures how far to trust the light colours, and refines them where asked to or where one
 /// is unknown.
 void SolveRun::fitLightColors() {
-  const bool refine = m_options.refineColors || !m_unknownColors.empty();
+  // An open colour is as good as the photographs can say it; a fit would wander along its line.
+  const bool refine = !m_report.openColor && (m_options.refineColors || !m_unknownColors.empty());
   if (!refine && m_options.colorUncertainty >= 0) return;
   ColorFitOptions fitOptions;
   fitOptions.rounds = refine ? 8 : 1;
-  fitOptions.unknown = m_unknownColors;
+  if (refine) fitOptions.unknown = m_unknownColors;
+  // Unless asked to, what is told stays nearly as told: it is what the unknown is measured by.
+  if (refine && !m_options.refineColors) fitOptions.priorSigma = 0.01;
   ColorFit fit = fitColors(m_context, *m_signal, fitOptions, m_tuning.colors);
   if (refine) {
     // What was only a start says nothing of how well the colours are known: ask again with the found ones.
     m_report.colorChange = fit.change;
     m_report.refinedColors = fit.lighting.colors;
     m_context.lighting = fit.lighting;
+    for (size_t j = 0; j < fit.unknownError.size(); ++j)
+      if (fit.unknownError[j] > kUnsure)
+        warn({fmt::format(
+            "{}: the photographs hardly determine this colour (to {:.0f} %): tell it, or take one "
+            "more photograph under other colours",
+            wordsFor(m_unknownColors[j], m_context.lighting), 100 * fit.unknownError[j])});
     fit = fitColors(m_context, *m_signal, {}, m_tuning.colors);
   }
   m_report.colorDisagreement = fit.disagreement;

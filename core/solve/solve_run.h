@@ -8,9 +8,11 @@
 #include "core/base/progress.h"
 #include "core/capture/capture_pixels.h"
 #include "core/set/solved_set.h"
+#include "core/solve/calibration/swapped_color.h"
 #include "core/solve/model/estimator.h"
 #include "core/solve/model/shot_signal.h"
 #include "core/solve/model/solve_options.h"
+#include "core/solve/model/unknown_color.h"
 #include "core/solve/solve_tuning.h"
 
 namespace swaplight {
@@ -26,14 +28,17 @@ class SolveRun {
   [[nodiscard]] SolvedSet run();
 
  private:
-  void alignShots();       ///< m_report.shifts, and the shots moved by them
-  void calibrateNoise();   ///< from the capture, the options, or the shots
-  void calibrateColors();  ///< of the ambient light and the lamps, and how far they are trusted
-  void separateLights();   ///< contributions, beta and quality
-  void completePixels();   ///< flags; fills what nothing is known of
+  void alignShots();         ///< m_report.shifts, and the shots moved by them
+  void placeUnknownColor();  ///< one that has changed places with a known one: before all that needs colours
+  void calibrateNoise();     ///< from the capture, the options, or the shots
+  void calibrateColors();    ///< of the ambient light and the lamps, and how far they are trusted
+  void separateLights();     ///< contributions, beta and quality
+  void completePixels();     ///< flags; fills what nothing is known of
   void finishReport();
 
   void fitLightColors();
+  void setSwappedColor(const SwappedColor& swapped, const Rgb& color);
+  void startFromLine(const SwappedColor& swapped, const SwappedColorLine& line);
   [[nodiscard]] const CapturePixels& pixels() const { return m_aligned ? *m_aligned : m_photographs; }
   void warn(const std::vector<std::string>& warnings);
 
@@ -44,8 +49,8 @@ class SolveRun {
   const SolveTuning& m_tuning;
   const Progress& m_progress;
   const EstimatorInfo& m_info;
-  Capture m_capture;                 ///< with the ambient light as a light, where it is solved for
-  std::vector<int> m_unknownColors;  ///< shot * lights + light
+  Capture m_capture;  ///< with the ambient light as a light, where it is solved for
+  std::vector<UnknownColor> m_unknownColors;
   EstimatorContext m_context;
   SolveReport m_report;
   std::optional<CapturePixels> m_aligned;

@@ -12,15 +12,20 @@ struct SolveTuning {
   AutoTuning automatic;
   NoiseCalibrationTuning noise;
   ColorFitTuning colors;
+  SwappedColorTuning swapped;
   AmbientTuning ambient;
   MotionTuning motion;
   float tooDarkSigma = .25F;  ///< quality.sigma above which a pixel's beta is its neighbours'
 
   static constexpr auto fields() {
     using T = SolveTuning;
-    return std::tuple{std::pair{"auto", &T::automatic}, std::pair{"noise", &T::noise},
-                      std::pair{"colors", &T::colors},  std::pair{"ambient", &T::ambient},
-                      std::pair{"motion", &T::motion},  std::pair{"too_dark_sigma", &T::tooDarkSigma}};
+    return std::tuple{std::pair{"auto", &T::automatic},
+                      std::pair{"noise", &T::noise},
+                      std::pair{"colors", &T::colors},
+                      std::pair{"swapped", &T::swapped},
+                      std::pair{"ambient", &T::ambient},
+                      std::pair{"motion", &T::motion},
+                      std::pair{"too_dark_sigma", &T::tooDarkSigma}};
   }
 };
 

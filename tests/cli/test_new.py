@@ -100,6 +100,13 @@ class New(cli.CliTest):
         report = self.succeed_json('solve', folder, '-o', self.path('solved.exr'))
         self.assertIn('The colour of fill in shot 1 was not known: estimated', report['message'])
 
+    def test_an_unknown_gel_that_travels_has_a_name(self):
+        folder = self.photographs(('key', 'fill'))
+        result = self.succeed_json('new', folder, '--lights', 'key,fill', '--colors', '0.9/0.2/0.15,?')
+        self.assertEqual(self.manifest()['shots'][0]['light_colors'][1], '?a')
+        self.assertEqual(self.manifest()['shots'][1]['light_colors'][0], '?a')
+        self.assertTrue(any('leave one number of it open' in w for w in result['warnings']), result)
+
     def test_a_white_card_tells_a_lights_colours(self):
         folder = self.photographs(('key', 'fill'))
         for k, color in enumerate(([.9, .2, .15], [.15, .8, .25])):

@@ -97,6 +97,30 @@ class SolveTest(cli.CliTest):
         capture.save()
         self.assertLess(self.error_of(capture), .05)
 
+    def test_a_gel_that_travels_is_one_unknown_colour(self):
+        capture = cli.Capture(self.path('set'), height=60, width=80)
+        gel = capture.manifest['shots'][0]['light_colors'][1]
+        capture.save()
+        known = '/'.join(map(str, capture.manifest['shots'][0]['light_colors'][0]))
+        done = self.succeed('solve', capture.folder, '-o', self.path('solved.exr'), '--colors', f'{known},?', '--report',
+                            self.path('report.json'))
+        self.assertIn('two photographs leave one number of this colour open', done.stderr)
+        self.assertIn('--one-lamp LIGHT=X,Y', done.stderr)
+        with open(self.path('report.json')) as file:
+            opened = json.load(file)['open_color']
+        self.assertEqual(opened['name'], '?a (fill in shot 1, key in shot 2)')
+        # On the line between both ends lies the truth: (l - m) / (l + m) in proportion to that of the ends.
+        known = np.array(capture.manifest['shots'][0]['light_colors'][0])
+        d = [(known - m) / (known + m) for m in map(np.array, (opened['nearest'], gel))]
+        np.testing.assert_allclose(d[0] / np.linalg.norm(d[0]), d[1] / np.linalg.norm(d[1]), atol=.02)
+        chosen = self.succeed('solve', capture.folder, '-o', self.path('solved.exr'), '--colors',
+                              f'{"/".join(map(str, known))},?', '--open-color', '.5')
+        self.assertNotIn('one number', chosen.stderr)
+        self.deny('solve', capture.folder, '-o', self.path('solved.exr'), '--colors', '1/1/1',
+                  naming=['1 colours for 2 lights'])
+        self.deny('solve', capture.folder, '-o', self.path('solved.exr'), '--colors', f'{known[0]}/1/1,?', '--one-lamp',
+                  '3,3', naming=['--one-lamp 3,3', 'LIGHT=X,Y'])
+
     def test_a_folder_stands_for_its_capture(self):
         capture = cli.Capture(self.path('set'))
         self.succeed('solve', capture.folder, '-o', self.path('solved.exr'))

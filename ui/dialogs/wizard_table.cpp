@@ -189,9 +189,10 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
   markItem({mark, ".list"});
   endNoTabStops();
   if (ImGui::BeginPopup("##gels")) {
-    for (const char* word : {"white", "off", "unknown"}) {
+    for (const char* word : {"white", "off", "unknown", "?a"}) {
       if (ImGui::Selectable(fmt::format("      {}", word).c_str(), cell.text == word)) cell = {word, false};
       markItem({"wizard.choose.", word});
+      if (word[0] == '?') tooltip("Unknown, but the same gel wherever you write this name");
     }
     ImGui::Separator();
     ImGui::BeginChild("##list", ImVec2(px(346), px(260)));

@@ -68,6 +68,34 @@ struct ColorFitTuning {
   }
 };
 
+/// Of an unknown colour that has changed places with a known one (swapped_color.h).
+struct SwappedColorTuning {
+  int sample = 120000;       ///< pixels
+  int together = 4;          ///< neighbours whose mean is taken
+  int minGroups = 50;        ///< that can be used
+  double minSignal = 6;      ///< of their light, in standard deviations
+  double systematic = .01;   ///< error of a contrast that no noise explains: gels that are not quite alike
+  int rounds = 20;           ///< of the robust fit
+  double deviations = 2;     ///< that noise may have added to an extreme contrast
+  double extreme = .995;     ///< of the groups; the others beyond are taken for gloss, movement and drift
+  double minContrast = .02;  ///< of the lamps: below, the photographs are taken for the same
+  double farthest = .95;     ///< |l - m| / (l + m): no gel takes more than 97 % from another's channel
+
+  static constexpr auto fields() {
+    using T = SwappedColorTuning;
+    return std::tuple{std::pair{"sample", &T::sample},
+                      std::pair{"together", &T::together},
+                      std::pair{"min_groups", &T::minGroups},
+                      std::pair{"min_signal", &T::minSignal},
+                      std::pair{"systematic", &T::systematic},
+                      std::pair{"rounds", &T::rounds},
+                      std::pair{"deviations", &T::deviations},
+                      std::pair{"extreme", &T::extreme},
+                      std::pair{"min_contrast", &T::minContrast},
+                      std::pair{"farthest", &T::farthest}};
+  }
+};
+
 /// Of the ambient light's colour (ambient_light.h).
 struct AmbientTuning {
   int sample = 20000;       ///< pixels

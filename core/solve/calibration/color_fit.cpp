@@ -39,14 +39,15 @@ PackedRun brightSample(const ShotSignal& signal, int shots, size_t count, double
   return bright;
 }
 
+/// `unknowns`: which unknown each entry's channel is, of `count`.
 PixelEquation equationOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit, int p,
-                         double baseUncertainty) {
+                         double baseUncertainty, const std::vector<int>& unknowns, int count) {
   const LightingMatrix& lighting = context.lighting;
   const int n = lighting.lights;
   const int values = 3 * lighting.shots;
   Eigen::VectorXd residual(values);
   Eigen::MatrixXd own = Eigen::MatrixXd::Zero(values, 3 + n);
-  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(values, values * n);
+  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(values, count);
   double power = 0;
   double weights = 0;
   double noise = 0;
@@ -64,7 +65,7 @@ PixelEquation equationOf(const EstimatorContext& context, const PixelRun& in, co
       for (int i = 0; i < n; ++i) {
         const double t = double(lighting.color(k, i)[c]) * fit.share[i][p] * rho;
         if (fit.share[i][p] > 1e-4F) own(row, 3 + i) = w * double(lighting.color(k, i)[c]) * rho;
-        slope(row, (k * n + i) * 3 + c) = w * t;
+        slope(row, unknowns[size_t(k * n + i) * 3 + size_t(c)]) += w * t;
       }
       power += g * rho * g * rho;
       weights += w * w;
@@ -81,6 +82,38 @@ PixelEquation equationOf(const EstimatorContext& context, const PixelRun& in, co
   return equation;
 }
 
+/// Which of the fit's unknowns each entry's channel is: what is one unknown colour shares them.
+std::vector<int> unknownsOf(int entries, const std::vector<UnknownColor>& colors) {
+  std::vector<int> first(size_t(entries), -1);
+  for (const UnknownColor& color : colors)
+    for (const int entry : color.entries) first[size_t(entry)] = color.entries.front();
+  std::vector<int> unknowns;
+  int next = 0;
+  for (int entry = 0; entry < entries; ++entry)
+    for (int c = 0; c < 3; ++c) {
+      const int shared = first[size_t(entry)];
+      unknowns.push_back(shared >= 0 && shared != entry ? unknowns[size_t(shared * 3 + c)] : next++);
+    }
+  return unknowns;
+}
+
+/// The standard error of each unknown colour's worst channel, by the normal equations.
+std::vector<double> errorsOf(const std::vector<UnknownColor>& colors, const std::vector<int>& unknowns,
+                             const Eigen::MatrixXd& normal) {
+  std::vector<double> errors;
+  if (colors.empty()) return errors;
+  const Eigen::MatrixXd covariance = inverseOf(normal);
+  for (const UnknownColor& color : colors) {
+    double worst = 0;
+    for (int c = 0; c < 3; ++c) {
+      const int j = unknowns[size_t(color.entries.front() * 3 + c)];
+      worst = std::max(worst, std::sqrt(std::max(covariance(j, j), 0.0)));
+    }
+    errors.push_back(worst);
+  }
+  return errors;
+}
+
 double medianOf(std::vector<double> values) {
   return values.empty() ? 0 : median(std::span(values));
 }
@@ -91,7 +124,9 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
                    const ColorFitTuning& tuning) {
   const int n = context.lighting.lights;
   const int values = 3 * context.lighting.shots;
-  const int unknowns = values * n;
+  const int entries = context.lighting.shots * n;
+  const std::vector<int> unknown = unknownsOf(entries, options.unknown);
+  const int unknowns = 1 + *std::max_element(unknown.begin(), unknown.end());
   const double freedom = std::max(values - n - 2, 1);
   ColorFit result;
   result.lighting = context.lighting;
@@ -104,13 +139,9 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
 
   EstimatorContext current = context;
   std::vector<double> precision(size_t(unknowns), 1 / (options.priorSigma * options.priorSigma));
-  for (int entry : options.unknown)
-    for (int c = 0; c < 3; ++c) precision[size_t(entry) * 3 + size_t(c)] = 1;
-  Eigen::VectorXd given(unknowns);
-  const auto colorAt = [&](LightingMatrix& lighting, int index) -> float& {
-    return lighting.color(index / 3 / n, index / 3 % n)[index % 3];
-  };
-  for (int j = 0; j < unknowns; ++j) given[j] = colorAt(result.lighting, j);
+  for (const UnknownColor& color : options.unknown)
+    for (int c = 0; c < 3; ++c) precision[size_t(unknown[size_t(color.entries.front() * 3 + c)])] = 1;
+  Eigen::VectorXd factor = Eigen::VectorXd::Ones(unknowns);  // of the colours over the given ones
 
   for (int round = 0; round < options.rounds; ++round) {
     current.lighting = result.lighting;
@@ -120,7 +151,7 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
     std::vector<PixelEquation> equations;
     equations.reserve(size_t(in.count));
     for (int p = 0; p < in.count; ++p)
-      equations.push_back(equationOf(current, in, fit.run(), p, tuning.baseUncertainty));
+      equations.push_back(equationOf(current, in, fit.run(), p, tuning.baseUncertainty, unknown, unknowns));
     std::vector<double> robust(equations.size(), 1.0);
     Eigen::VectorXd step = Eigen::VectorXd::Zero(unknowns);
     std::vector<double> before, after, noise;
@@ -133,11 +164,12 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
       }
       h = h.selfadjointView<Eigen::Lower>();
       for (int j = 0; j < unknowns; ++j) {
-        const double now = given[j] > 0 ? colorAt(result.lighting, j) / given[j] - 1 : 0;
         h(j, j) += precision[size_t(j)] + 1e-9 * h.trace() / unknowns;
-        g[j] -= precision[size_t(j)] * now;
+        g[j] -= precision[size_t(j)] * (factor[j] - 1);
       }
       step = solveSymmetric(h, g);
+      if (pass + 1 == tuning.robustRounds && round + 1 == options.rounds)
+        result.unknownError = errorsOf(options.unknown, unknown, h);
       before.clear(), after.clear();
       std::vector<double> left;
       for (const PixelEquation& e : equations) {
@@ -155,15 +187,12 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
       const double rest = medianOf(after) / (freedom * kMedianOfMean);
       result.systematic = std::sqrt(std::max(result.disagreement * result.disagreement - rest, 0.0));
     }
-    for (int j = 0; j < unknowns; ++j) {
-      float& color = colorAt(result.lighting, j);
-      color *= float(std::clamp(1 + step[j], 0.5, 2.0));
-    }
+    for (int j = 0; j < unknowns; ++j) factor[j] *= std::clamp(1 + step[j], 0.5, 2.0);
+    for (int j = 0; j < entries * 3; ++j)
+      result.lighting.colors[size_t(j / 3)][j % 3] =
+          context.lighting.colors[size_t(j / 3)][j % 3] * float(factor[unknown[size_t(j)]]);
   }
-  double change = 0;
-  for (int j = 0; j < unknowns; ++j)
-    if (given[j] > 0) change += std::pow(colorAt(result.lighting, j) / given[j] - 1, 2);
-  result.change = std::sqrt(change / unknowns);
+  result.change = std::sqrt((factor.array() - 1).square().mean());
   return result;
 }
 

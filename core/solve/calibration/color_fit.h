@@ -5,6 +5,7 @@
 #include "core/solve/calibration/calibration_tuning.h"
 #include "core/solve/model/estimator.h"
 #include "core/solve/model/shot_signal.h"
+#include "core/solve/model/unknown_color.h"
 
 namespace swaplight {
 
@@ -15,7 +16,10 @@ struct ColorFit {
       0;             ///< RMS, relative to the signal: what the matte fit leaves in a typical bright pixel
   double noise = 0;  ///< what noise alone would leave there
   double systematic = 0;  ///< the part of it that the same wrong colours everywhere would explain
-  double change = 0;      ///< RMS of the refined colours against the given ones, relative
+  /// Relative standard error of each unknown colour in its worst channel, the given ones being as uncertain
+  /// as `priorSigma` says: near 1 where the photographs do not determine it.
+  std::vector<double> unknownError;
+  double change = 0;  ///< RMS of the refined colours against the given ones, relative
 };
 
 /// Fits small relative errors of every light's colour in every shot to the residuals of the matte model, over
@@ -23,11 +27,11 @@ struct ColorFit {
 /// robust (weights 1 / (1 + chi-square)^2, so that gloss and moved things do not count), with a Gaussian
 /// prior around the given colours. The prior also fixes the gauge: a factor a channel, a factor a light, and
 /// any mixing of the lights that is the same in all channels cannot be seen in matte pixels, and stay as
-/// given. `unknown`: entries (shot * lights + light) without a given colour; their prior is flat.
+/// given.
 struct ColorFitOptions {
   int rounds = 1;
-  double priorSigma = 0.03;  ///< relative standard error of a given colour
-  std::vector<int> unknown;
+  double priorSigma = 0.03;           ///< relative standard error of a given colour
+  std::vector<UnknownColor> unknown;  ///< each is one colour wherever it stands; their prior is flat
 };
 [[nodiscard]] ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal,
                                  const ColorFitOptions& options = {}, const ColorFitTuning& tuning = {});

@@ -110,24 +110,31 @@ Eigen::MatrixXd LightingMatrix::matrix(int channel) const {
   return m;
 }
 
-LightingMatrix lightingFromCapture(const Capture& capture, std::vector<int>* unknown) {
+namespace {
+
+/// Where the estimate of an unknown colour starts: the mean of what its lights are known to have elsewhere.
+Rgb startOfUnknown(const Capture& capture, const std::string& name, size_t light) {
+  Rgb sum(0);
+  int count = 0;
+  for (size_t i = 0; i < capture.lights.size(); ++i) {
+    bool has = i == light;
+    for (const Shot& shot : capture.shots) has = has || (!name.empty() && shot.colorName(i) == name);
+    for (const Shot& shot : capture.shots)
+      if (has && shot.lightColors[i]) sum += *shot.lightColors[i], ++count;
+  }
+  return count > 0 ? sum / float(count) : Rgb(1);
+}
+
+}  // namespace
+
+LightingMatrix lightingFromCapture(const Capture& capture) {
   LightingMatrix lighting{capture.shotCount(), capture.lightCount(), {}, {}};
   for (const Light& light : capture.lights) lighting.names.push_back(light.name);
   for (int k = 0; k < lighting.shots; ++k) {
     const Shot& shot = capture.shots[static_cast<size_t>(k)];
     for (int i = 0; i < lighting.lights; ++i) {
       const auto& given = shot.lightColors[static_cast<size_t>(i)];
-      Rgb color(1, 1, 1);
-      if (given) {
-        color = *given;
-      } else {
-        if (unknown) unknown->push_back(k * lighting.lights + i);
-        Rgb sum(0, 0, 0);
-        int count = 0;
-        for (const Shot& other : capture.shots)
-          if (const auto& known = other.lightColors[static_cast<size_t>(i)]) sum += *known, ++count;
-        if (count > 0) color = sum / float(count);
-      }
+      const Rgb color = given ? *given : startOfUnknown(capture, shot.colorName(size_t(i)), size_t(i));
       lighting.colors.push_back(color * std::exp2(shot.exposureStops));
     }
   }
@@ -177,7 +184,13 @@ Conditioning conditioningOf(const LightingMatrix& lighting) {
   return result;
 }
 
-void checkSolvable(const LightingMatrix& lighting, const std::string& where) {
+void checkSolvable(const LightingMatrix& lighting, const std::string& where,
+                   const std::vector<int>& unknown) {
+  const auto differByAnUnknown = [&](int i, int j) {
+    for (int k = 0; k < lighting.shots && !unknown.empty(); ++k)
+      if (unknown[size_t(k * lighting.lights + i)] != unknown[size_t(k * lighting.lights + j)]) return true;
+    return false;
+  };
   if (lighting.lights > kMaxLights)
     throw InputError("{}: {} lights; at most {} can be separated", where, lighting.lights, kMaxLights);
   if (lighting.shots > kMaxShots)
@@ -194,7 +207,7 @@ void checkSolvable(const LightingMatrix& lighting, const std::string& where) {
       throw InputError("{}: light {} is off in every shot; give it a colour in one, or remove it", where,
                        lighting.names[size_t(i)]);
     for (int j = i + 1; j < lighting.lights; ++j)
-      if (distanceOfLights(lighting, i, j) < 1e-4 * brightest)
+      if (!differByAnUnknown(i, j) && distanceOfLights(lighting, i, j) < 1e-4 * brightest)
         throw InputError(
             "{}: lights {} and {} have the same colour in every shot; change one of them in at least one "
             "shot",

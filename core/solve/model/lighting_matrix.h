@@ -27,15 +27,17 @@ struct LightingMatrix {
   [[nodiscard]] Eigen::MatrixXd matrix(int channel) const;
 };
 
-/// The lighting of a capture. Unknown colours (null) are given the mean of the light's known ones in other
-/// shots, or white, and listed in `unknown` as shot * lights + light.
-[[nodiscard]] LightingMatrix lightingFromCapture(const Capture& capture, std::vector<int>* unknown = nullptr);
+/// The lighting of a capture. Unknown colours stand at the mean of the known ones that their lights have in
+/// other shots, or at white: what has one name everywhere at the same.
+[[nodiscard]] LightingMatrix lightingFromCapture(const Capture& capture);
 
 /// How well the shots tell the lights apart.
 [[nodiscard]] Conditioning conditioningOf(const LightingMatrix& lighting);
 
 /// Throws InputError where no model can tell the lights apart: fewer shots x channels than the matte model
 /// has unknowns, two lights with the same colour in every shot (both named), a light that is never on.
-void checkSolvable(const LightingMatrix& lighting, const std::string& where);
+/// `unknown`: which unknown colour stands at shot * lights + light, -1: none. It is as no other.
+void checkSolvable(const LightingMatrix& lighting, const std::string& where,
+                   const std::vector<int>& unknown = {});
 
 }  // namespace swaplight

@@ -55,6 +55,37 @@ void checkRange(const char* what, double value, double low, double high) {
     throw InputError("the {} of a solve is {}, expected {} to {}", what, value, low, high);
 }
 
+Json jsonFromChoice(const OpenColorChoice& choice) {
+  Json json = Json::object();
+  if (choice.oneLamp) json["one_lamp"] = {choice.oneLamp->light, choice.oneLamp->x, choice.oneLamp->y};
+  if (choice.grey) json["grey"] = {(*choice.grey)[0], (*choice.grey)[1]};
+  if (choice.position) json["position"] = jsonNumber(*choice.position);
+  if (choice.exchanged) json["exchanged"] = true;
+  return json;
+}
+
+/// A pixel's coordinates from `first` on in a list. Throws InputError.
+std::array<int, 2> placeFromJson(const Json& list, size_t first, const std::string& where) {
+  if (!list.is_array() || list.size() != first + 2 || !list[first].is_number_integer() ||
+      !list[first + 1].is_number_integer())
+    throw InputError("{}: is {}, expected the x and y of a pixel", where, list.dump());
+  return {list[first].get<int>(), list[first + 1].get<int>()};
+}
+
+OpenColorChoice choiceFromJson(const Json& json, const std::string& where) {
+  JsonFields fields(json, where);
+  OpenColorChoice choice;
+  if (const Json* lamp = fields.find("one_lamp")) {
+    const auto [x, y] = placeFromJson(*lamp, 1, where + ": one_lamp");
+    if (!(*lamp)[0].is_string()) throw InputError("{}: one_lamp begins with no light's name", where);
+    choice.oneLamp = {(*lamp)[0].get<std::string>(), x, y};
+  }
+  if (const Json* grey = fields.find("grey")) choice.grey = placeFromJson(*grey, 0, where + ": grey");
+  if (const auto position = fields.number("position", 0, 1)) choice.position = float(*position);
+  choice.exchanged = fields.boolean("exchanged").value_or(false);
+  return choice;
+}
+
 }  // namespace
 
 std::string modelName(Model model) {
@@ -77,6 +108,7 @@ void SolveOptions::check() const {
   if (noise) checkRange("read noise", noise->read, 0, kMostRead);
   if (noise) checkRange("full well", noise->fullWell, kLeastFullWell, kMostFullWell);
   if (!(colorUncertainty < 0)) checkRange("colour uncertainty", colorUncertainty, 0, 1);
+  if (openColor.position) checkRange("position of the open colour", *openColor.position, 0, 1);
   checkRange("radius of denoising", guidedRadius, 1, kWidestRadius);
 }
 
@@ -88,6 +120,7 @@ Json jsonFromSolveOptions(const SolveOptions& options) {
   json["refine_colors"] = options.refineColors;
   json["ambient"] = options.solveAmbient;
   json["align"] = options.align;
+  if (options.openColor != OpenColorChoice{}) json["open_color"] = jsonFromChoice(options.openColor);
   json["denoise"] = denoiseName(options.denoise);
   json["guided_radius"] = options.guidedRadius;
   return json;
@@ -109,6 +142,8 @@ SolveOptions solveOptionsFromJson(const Json& json, const std::string& where) {
   options.refineColors = fields.boolean("refine_colors").value_or(options.refineColors);
   options.solveAmbient = fields.boolean("ambient").value_or(options.solveAmbient);
   options.align = fields.boolean("align").value_or(options.align);
+  if (const Json* open = fields.find("open_color"))
+    options.openColor = choiceFromJson(*open, where + ": open_color");
   if (const auto denoise = fields.text("denoise")) options.denoise = denoiseFromName(*denoise);
   options.guidedRadius =
       static_cast<int>(fields.number("guided_radius", 1, kWidestRadius).value_or(options.guidedRadius));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -27,6 +28,21 @@ enum class Denoise {
 [[nodiscard]] std::string denoiseName(Denoise denoise);
 [[nodiscard]] Denoise denoiseFromName(const std::string& name);  ///< throws InputError, listing the known
 
+/// What settles an unknown colour of which the photographs leave one number open (SwappedColorLine). At most
+/// one of the first three counts: in their order.
+struct OpenColorChoice {
+  struct OneLamp {
+    std::string light;
+    int x = 0, y = 0;
+    bool operator==(const OneLamp&) const = default;
+  };
+  std::optional<OneLamp> oneLamp;          ///< a pixel of the pictures that only this light reaches
+  std::optional<std::array<int, 2>> grey;  ///< x, y of a grey surface
+  std::optional<float> position;           ///< 0..1: from the colour nearest to the known one to the farthest
+  bool exchanged = false;                  ///< the lamps the other way round than is likelier
+  bool operator==(const OpenColorChoice&) const = default;
+};
+
 /// What the person asks of a solve. What was made of it stands in SolveReport.
 struct SolveOptions {
   Model model = Model::Auto;
@@ -38,6 +54,7 @@ struct SolveOptions {
   bool solveAmbient = false;  ///< one more unknown light, the same in every shot (K > N)
   bool refineColors = false;  ///< estimate the light colours from the pictures, starting at the manifest's
   bool align = false;         ///< register the shots to the first (sub-pixel translation)
+  OpenColorChoice openColor;
   Denoise denoise = Denoise::Off;
   int guidedRadius = 8;  ///< pixels, 1..1000: how far Denoise::Guided looks
 

@@ -62,6 +62,23 @@ TEST(CaptureJson, WrittenBackIsTheSameJson) {
   EXPECT_EQ(jsonFromCapture(captureFromJson(manifest(), "set")), manifest());
 }
 
+TEST(CaptureJson, AnUnknownColourMayHaveAName) {
+  Json json = manifest();
+  json["shots"][0]["light_colors"][1] = "?a";
+  const Capture capture = captureFromJson(json, "set");
+  EXPECT_FALSE(capture.shots[0].lightColors[1]);
+  EXPECT_EQ(capture.shots[0].colorName(1), "?a");
+  EXPECT_EQ(capture.shots[0].colorName(0), "") << "a colour that is known has no name";
+  EXPECT_EQ(capture.shots[1].colorName(1), "");
+  EXPECT_EQ(jsonFromCapture(capture)["shots"], json["shots"]);
+  json["shots"][0]["light_colors"][1] = "?";
+  EXPECT_EQ(jsonFromCapture(captureFromJson(json, "set"))["shots"][0]["light_colors"][1], nullptr);
+  for (const char* wrong : {"red", "a?", "?a b"}) {
+    json["shots"][0]["light_colors"][1] = wrong;
+    EXPECT_THAT(errorOf(json), AllOf(HasSubstr("the colour of fill"), HasSubstr(wrong), HasSubstr("\"?a\"")));
+  }
+}
+
 TEST(CaptureJson, UnknownKeysAreKeptAndWarnedAbout) {
   Json json = manifest();
   json["camera"] = {{"iso", 100}};

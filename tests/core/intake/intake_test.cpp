@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/image/io/image_io.h"
 #include "core/intake/capture_draft.h"
+#include "core/intake/replaced_colors.h"
 #include "core/intake/rotation_guess.h"
 #include "core/solve/solve.h"
 #include "tests/support/builtin_colors.h"
@@ -84,6 +85,23 @@ TEST(ShotColor, IsAGelANumberOrUnknown) {
               ThrowsMessage<InputError>(HasSubstr("'reddish' is no colour of a light")));
 }
 
+TEST(ReplacedColors, FollowAGelFromLightToLight) {
+  Capture capture = rotatedCapture(3);
+  *capture.shots[1].lightColors[0] *= 1.05F;  // lamps differ a little
+  capture.shots[2].lightColors[2] = Rgb(0);
+  const Capture replaced = withReplacedColors(capture, shotColorsFromText("1/1/1,?x,L106"));
+  EXPECT_EQ(replaced.shots[0].lightColors[0], Rgb(1));
+  EXPECT_EQ(replaced.shots[1].lightColors[2], Rgb(1));
+  EXPECT_EQ(replaced.shots[1].colorName(0), "?x");
+  EXPECT_EQ(replaced.shots[0].colorName(1), "?x");
+  EXPECT_EQ(replaced.shots[2].lightColors[2], Rgb(0)) << "what is like none of them stays";
+  const Capture again = withReplacedColors(replaced, shotColorsFromText("1/1/1,.2/.3/.4,L106"));
+  EXPECT_EQ(again.shots[1].lightColors[0], Rgb(.2F, .3F, .4F)) << "a name is followed, too";
+  EXPECT_THROW(static_cast<void>(withReplacedColors(capture, shotColorsFromText("1/1/1"))), InputError);
+  capture.shots[0].lightColors[1].reset();
+  EXPECT_THROW(static_cast<void>(withReplacedColors(capture, shotColorsFromText("L106,?,L119"))), InputError);
+}
+
 TEST(ShotColor, IsReadOffACard) {
   Image shot(ImageSpec::rgb(40, 30), 0);
   for (int y = 10; y < 20; ++y)
@@ -113,6 +131,20 @@ std::vector<ShotColor> ringOf(int lights) {
   ring.reserve(static_cast<size_t>(lights));
   for (int i = 0; i < lights; ++i) ring.push_back(shotColorFromRgb(defaultColors()[static_cast<size_t>(i)]));
   return ring;
+}
+
+TEST(ShotColor, UnknownOfTheSameNameIsTheSame) {
+  EXPECT_EQ(shotColorFromText("?a").name(), "?a");
+  EXPECT_EQ(shotColorFromText("?").name(), "");
+  const std::vector<ShotColor> ring = namedUnknowns(shotColorsFromText("?a,?,L106,unknown"));
+  EXPECT_EQ(ring[0].name(), "?a");
+  EXPECT_EQ(ring[1].name(), "?b");
+  EXPECT_TRUE(ring[2].color);
+  EXPECT_EQ(ring[3].name(), "?c");
+  const Capture capture = captureOf(
+      withRotation(draftFor(rotatedCapture(2)), namedUnknowns(shotColorsFromText("L106,?")), {0, 1}));
+  EXPECT_EQ(capture.shots[0].colorName(1), "?a");
+  EXPECT_EQ(capture.shots[1].colorName(0), "?a");
 }
 
 TEST(RotationGuess, FindsHowTheColoursMoved) {
@@ -183,6 +215,14 @@ TEST(CaptureDraft, SaysWhatItAssumesOfAnUnknownColour) {
   draft.colors[0][1] = shotColorFromText("unknown");
   EXPECT_THAT(colorWarnings(draft),
               ElementsAre(HasSubstr("the colour of light1 in 1.exr is unknown: it is estimated from the")));
+}
+
+TEST(CaptureDraft, SaysWhereTwoPhotographsLeaveAColourOpen) {
+  const std::vector<ShotColor> ring = namedUnknowns(shotColorsFromText("L106,?"));
+  EXPECT_THAT(colorWarnings(withRotation(draftFor(rotatedCapture(2)), ring, {0, 1})),
+              ElementsAre(HasSubstr("?a, the colour of light1 in 1.exr, light0 in 2.exr, is unknown: it is "
+                                    "estimated from the pictures, but two photographs leave one number of it "
+                                    "open")));
 }
 
 TEST(CaptureDraft, AnUnknownColourIsFoundAndSaidByTheSolve) {

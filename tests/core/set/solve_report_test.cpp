@@ -30,6 +30,8 @@ SolveReport fullReport() {
   report.colorChange = 0.5;
   report.refinedColors = {{1, 0.1F, 0}, {0, 0.7F, 1}};
   report.estimated = {"The colour of key was not known"};
+  report.openColor =
+      OpenColor{"?a", Rgb(.1F, .2F, .3F), Rgb(.4F, .5F, .6F), Rgb(.2F), .25F, Rgb(2), "grey", true};
   report.conditioning.singularValues = {{{2, 1}, {3, 0.5}, {1, 0}}};
   report.conditioning.condition = {2, 6, std::numeric_limits<double>::infinity()};
   report.conditioning.amplification = {1.1, 2.2, std::numeric_limits<double>::infinity()};

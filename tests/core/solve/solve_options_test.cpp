@@ -25,6 +25,20 @@ TEST(SolveOptions, DenoisingComesBackFromJson) {
   EXPECT_EQ(jsonFromSolveOptions({})["denoise"], "off");
 }
 
+TEST(SolveOptions, WhatSettlesAnOpenColourComesBackFromJson) {
+  SolveOptions options;
+  options.openColor.oneLamp = {"key", 12, 34};
+  options.openColor.grey = {5, 6};
+  options.openColor.position = .25F;
+  options.openColor.exchanged = true;
+  EXPECT_EQ(solveOptionsFromJson(jsonFromSolveOptions(options)), options);
+  EXPECT_EQ(jsonFromSolveOptions({}).count("open_color"), 0U);
+  EXPECT_THAT(inputError([] {
+                static_cast<void>(solveOptionsFromJson({{"open_color", {{"grey", {1}}}}}));
+              }),
+              HasSubstr("grey"));
+}
+
 TEST(SolveOptions, AnUnknownDenoisingIsNotTakenForNone) {
   EXPECT_THAT(inputError([] {
                 static_cast<void>(solveOptionsFromJson({{"denoise", "strong"}}));

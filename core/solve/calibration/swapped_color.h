@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/set/open_color.h"
+#include "core/solve/calibration/calibration_tuning.h"
+#include "core/solve/model/noise_model.h"
+#include "core/solve/model/shot_signal.h"
+#include "core/solve/model/solve_options.h"
+#include "core/solve/model/unknown_color.h"
+
+namespace swaplight {
+
+/// The colours that a gel may have which has changed places with a known one l. On a matte surface that the
+/// lamps light with beta and 1 - beta the photographs are y1 = rho (beta l + (1 - beta) m) and y2 = rho (beta
+/// m + (1 - beta) l), so that in every channel
+///   (y1 - y2) / (y1 + y2) = (2 beta - 1) d,  d = (l - m) / (l + m):
+/// a matrix of rank one, whose factors the photographs say but for a common scale. It has bounds: no beta
+/// lies outside 0..1, no channel of m is negative. Its sign is open, too: -d is the gel l^2 / m with the
+/// lamps exchanged. docs/theory.md, Unknown colours.
+struct SwappedColorLine {
+  Rgb known{1};      ///< l; the geometric mean, where the lamps differ
+  Rgb direction{0};  ///< d at position 0: as small as the pixels that are farthest from evenly lit allow
+  float most = 1;    ///< times it at position 1, >= 1
+
+  /// The unknown colour; position 0 .. 1.
+  [[nodiscard]] Rgb at(float position) const;
+  [[nodiscard]] SwappedColorLine opposite() const;
+};
+
+/// Finds the line: d by maximum likelihood in a robust fit of rank one (errors in both factors), its scale by
+/// the pixels that are farthest from evenly lit. `swapped`: of the capture. Throws InputError where the two
+/// photographs do not differ: nothing was exchanged.
+[[nodiscard]] SwappedColorLine swappedColorLine(const Capture& capture, const SwappedColor& swapped,
+                                                const ShotSignal& signal, const NoiseModel& noise,
+                                                const SwappedColorTuning& tuning = {});
+
+/// Which of the line's colours is taken, by what the person has told, and why. Throws InputError where a
+/// place lies outside of the picture or is dark.
+[[nodiscard]] OpenColor chosenColor(const Capture& capture, const SwappedColor& swapped,
+                                    const ShotSignal& signal, const SwappedColorLine& line,
+                                    const OpenColorChoice& choice);
+
+/// For a person: what is open, between which colours, what was taken and why, what would settle it.
+[[nodiscard]] std::string wordsFor(const OpenColor& open);
+
+}  // namespace swaplight
