@@ -173,9 +173,9 @@ ResolvedStage resolveStage(const FilterLibrary& library, const FilterStage& stag
 }
 
 FilterPipeline standalone(FilterPipeline pipeline, const FilterLibrary& library) {
+  const fs::path folder = pipeline.folder.empty() ? fs::current_path() : fs::absolute(pipeline.folder);
   for (FilterStage& stage : pipeline.stages) try {
-      const ResolvedStage resolved =
-          resolveStage(library, stage, fs::absolute(pipeline.folder), pipeline.name);
+      const ResolvedStage resolved = resolveStage(library, stage, folder, pipeline.name);
       if (stage.filter.ends_with(".fs")) stage.filter = resolved.filter->file.string();
       for (size_t i = 0; i < resolved.values.size(); ++i)
         if (const auto given = stage.parameters.find(resolved.filter->inputs[i].name);

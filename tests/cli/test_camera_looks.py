@@ -159,6 +159,16 @@ class Apply(CameraLookTest):
         np.testing.assert_allclose(read_rgb(self.path('c.exr')), ramp() * 2, rtol=1e-6)
         self.assertIn('warm', self.succeed('look', 'show', self.path('warm.swaplook')).stdout)
 
+    def test_a_look_of_this_folder_is_saved_again_with_its_pictures(self):
+        write_image(self.path('plate.exr'), ramp())
+        self.write('a.swaplook', json.dumps({'format': 'swaplight-look', 'version': 1, 'name': 'A', 'filters': [
+            {'filter': 'blend', 'parameters': {'other': 'plate.exr'}}]}))
+        os.makedirs(self.path('data'))
+        self.succeed('look', 'apply', 'frame.exr', '--look', 'a.swaplook', '-o', 'o.png', '--save', 'data/b.swaplook',
+                     cwd=self.folder)
+        with open(self.path('data', 'b.swaplook')) as file:
+            self.assertEqual(json.load(file)['filters'][0]['parameters'], {'other': self.path('plate.exr')})
+
     def test_looks_that_come_along_can_be_named(self):
         for name in self.succeed_json('look', 'list')['camera_looks']:
             self.succeed('look', 'apply', self.frame, '--look', name, '-o', self.path('o.png'))

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "render/viewport_renderer.h"
+#include "ui/camera/look_preview.h"
 #include "ui/control/editing_context.h"
 #include "ui/control/subject_pictures.h"
 #include "ui/pictures/view_table.h"
+#include "ui/state/camera_look_state.h"
 #include "ui/state/viewer_state.h"
 
 namespace swaplight {
@@ -15,6 +17,8 @@ struct ViewerContext : EditingContext {
   ViewportRenderer& renderer;
   SubjectPictures& subjects;
   ViewTable& table;
+  LookPreview& seen;  ///< the picture under the camera look
+  CameraLookState& cameraLook;
 };
 
 }  // namespace swaplight

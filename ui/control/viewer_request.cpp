@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/relight/rig.h"
@@ -10,10 +11,32 @@
 namespace swaplight {
 namespace {
 
+bool isDrawn(const FilterPipeline& look) {
+  return std::any_of(look.stages.begin(), look.stages.end(),
+                     [](const FilterStage& stage) { return stage.on; });
+}
+
+/// The lit picture under the camera look; nothing where there is none, or none yet.
+std::optional<LayeredPicture> seenPicture(const ViewerContext& studio, LookPreview::Side side,
+                                          const Rig& rig) {
+  const Document& document = studio.document();
+  if (!isDrawn(document.cameraLook) || showsPlain(studio)) return std::nullopt;
+  const OpenSet& set = *studio.set();
+  return studio.seen.picture(
+      side,
+      {studio.colors.config(), set.live, studio.edits.revision(),
+       rigFactors(*studio.colors.config(), rig, set.solved().colorSpace()), rig.ambient, document.cameraLook,
+       displayWithin(*studio.colors.config(), document.display)},
+      !studio.editor.inGesture());
+}
+
 /// Display codes that a map is made of are shown as they are; pictures go through the view.
-std::optional<LayeredPicture> sidePicture(const ViewerContext& studio, ViewSubject subject, const Rig& rig) {
+std::optional<LayeredPicture> sidePicture(const ViewerContext& studio, LookPreview::Side side,
+                                          ViewSubject subject, const Rig& rig) {
   const OpenSet& set = *studio.set();
   subject = subjectWithin(set.solved(), subject);
+  if (subject.kind == ViewSubject::Kind::Relit)
+    if (std::optional<LayeredPicture> seen = seenPicture(studio, side, rig)) return seen;
   const std::string& colorSpace = set.solved().colorSpace();
   if (subject.kind == ViewSubject::Kind::Relit || subject.kind == ViewSubject::Kind::Contribution)
     return LayeredPicture{
@@ -39,12 +62,16 @@ std::string lightTitle(const ViewerContext& studio, int index) {
 ViewerPictures viewerPictures(const ViewerContext& studio) {
   const CompareState& compare = studio.view.compare;
   ViewerPictures pictures;
-  pictures.a = sidePicture(studio, studio.view.subject, studio.document().rig);
+  pictures.a = sidePicture(studio, LookPreview::Side::A, studio.view.subject, studio.document().rig);
   if (!compare.isOn()) return pictures;
   const Rig other = compare.rig ? fitRig(*compare.rig, studio.set()->solved().capture)
                                 : defaultRig(studio.set()->solved().capture);
-  pictures.b = sidePicture(studio, compare.subject, other);
+  pictures.b = sidePicture(studio, LookPreview::Side::B, compare.subject, other);
   return pictures;
+}
+
+bool showsPlain(const ViewerContext& studio) {
+  return studio.viewer.plain;
 }
 
 Comparison wipeIn(const CompareState& state, int pictureWidth, int pictureHeight) {

@@ -218,6 +218,17 @@ void ExportDialog::drawLayers() {
   check("Include quality", "quality", &m_choices.quality, "The solver's residual, standard error and flags.");
 }
 
+void ExportDialog::drawCameraLook(const Document& document) {
+  const bool picture = m_choices.kind == ExportKind::Frame || m_choices.kind == ExportKind::Layers;
+  const FilterPipeline& look = document.cameraLook;
+  if (!picture || look.stages.empty()) return;
+  const bool layers = m_choices.kind == ExportKind::Layers;
+  check((layers ? "Layer camera_look: seen through " + look.name : "Seen through " + look.name).c_str(),
+        "camera_look", &m_choices.cameraLook,
+        layers ? "Adds the picture under the camera look as a layer of its own; it is no part of the sum."
+               : "With the camera look, as the viewer shows it; off: the plain picture.");
+}
+
 void ExportDialog::drawFile(const Answers& answers) {
   ImGui::Dummy(ImVec2(0, px(4)));
   label("File");
@@ -280,6 +291,7 @@ void ExportDialog::draw(const ColorConfig& config, const Document& document, con
     drawLayers();
   else
     drawFormats();
+  drawCameraLook(document);
   drawFile(answers);
   drawFooter(answers);
   if (!m_open) ImGui::CloseCurrentPopup();

@@ -36,6 +36,7 @@ class ExportDialog {
   void drawKinds();
   void drawFrame(const ColorConfig& config, const Document& document);
   void drawLayers();
+  void drawCameraLook(const Document& document);
   void drawFormats();
   void drawColorSpaces();
   void drawFile(const Answers& answers);

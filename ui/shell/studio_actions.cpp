@@ -1,3 +1,4 @@
+#include "ui/camera_look/camera_look_actions.h"
 #include "ui/edits/edits_actions.h"
 #include "ui/mixer/mixer_actions.h"
 #include "ui/shadows/shadow_actions.h"
@@ -21,6 +22,7 @@ void StudioWindow::addActions() {
   addViewActions(m_actions, m_context, m_chooser);
   addCompareActions(m_actions, m_context);
   addLookActions(m_actions, m_lights);
+  addCameraLookActions(m_actions, m_context, m_chooser);
   addWindowActions();
 }
 

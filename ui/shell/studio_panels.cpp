@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/camera_look/camera_look_panel.h"
 #include "ui/edits/edits_panel.h"
 #include "ui/kit/action_widgets.h"
 #include "ui/kit/icons.h"
@@ -20,6 +21,7 @@ namespace {
 
 constexpr float kToolbarWidth = 46;
 constexpr float kEditsWidth = 248;
+constexpr float kCameraLookWidth = 268;
 constexpr float kSplitter = 4;
 constexpr float kMostMixer = 0.6F;   ///< of the window's width
 constexpr float kLeastViewer = 160;  ///< height that the viewer keeps, however small the window
@@ -180,6 +182,18 @@ std::vector<PanelInfo> StudioWindow::allPanels() {
        0,
        canEdit,
        [this] { drawEditsPanel(m_context); }},
+      {"view.camera_look",
+       "Camera look",
+       "F10",
+       "Show or hide the camera look: filters that the lit picture is seen through.",
+       &Layout::cameraLook,
+       Dock::Left,
+       kCameraLookWidth,
+       {},
+       {10, 10},
+       0,
+       hasSet,
+       [this] { drawCameraLookPanel(m_context, m_chooser); }},
   };
 }
 

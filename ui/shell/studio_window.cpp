@@ -7,6 +7,7 @@
 #include "core/file/user_folders.h"
 #include "core/session/open_source.h"
 #include "ui/actions/key_file.h"
+#include "ui/camera_look/camera_look_actions.h"
 #include "ui/control/viewer_request.h"
 #include "ui/dialogs/about_box.h"
 #include "ui/dialogs/history_panel.h"
@@ -38,6 +39,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
       m_pictures(makeViewportRenderer(options.engine, m_colors.config())),
       m_exports([&window] { window.wake(); }),
       m_subjects([&window] { window.wake(); }),
+      m_seen(*m_pictures, [&window] { window.wake(); }),
       m_edits({m_editor, m_session, m_subjects, *m_pictures, m_messages}, [&window] { window.wake(); }),
       m_shadows({{m_editor, m_view}, m_session, m_edits, *m_pictures, m_editing.shadow, m_messages},
                 [&window] { window.wake(); }),
@@ -66,7 +68,9 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
                 m_shown,
                 *m_pictures,
                 m_subjects,
-                m_table},
+                m_table,
+                m_seen,
+                m_cameraLook},
       m_lights{{m_editor, m_view}, m_session, m_messages, m_colors, m_layout, m_mixer, m_looks, m_table,
                m_actions},
       m_lamps([&window] { window.wake(); }),
@@ -190,11 +194,13 @@ void StudioWindow::update() {
   m_keeper.update(m_lights);
   m_wizard.update(m_messages);
   m_subjects.update(m_messages);
+  m_seen.update(m_messages);
   if (m_messages.expire()) m_window.requestFrames();
   const bool marches = m_editing.selection.marching;
   if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_window.requestFrames(1);
   if (listMoves()) m_window.requestFrames(1);
-  for (const fs::path& dropped : m_window.takeDropped()) whenSaved([this, dropped] { open(dropped); });
+  for (const fs::path& dropped : m_window.takeDropped())
+    if (!takeDroppedLook(m_context, dropped)) whenSaved([this, dropped] { open(dropped); });
   if (m_window.closeAsked()) askToQuit();
   const std::string title = m_session.title();
   if (title == m_title) return;
@@ -264,6 +270,8 @@ void StudioWindow::frame() {
   markEchoes();
   if (m_setShown != m_session.setRevision()) {
     m_subjects.forget();
+    m_seen.forget();
+    m_cameraLook = {};
     m_viewer = {};
     m_looks = {};
     m_editing.brush.last.reset();
@@ -308,6 +316,7 @@ void StudioWindow::frame() {
   markState("title", m_title);
   markState("popups", std::to_string(openPopups()));
   markState("busy", busy() || listMoves() ? "yes" : "no");
+  markState("camera_look.drawn", m_seen.words());
   markState("colors", m_colors.config()->title());
   if (const OpenSet* set = m_session.set()) markState("working_space", set->original->colorSpace());
   endLayoutFrame();

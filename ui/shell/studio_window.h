@@ -48,7 +48,7 @@ class StudioWindow {
   /// Something is being read, solved, guessed, looked for, saved or exported.
   [[nodiscard]] bool busy() const {
     return m_sets.busy() || m_wizard.busy() || m_edits.busy() || m_shadows.busy() || m_session.saving() ||
-           m_exports.busy() || m_lamps.busy();
+           m_exports.busy() || m_lamps.busy() || m_seen.busy();
   }
 
   /// Ends the studio, after asking what to do with unsaved work.
@@ -107,6 +107,8 @@ class StudioWindow {
   ToolInHand m_tool = nullptr;
   ViewerState m_viewer;
   SubjectPictures m_subjects;
+  LookPreview m_seen;
+  CameraLookState m_cameraLook;
   uint64_t m_subjectsShown = 0;
   ViewTable m_table;
   LookState m_looks;

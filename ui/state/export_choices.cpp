@@ -43,6 +43,7 @@ ExportRequest requestOf(const ExportChoices& choices, const std::filesystem::pat
   request.layers.colorSpace = choices.colorSpace;
   request.layers.beta = choices.beta;
   request.layers.quality = choices.quality;
+  request.seesLook = choices.cameraLook;
   return request;
 }
 
@@ -64,6 +65,7 @@ ExportChoices readExportChoices(const std::filesystem::path& file) {
     take(choices.compression, json.value("compression", ""), {"none", "zip", "zips", "piz", "dwaa", "dwab"});
     choices.beta = json.value("beta", choices.beta);
     choices.quality = json.value("quality", choices.quality);
+    choices.cameraLook = json.value("camera_look", choices.cameraLook);
     choices.folder = json.value("folder", "");
   } catch (const std::exception&) {
     return {};
@@ -87,6 +89,7 @@ void writeExportChoices(const ExportChoices& choices, const std::filesystem::pat
                    {"compression", choices.compression},
                    {"beta", choices.beta},
                    {"quality", choices.quality},
+                   {"camera_look", choices.cameraLook},
                    {"folder", choices.folder.string()}},
               file);
   } catch (const std::exception&) {

@@ -21,6 +21,7 @@ struct ExportChoices {
   bool floatLayers = false;
   std::string compression = "zip";
   bool beta = false, quality = false;
+  bool cameraLook = true;        ///< frame, layers: seen through the session's camera look, where it has one
   std::filesystem::path folder;  ///< where the last file went
   bool operator==(const ExportChoices&) const = default;
 

@@ -25,6 +25,7 @@ struct PanelLayout {
   bool edits = false;
   bool shadows = false;  ///< over the list of the edits
   bool gallery = false;
+  bool cameraLook = false;
   bool threePoint = false;  ///< in the place of the light's colour
   bool hidden = false;      ///< everything but the viewer
   float mixerWidth = 372;
@@ -34,13 +35,14 @@ struct PanelLayout {
 };
 
 /// The panels, by their names in the file.
-inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 7> kPanelNames = {
+inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 8> kPanelNames = {
     {{"mixer", &PanelLayout::mixer},
      {"scopes", &PanelLayout::scopes},
      {"tools", &PanelLayout::tools},
      {"edits", &PanelLayout::edits},
      {"shadows", &PanelLayout::shadows},
      {"gallery", &PanelLayout::gallery},
+     {"camera_look", &PanelLayout::cameraLook},
      {"three_point", &PanelLayout::threePoint}}};
 
 /// Defaults where the file is not there or cannot be read.

@@ -20,6 +20,7 @@ struct ViewerState {
     size_t clicks = 0;
   };
   LightAsked lightAsked;
+  bool plain = false;  ///< a key is held that shows the picture without its camera look
 };
 
 }  // namespace swaplight

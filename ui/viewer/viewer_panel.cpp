@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "render/surface.h"
+#include "ui/camera/camera_look_edit.h"
 #include "ui/control/viewer_request.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
@@ -113,6 +114,15 @@ void drawPanes(ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
     drawPane(studio, *b, nullptr, window, ImVec2(origin.x + static_cast<float>(window.width), origin.y), 1);
 }
 
+/// A filter of the library that is dropped on the picture goes behind all others.
+void dropFilterHere(ViewerContext& studio) {
+  if (!ImGui::BeginDragDropTarget()) return;
+  if (const ImGuiPayload* filter = ImGui::AcceptDragDropPayload(kDraggedFilter))
+    studio.cameraLook.chosen =
+        static_cast<int>(addFilter(studio.editor, static_cast<const char*>(filter->Data)));
+  ImGui::EndDragDropTarget();
+}
+
 }  // namespace
 
 void drawViewerPanel(ViewerContext& studio) {
@@ -137,6 +147,8 @@ void drawViewerPanel(ViewerContext& studio) {
   };
   ImGui::InvisibleButton("##picture", size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  dropFilterHere(studio);
+  studio.viewer.plain = studio.keyboard.isHeld("V") && !ImGui::GetIO().WantTextInput;
   const bool overB = split && ImGui::GetIO().MousePos.x >= origin.x + static_cast<float>(paneWidth);
   const ImVec2 under(origin.x + (overB ? static_cast<float>(paneWidth) : 0), origin.y);
   handleViewerMouse(studio, seen(), under);

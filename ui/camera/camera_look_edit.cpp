@@ -1,0 +1,99 @@
+#include "ui/camera/camera_look_edit.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace swaplight {
+namespace {
+
+using Stages = std::vector<FilterStage>;
+
+/// The document with another list of filters, as one step.
+template <typename Change>
+void changeStages(DocumentEditor& editor, const std::string& step, const Change& change) {
+  Document next = editor.document();
+  change(next.cameraLook.stages);
+  if (next.cameraLook.name.empty()) next.cameraLook.name = "Camera look";
+  if (next.cameraLook.stages.empty()) next.cameraLook = {};
+  editor.edit(step, std::move(next));
+}
+
+Stages::iterator placeOf(Stages& stages, size_t index) {
+  return stages.begin() + static_cast<ptrdiff_t>(std::min(index, stages.size()));
+}
+
+std::string nameAt(const DocumentEditor& editor, size_t index) {
+  return stageName(editor.document().cameraLook.stages.at(index));
+}
+
+}  // namespace
+
+std::string stageName(const FilterStage& stage) {
+  return stage.filter.ends_with(".fs") ? std::filesystem::path(stage.filter).stem().string() : stage.filter;
+}
+
+size_t addFilter(DocumentEditor& editor, const std::string& filter, std::optional<size_t> at) {
+  const size_t count = editor.document().cameraLook.stages.size();
+  const size_t index = std::min(at.value_or(count), count);
+  changeStages(editor, "Add filter: " + stageName({filter, true, {}, {}}), [&](Stages& stages) {
+    stages.insert(placeOf(stages, index), FilterStage{filter, true, {}, {}});
+  });
+  return index;
+}
+
+void removeFilter(DocumentEditor& editor, size_t index) {
+  changeStages(editor, "Remove filter: " + nameAt(editor, index),
+               [&](Stages& stages) { stages.erase(placeOf(stages, index)); });
+}
+
+void duplicateFilter(DocumentEditor& editor, size_t index) {
+  changeStages(editor, "Duplicate filter: " + nameAt(editor, index), [&](Stages& stages) {
+    const FilterStage copy = stages.at(index);
+    stages.insert(placeOf(stages, index + 1), copy);
+  });
+}
+
+void moveFilter(DocumentEditor& editor, size_t from, size_t to) {
+  if (from == to) return;
+  changeStages(editor, "Move filter: " + nameAt(editor, from), [&](Stages& stages) {
+    const FilterStage moved = std::move(stages.at(from));
+    stages.erase(placeOf(stages, from));
+    stages.insert(placeOf(stages, to), moved);
+  });
+}
+
+void switchFilter(DocumentEditor& editor, size_t index, bool on) {
+  changeStages(editor, nameAt(editor, index) + (on ? ": on" : ": off"),
+               [&](Stages& stages) { stages.at(index).on = on; });
+}
+
+void setFilterParameter(DocumentEditor& editor, size_t index, const FilterInput& input,
+                        const FilterValue& value, bool live) {
+  Document next = editor.document();
+  FilterStage& stage = next.cameraLook.stages.at(index);
+  if (value == input.standard)
+    stage.parameters.erase(input.name);
+  else
+    stage.parameters[input.name] = value;
+  const std::string step = stageName(stage) + ": " + (input.label.empty() ? input.name : input.label);
+  if (live)
+    editor.preview(step, std::move(next));
+  else
+    editor.edit(step, std::move(next));
+}
+
+void useCameraLook(DocumentEditor& editor, FilterPipeline look) {
+  Document next = editor.document();
+  const std::string step = "Camera look: " + look.name;
+  next.cameraLook = std::move(look);
+  editor.edit(step, std::move(next));
+}
+
+void removeCameraLook(DocumentEditor& editor) {
+  Document next = editor.document();
+  next.cameraLook = {};
+  editor.edit("No camera look", std::move(next));
+}
+
+}  // namespace swaplight

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/filter/filter_library.h"
+#include "core/view/pyramid.h"
+#include "render/viewport_renderer.h"
+#include "ui/camera/seen_request.h"
+#include "ui/jobs/job.h"
+#include "ui/jobs/messages.h"
+
+namespace swaplight {
+
+class FilterEngine;
+
+/// The frame under the document's camera look, for the viewer: drawn in a thread with an OpenGL context of
+/// its own, so that no filter holds the window up. While something is dragged it is drawn small enough to
+/// follow the hand; as soon as nothing is held, at full size, by the same filters as `relight` and `export`
+/// use.
+class LookPreview {
+ public:
+  /// The two sides of a comparison.
+  enum class Side { A, B };
+
+  LookPreview(ViewportRenderer& renderer, std::function<void()> wake);
+  LookPreview(const LookPreview&) = delete;
+  LookPreview& operator=(const LookPreview&) = delete;
+  ~LookPreview();
+
+  /// What there is of it: the last picture that was drawn for this set, which may still be of an earlier
+  /// request; nothing before the first one, or where it cannot be drawn. `settled`: nothing is being dragged.
+  std::optional<LayeredPicture> picture(Side side, const SeenRequest& request, bool settled);
+  /// To be called often: takes what was drawn.
+  void update(Messages& messages);
+  /// Another set is open.
+  void forget();
+  /// A picture is being drawn.
+  [[nodiscard]] bool busy() const;
+
+  /// The filters that there are; read when first asked for.
+  FilterLibrary& library();
+  [[nodiscard]] bool libraryRead() const { return m_library.has_value(); }
+  /// Why a filter of the last picture was left out, a line each.
+  [[nodiscard]] const std::vector<std::string>& leftOut() const { return m_leftOut; }
+  /// Of the last picture: its number, the part of the full width at which it was drawn, milliseconds of its
+  /// filters, and from when it was asked for until it was there. For measuring.
+  [[nodiscard]] const std::string& words() const { return m_words; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Engine;
+  struct Drawing;
+  struct Drawn {
+    Image image;
+    std::optional<Pyramid> pyramid;  ///< of the image
+    std::string colorSpace;          ///< empty: codes for a display
+    std::vector<std::string> leftOut;
+    double seconds = 0;  ///< of the filters
+  };
+  struct Place {
+    SeenRequest asked, making, shown, failed;
+    float makingScale = 1, shownScale = 0;  ///< 0: nothing is shown
+    std::array<Drawn, 2> pictures;          ///< pictures are told apart by their addresses: they stay
+    size_t front = 0;
+    bool settled = true;
+    Clock::time_point askedAt, makingSince;  ///< when this request was first asked for
+    Job<Drawn> job;
+  };
+
+  void advance(Place& place);
+  void start(Place& place, float scale);
+  void take(Place& place, Messages& messages);
+  void adopt(Place& place, Drawn drawn, Messages& messages);
+  [[nodiscard]] float draftScale(const SeenRequest& request) const;
+  [[nodiscard]] Drawing drawingOf(const SeenRequest& request, float scale);
+  [[nodiscard]] static Drawn draw(const Drawing& drawing, const Progress& progress);
+
+  ViewportRenderer& m_renderer;
+  std::function<void()> m_wake;
+  std::optional<FilterLibrary> m_library;
+  std::shared_ptr<Engine> m_engine;
+  std::array<Place, 2> m_places;
+  double m_secondsPerPixel = 0;  ///< of the last pictures; 0: not known yet
+  std::vector<std::string> m_leftOut;
+  std::set<std::string> m_said;
+  int m_count = 0;
+  std::string m_words;
+};
+
+}  // namespace swaplight

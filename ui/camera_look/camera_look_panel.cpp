@@ -1,0 +1,68 @@
+#include "ui/camera_look/camera_look_panel.h"
+
+#include <imgui.h>
+
+#include "render/filter/pipeline_renderer.h"
+#include "ui/camera/camera_look_edit.h"
+#include "ui/camera_look/filter_list.h"
+#include "ui/camera_look/filter_parameters.h"
+#include "ui/camera_look/filter_shelf.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/widgets.h"
+
+namespace swaplight {
+namespace {
+
+/// The looks that come along and the person's own, and files.
+void drawMenu(ViewerContext& studio) {
+  if (!ImGui::BeginPopup("##camera look menu")) return;
+  hint("Camera looks");
+  for (const FilterPipeline& look : pipelinesIn(installedLookFolders())) {
+    if (ImGui::MenuItem(look.name.c_str(), nullptr, studio.document().cameraLook.name == look.name)) {
+      studio.cameraLook.chosen = -1;
+      useCameraLook(studio.editor, standalone(look, studio.seen.library()));
+    }
+    markItem({"camera_look.look.", look.name});
+  }
+  ImGui::Separator();
+  for (const char* action : {"camera_look.load", "camera_look.save", "camera_look.remove"}) {
+    const Action* one = studio.actions.find(action);
+    if (one && ImGui::MenuItem(one->name.c_str(), nullptr, false, one->isEnabled())) one->run();
+    markItem({"menu.", action});
+  }
+  ImGui::EndPopup();
+}
+
+void drawHeader(ViewerContext& studio) {
+  const FilterPipeline& look = studio.document().cameraLook;
+  ImGui::PushFont(fonts().strong);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(look.name.empty() ? "Camera look" : look.name.c_str());
+  ImGui::PopFont();
+  tooltip("What the lit picture is seen through: filters, from the top down. Hold V for the plain picture.");
+  const float side = px(26);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - side);
+  if (toggleButton(kIconMore, false, kAccent, side, "Choose, load, save or remove a camera look."))
+    ImGui::OpenPopup("##camera look menu");
+  markItem("camera_look.menu");
+  drawMenu(studio);
+}
+
+}  // namespace
+
+void drawCameraLookPanel(ViewerContext& studio, FileChooser& chooser) {
+  CameraLookState& state = studio.cameraLook;
+  const auto count = static_cast<int>(studio.document().cameraLook.stages.size());
+  if (state.chosen >= count) state.chosen = count - 1;
+  drawHeader(studio);
+  drawFilterList(studio);
+  if (state.chosen >= 0 && state.chosen < static_cast<int>(studio.document().cameraLook.stages.size()))
+    drawFilterParameters(studio, static_cast<size_t>(state.chosen), chooser);
+  ImGui::Separator();
+  drawFilterShelf(studio);
+  markState("camera_look", std::to_string(studio.document().cameraLook.stages.size()));
+}
+
+}  // namespace swaplight
