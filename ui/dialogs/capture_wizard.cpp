@@ -191,7 +191,7 @@ void CaptureWizard::drawLights() {
   if (fewer) setLights(m_lights.size() - 1);
   if (more) setLights(m_lights.size() + 1);
   ImGui::SameLine(0, px(16));
-  hint("A colour: gel number, linear r/g/b, #rrggbb, 3200K, off, unknown, ?a, or picked from a white card.");
+  hint("A colour: gel number, linear r/g/b, #rrggbb, 3200K, off, unknown, or picked from a white card.");
   const float align = ImGui::CalcTextSize("Align photographs").x + 2 * side;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - align);
   ImGui::Checkbox("Align photographs", &m_solve.align);
