@@ -127,6 +127,22 @@ std::string markOf(const char* key) {
   return std::string("parameters.") + key;
 }
 
+const char* formatOf(Scale::Unit unit) {
+  switch (unit) {
+    case Scale::Unit::Factor:
+      return "x %.2f";
+    case Scale::Unit::Percent:
+      return "%.0f %%";
+    case Scale::Unit::Pixels:
+      return "%.1f px";
+    case Scale::Unit::Count:
+      return "%.0f";
+    case Scale::Unit::Degrees:
+      return "%.0f\u00b0";
+  }
+  return "";
+}
+
 template <typename Owner>
 bool control(const Parameters& /*of*/, const Field<Owner, float>& field, float& value) {
   const Scale& scale = field.scale;
@@ -135,7 +151,7 @@ bool control(const Parameters& /*of*/, const Field<Owner, float>& field, float& 
   const bool changed =
       percents ? percent(field.label, mark.c_str(), &value, scale.sliderLeast, scale.sliderMost, field.tip)
                : labelledSlider(field.label, mark.c_str(), &value, scale.sliderLeast, scale.sliderMost,
-                                scale.unit == Scale::Unit::Factor ? "x %.2f" : "%.1f px", field.tip, 0);
+                                formatOf(scale.unit), field.tip, 0);
   value = std::clamp(value, static_cast<float>(scale.least), static_cast<float>(scale.most));
   return changed;
 }
@@ -243,7 +259,7 @@ void drawEditParameters(EditingContext& studio, size_t index, bool all) {
   }
   if (!all) return ImGui::PopID();
   lights(parameters);
-  if (!std::holds_alternative<ShadowOperation>(edit->operation)) energyMode(parameters);
+  if (actsOnBeta(edit->operation)) energyMode(parameters);
   std::visit([&](const auto& operation) { fields(parameters, operation); }, edit->operation);
   drawEditPlace(studio, index);
   ImGui::PopID();

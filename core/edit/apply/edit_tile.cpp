@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/edit/apply/edit_rows.h"
+#include "core/edit/pool/lamp_gain.h"
 
 namespace swaplight {
 
@@ -132,6 +133,24 @@ void EditTile::applyOperation(const ShadowOperation& operation, const PreparedEd
       for (int c = 0; c < 3; ++c)
         changeShadowRow(operation, c, weight.data(), change.shadows->direct.view().row(c, span.y) + span.x,
                         span.count, writableRow(edit.lights[k], c, span.y) + (span.x - m_area.x));
+    }
+  });
+}
+
+template <LampOperation T>
+void EditTile::applyOperation(const T& /*operation*/, const PreparedEdit& edit, const PixelRect& area) {
+  forEachSpan(edit, area, [&](const Span& span) {
+    const int skip = span.x - m_area.x;
+    for (size_t k = 0; k < edit.lights.size(); ++k) {
+      const LampEdit& lamp = edit.lamps[k];
+      if (!lamp.gain) continue;
+      LampRow row;
+      for (int c = 0; c < 3; ++c) {
+        row.light[c] = writableRow(edit.lights[k], c, span.y) + skip;
+        row.white[c] = whiteRow(c, span.y) + skip;
+        row.solved[c] = lamp.solved->view().row(c, span.y) + span.x;
+      }
+      changeLampRow(lamp, span.x, span.y, span.count, span.mask, row);
     }
   });
 }

@@ -49,6 +49,8 @@ class EditTile {
   void forEachSpan(const PreparedEdit& edit, const PixelRect& area, const Body& body);
   void swapLights(const PreparedEdit& edit, const PixelRect& area);
   void applyOperation(const ShadowOperation& operation, const PreparedEdit& edit, const PixelRect& area);
+  template <LampOperation T>
+  void applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area);
   template <BetaOperation T>
   void applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area);
 

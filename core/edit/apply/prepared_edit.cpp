@@ -42,6 +42,17 @@ std::vector<ShadowChange> shadowChanges(const ShadowOperation& operation, const 
   return changes;
 }
 
+// What the operation looks up of each chosen light's lamp.
+std::vector<LampEdit> lampEdits(const LampChange& change, const std::vector<int>& chosen,
+                                const MaskContext& context, const PreparedEdit* earlier) {
+  const bool same = earlier && earlier->lights == chosen && earlier->lamps.size() == chosen.size();
+  std::vector<LampEdit> edits;
+  for (size_t k = 0; k < chosen.size(); ++k)
+    edits.push_back(
+        lampEdit(change, static_cast<size_t>(chosen[k]), context, same ? &earlier->lamps[k] : nullptr));
+  return edits;
+}
+
 }  // namespace
 
 int PreparedEdit::reach() const {
@@ -77,6 +88,8 @@ PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& l
         if constexpr (std::is_same_v<T, ShadowOperation>)
           prepared.shadows =
               shadowChanges(operation, *edit, prepared.lights, lights, context.shadows(), earlier);
+        if constexpr (LampOperation<T>)
+          prepared.lamps = lampEdits(operation.lampChange(), prepared.lights, context, earlier);
         if constexpr (requires { operation.tabulate(); }) prepared.table = operation.tabulate();
       },
       edit->operation);

@@ -28,6 +28,10 @@ int operationReach(const Operation& operation) {
       operation);
 }
 
+bool actsOnBeta(const Operation& operation) {
+  return std::visit([]<typename T>(const T&) { return BetaOperation<T>; }, operation);
+}
+
 bool swapsTwoLights(const Operation& operation) {
   return std::visit(
       [](const auto& o) {

@@ -10,8 +10,11 @@
 #include "core/edit/operations/fill_operation.h"
 #include "core/edit/operations/gain_operation.h"
 #include "core/edit/operations/invert_operation.h"
+#include "core/edit/operations/move_operation.h"
 #include "core/edit/operations/shadow_operation.h"
 #include "core/edit/operations/sharpen_operation.h"
+#include "core/edit/operations/spread_operation.h"
+#include "core/edit/operations/turn_operation.h"
 
 namespace swaplight {
 
@@ -21,6 +24,7 @@ namespace swaplight {
 //   static constexpr OperationInfo info           its names
 //   static constexpr auto fields()                its values: files, checks and the studio's controls
 //   void targetRow(const BetaRow&, float*) const  what it wants beta to be; what is below 0 becomes 0
+//   or LampChange lampChange() const              what it does to the light's lamp
 //
 // and, where it needs them,
 //
@@ -38,12 +42,19 @@ namespace swaplight {
 // compile.
 
 using Operation = std::variant<FillOperation, GainOperation, CurveOperation, InvertOperation, BlurOperation,
-                               SharpenOperation, BetaMapOperation, ShadowOperation>;
+                               SharpenOperation, BetaMapOperation, ShadowOperation, MoveOperation,
+                               TurnOperation, SpreadOperation>;
 
-/// Says what it wants beta to be. All edits but those of shadows.
+/// Says what it wants beta to be. All edits but those of shadows and lamps.
 template <typename T>
 concept BetaOperation = requires(const T& operation, const BetaRow& row, float* target) {
   operation.targetRow(row, target);
+};
+
+/// Says what it does to the light's lamp: acts on the contribution, and always adds.
+template <typename T>
+concept LampOperation = requires(const T& operation) {
+  { operation.lampChange() } -> std::same_as<LampChange>;
 };
 
 template <typename T>
@@ -73,6 +84,8 @@ void forEachOperation(const Visit& visit) {
 [[nodiscard]] std::string operationSummary(const Operation& operation);
 /// How many pixels around it a pixel looks; 0 for most.
 [[nodiscard]] int operationReach(const Operation& operation);
+/// Whether it acts on beta, so that other lights may share: all but those of shadows and lamps.
+[[nodiscard]] bool actsOnBeta(const Operation& operation);
 /// Whether two lights with it change places.
 [[nodiscard]] bool swapsTwoLights(const Operation& operation);
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include "core/edit/mask/mask_context.h"
+#include "core/edit/pool/lamp_change.h"
+
+namespace swaplight {
+
+class LampGain;
+struct LampRow;
+struct LightPool;
+
+/// What an edit of a light's lamp looks up of the light: its pool as it was solved, and what the change makes
+/// of it. Of a light that the edits add, and of a neutral change, nothing: they stay as they are.
+struct LampEdit {
+  std::shared_ptr<const LightPool> pool;
+  std::shared_ptr<const LampGain> gain;
+  const Image* solved = nullptr;  ///< the contribution; of the context's set
+};
+
+/// `light` is an index of the set's lights or, beyond, of those that edits add. `earlier`: what was looked up
+/// before for the same light and set, or nullptr.
+[[nodiscard]] LampEdit lampEdit(const LampChange& change, size_t light, const MaskContext& context,
+                                const LampEdit* earlier = nullptr);
+
+/// What a row of the light becomes. `mask`: times the edit's opacity, 0..1.
+void changeLampRow(const LampEdit& edit, int x, int y, int count, const float* mask, const LampRow& row);
+
+}  // namespace swaplight

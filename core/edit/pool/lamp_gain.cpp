@@ -1,0 +1,130 @@
+#include "core/edit/pool/lamp_gain.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swaplight {
+namespace {
+
+constexpr int kCell = 8;                      // pixels: a gain is smooth
+const double kMostLogGain = 4 * std::log(2);  // 4 stops
+constexpr double kUnsure = 0.15;  // radii: an ellipse follows the edge of a cone on a set's surfaces so well
+constexpr double kInner =
+    0.1;  // radii, from the edge's inner end to where the light's own texture is all there is
+constexpr double kSteep = 3;           // a change of the widened cone by a third makes the guess complete
+constexpr float kLeastBounce = 1e-3F;  // so that the cones' ratio is finite
+constexpr double kFarAway = 1e3;       // radii
+
+// Linear between the four values around; the picture's corners are at (0, 0), cells are `cell` wide.
+struct Between {
+  int index;
+  float part;
+};
+Between between(float place, int last) {
+  const float inside = std::clamp(place, 0.F, static_cast<float>(last));
+  const int index = std::min(static_cast<int>(inside), std::max(last - 1, 0));
+  return {index, inside - static_cast<float>(index)};
+}
+
+// A row of a picture of `cells`, seen at x.. with `step` pixels of the picture a pixel.
+void sampleRow(const cv::Mat& cells, float firstX, float stepX, float y, int count, float* out) {
+  const Between v = between(y, cells.rows - 1);
+  const auto* above = cells.ptr<float>(v.index);
+  const auto* below = cells.ptr<float>(std::min(v.index + 1, cells.rows - 1));
+  const int last = cells.cols - 1;
+  for (int i = 0; i < count; ++i) {
+    const Between h = between(firstX + stepX * static_cast<float>(i), last);
+    const int next = std::min(h.index + 1, last);
+    const float top = above[h.index] + h.part * (above[next] - above[h.index]);
+    const float bottom = below[h.index] + h.part * (below[next] - below[h.index]);
+    out[i] = top + v.part * (bottom - top);
+  }
+}
+
+// What a pixel's light becomes, before the gain. `would`: what it would give there without a cone.
+float withCone(float light, float before, float after, float guess, float bounce, float would) {
+  const float shown = (after + bounce) * would;
+  const float kept = std::min(light * (after + bounce) / (before + bounce), std::max(light, shown));
+  return kept + guess * (shown - kept);
+}
+
+}  // namespace
+
+LampGain::LampGain(const LightPool& pool, const LampChange& change, int width, int height)
+    : m_pool(pool),
+      m_lamp(pool.lamp, change),
+      m_width(width),
+      m_height(height),
+      m_coneMoves(pool.cone && !change.isNeutral()),
+      m_gain((height + kCell - 1) / kCell + 1, (width + kCell - 1) / kCell + 1, CV_32F) {
+  for (int row = 0; row < m_gain.rows; ++row)
+    for (int column = 0; column < m_gain.cols; ++column) {
+      const double x = static_cast<double>(column * kCell) / width - .5;
+      const double y = (.5 * height - row * kCell) / width;
+      const double gain = std::clamp(m_lamp.logGain(x, y), -kMostLogGain, kMostLogGain);
+      m_gain.at<float>(row, column) = static_cast<float>(std::exp(gain));
+    }
+}
+
+LampGain::Cones LampGain::conesAt(int x, int y) const {
+  const LightCone& cone = *m_pool.cone;
+  const double px = (x + .5) / m_width - .5;
+  const double py = (.5 * m_height - (y + .5)) / m_width;
+  double fromX = 0;
+  double fromY = 0;
+  const double now = cone.radius(px, py);
+  const double source = m_lamp.sourceOf(px, py, fromX, fromY) ? cone.radius(fromX, fromY) : kFarAway;
+  const double band = cone.softness + kUnsure;
+  const auto widened = [&](double radius) { return std::clamp((1 - radius) / band + .5, 0., 1.); };
+  const double own = std::clamp((1 - .5 * band - now) / kInner, 0., 1.);
+  const double change = std::min(kSteep * std::abs(widened(source) - widened(now)), 1.);
+  return {static_cast<float>(cone.atRadius(now)), static_cast<float>(cone.atRadius(source)),
+          static_cast<float>(change * (1 - own))};
+}
+
+void LampGain::gainRow(int x, int y, int count, float* gain) const {
+  constexpr float kStep = 1.F / kCell;
+  sampleRow(m_gain, (static_cast<float>(x) + .5F) * kStep, kStep, (static_cast<float>(y) + .5F) * kStep,
+            count, gain);
+}
+
+void LampGain::ratioRow(int channel, int x, int y, int count, float* ratio) const {
+  const cv::Mat& small = m_pool.ratio[static_cast<size_t>(channel)];
+  const float stepX = static_cast<float>(small.cols) / static_cast<float>(m_width);
+  const float stepY = static_cast<float>(small.rows) / static_cast<float>(m_height);
+  sampleRow(small, (static_cast<float>(x) + .5F) * stepX - .5F, stepX,
+            (static_cast<float>(y) + .5F) * stepY - .5F, count, ratio);
+}
+
+void LampGain::changeRow(int x, int y, int count, const float* mask, const LampRow& row) const {
+  const auto size = static_cast<size_t>(count);
+  std::vector<float> gain(size);
+  gainRow(x, y, count, gain.data());
+  std::vector<Cones> cones(m_coneMoves ? size : 0);
+  for (size_t i = 0; i < cones.size(); ++i) cones[i] = conesAt(x + static_cast<int>(i), y);
+  std::vector<float> ratio(cones.size());
+  const float bounce = static_cast<float>(m_pool.bounce) + kLeastBounce;
+  for (int c = 0; c < 3; ++c) {
+    float* light = row.light[c];
+    if (m_coneMoves) ratioRow(c, x, y, count, ratio.data());
+    for (size_t i = 0; i < size; ++i) {
+      float changed = light[i];
+      if (m_coneMoves) {
+        const float others = m_pool.alone ? 1.F : std::max(row.white[c][i] - row.solved[c][i], 0.F);
+        changed =
+            withCone(light[i], cones[i].before, cones[i].after, cones[i].guess, bounce, ratio[i] * others);
+      }
+      light[i] = std::max(light[i] + mask[i] * (gain[i] * changed - light[i]), 0.F);
+    }
+  }
+}
+
+void LampGain::guessRow(int x, int y, int count, float* guess) const {
+  std::fill_n(guess, count, 0.F);
+  for (int i = 0; m_coneMoves && i < count; ++i) {
+    const Cones cones = conesAt(x + i, y);
+    if (cones.after > cones.before) guess[i] = cones.guess;
+  }
+}
+
+}  // namespace swaplight

@@ -1,0 +1,204 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/edit/apply/edited_set.h"
+#include "tests/support/lamp_set.h"
+#include "tests/support/small_set.h"
+#include "tests/support/temporary_folder.h"
+
+namespace swaplight {
+namespace {
+
+using test::smallSet;
+
+constexpr int kWidth = 300;  // more than a tile
+constexpr int kHeight = 270;
+
+EditStack stackOf(const Operation& operation, const std::string& light, Mask mask = {}) {
+  Edit edit;
+  edit.name = "test";
+  if (!light.empty()) edit.lights = {light};
+  edit.energy = EnergyMode::Add;
+  edit.operation = operation;
+  edit.mask = std::move(mask);
+  EditStack stack;
+  stack.append(edit);
+  return stack;
+}
+
+// Of each kind, some far and strong.
+std::vector<Operation> lampOperations() {
+  return {MoveOperation{.1F, -.05F, .8F}, MoveOperation{-2, 2, .25F}, TurnOperation{20, -10},
+          TurnOperation{-90, 90},         SpreadOperation{.25F},      SpreadOperation{3}};
+}
+
+void expectSameBits(const SolvedSet& a, const SolvedSet& b) {
+  for (size_t i = 0; i < a.contributions.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const Image& x = a.contributions[i];
+      ASSERT_TRUE(std::equal(x.plane(c), x.plane(c) + x.pixelCount(), b.contributions[i].plane(c)))
+          << "light " << i;
+    }
+}
+
+float largestDifference(const Image& a, const Image& b) {
+  float largest = 0;
+  for (int c = 0; c < a.channelCount(); ++c)
+    for (size_t p = 0; p < a.pixelCount(); ++p)
+      largest = std::max(largest, std::abs(a.plane(c)[p] - b.plane(c)[p]));
+  return largest;
+}
+
+SolvedSet scaled(SolvedSet set, float factor) {
+  for (Image& light : set.contributions)
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < light.pixelCount(); ++p) light.plane(c)[p] *= factor;
+  return set;
+}
+
+TEST(LampEdit, NeutralValuesGiveTheSameBits) {
+  const SolvedSet set = smallSet(3, kWidth, kHeight);
+  for (const Operation& operation :
+       {Operation(MoveOperation{}), Operation(TurnOperation{}), Operation(SpreadOperation{})})
+    expectSameBits(applyEdits(set, stackOf(operation, "")), set);
+}
+
+TEST(LampEdit, LeavesTheOtherLightsAloneToTheBit) {
+  const SolvedSet set = smallSet(3, kWidth, kHeight);
+  for (const Operation& operation : lampOperations()) {
+    const SolvedSet edited = applyEdits(set, stackOf(operation, "light2"));
+    EXPECT_EQ(largestDifference(edited.contributions[0], set.contributions[0]), 0);
+    EXPECT_EQ(largestDifference(edited.contributions[2], set.contributions[2]), 0);
+    EXPECT_GT(largestDifference(edited.contributions[1], set.contributions[1]), .005F)
+        << operationName(operation);
+  }
+}
+
+TEST(LampEdit, IsFiniteAndNeverNegative) {
+  for (const int lights : {1, 2}) {
+    SolvedSet set = smallSet(lights, kWidth, kHeight);
+    std::fill_n(set.contributions[0].plane(1), set.contributions[0].pixelCount(), 0.F);  // no green at all
+    for (const Operation& operation : lampOperations()) {
+      const SolvedSet edited = applyEdits(set, stackOf(operation, ""));
+      for (const Image& light : edited.contributions)
+        for (int c = 0; c < 3; ++c)
+          for (size_t p = 0; p < light.pixelCount(); ++p)
+            ASSERT_TRUE(std::isfinite(light.plane(c)[p]) && light.plane(c)[p] >= 0)
+                << operationName(operation);
+    }
+  }
+}
+
+TEST(LampEdit, ADarkLightStaysDarkAndANewOneToo) {
+  SolvedSet set = smallSet(2, kWidth, kHeight);
+  for (int c = 0; c < 3; ++c)
+    std::fill_n(set.contributions[0].plane(c), set.contributions[0].pixelCount(), 0.F);
+  EditStack stack = stackOf(MoveOperation{.1F, 0, 1}, "");
+  stack.newLights = {"sun"};
+  const SolvedSet edited = applyEdits(set, stack);
+  for (const size_t dark : {0U, 2U})
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < edited.contributions[dark].pixelCount(); ++p)
+        ASSERT_LT(edited.contributions[dark].plane(c)[p], 1e-5F);
+}
+
+TEST(LampEdit, ChangesOnlyWhereItsMaskIs) {
+  const SolvedSet set = smallSet(2, kWidth, kHeight);
+  for (const Operation& operation : lampOperations()) {
+    const Mask mask{{RectangleShape{100, 80, 60, 50, 0}, false}};
+    const SolvedSet edited = applyEdits(set, stackOf(operation, "light1", mask));
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        if (x >= 99 && x <= 161 && y >= 79 && y <= 131) continue;
+        ASSERT_EQ(edited.contributions[0].view().at(1, x, y), set.contributions[0].view().at(1, x, y));
+      }
+  }
+}
+
+TEST(LampEdit, GoesWithTheExposureOfTheSet) {
+  for (const Operation& operation : {Operation(MoveOperation{.1F, -.05F, .8F}),
+                                     Operation(TurnOperation{20, -10}), Operation(SpreadOperation{.5F})}) {
+    const EditStack stack = stackOf(operation, "light1");
+    const SolvedSet brighter = applyEdits(scaled(smallSet(2, kWidth, kHeight), 4), stack);
+    const SolvedSet expected = scaled(applyEdits(smallSet(2, kWidth, kHeight), stack), 4);
+    EXPECT_LT(largestDifference(brighter.contributions[0], expected.contributions[0]), 2e-3F)
+        << operationName(operation);
+  }
+}
+
+TEST(LampEdit, DoesNotMindTheOrderOfTheOtherLights) {
+  const SolvedSet set = smallSet(3, kWidth, kHeight);
+  SolvedSet other = smallSet(3, kWidth, kHeight);
+  std::swap(other.contributions[1], other.contributions[2]);
+  std::swap(other.capture.lights[1], other.capture.lights[2]);
+  for (const Operation& operation : lampOperations()) {
+    const EditStack stack = stackOf(operation, "light1");
+    const SolvedSet a = applyEdits(set, stack);
+    const SolvedSet b = applyEdits(other, stack);
+    EXPECT_LT(largestDifference(a.contributions[0], b.contributions[0]), 1e-4F) << operationName(operation);
+  }
+}
+
+TEST(LampEdit, TilesGiveWhatTheWholePictureGives) {
+  const auto set = std::make_shared<const SolvedSet>(smallSet(3, kWidth, kHeight));
+  EditedSet edited(set);
+  EditStack stack;
+  for (const Operation& operation : lampOperations()) {
+    stack.append(*stackOf(operation, "light" + std::to_string(stack.edits.size() % 3 + 1)).edits[0]);
+    edited.setStack(stack);
+    edited.update();
+    const SolvedSet reference = applyEdits(*set, stack);
+    for (size_t i = 0; i < 3; ++i)
+      ASSERT_LT(largestDifference(edited.result().contributions[i], reference.contributions[i]), 1e-6F);
+  }
+  edited.setStack({});
+  edited.update();
+  expectSameBits(edited.result(), *set);
+}
+
+// Against a truth: a wall with a texture, lit by a lamp that stands in front of it, and by another.
+TEST(LampEdit, ALampInFrontOfAWallMovesAsARealOneWould) {
+  const test::LampPlace before{-.1, .1, .7};
+  for (const auto& [right, up, distance] : {std::array{.1F, 0.F, 1.F}, std::array{0.F, -.15F, 1.F}}) {
+    const SolvedSet set = test::lampSet(kWidth, kHeight, before);
+    const SolvedSet truth =
+        test::lampSet(kWidth, kHeight, {before.x + right, before.y + up, before.z * distance});
+    const SolvedSet edited = applyEdits(set, stackOf(MoveOperation{right, up, distance}, "key"));
+    const double nothing = test::meanError(set.contributions[0], truth.contributions[0]);
+    EXPECT_LT(test::meanError(edited.contributions[0], truth.contributions[0]), .4 * nothing)
+        << right << ' ' << up;
+  }
+}
+
+TEST(LampEdit, ASpotTurnsOntoWhatItNeverLit) {
+  const test::LampPlace spot{0, 0, .8, .25};
+  const SolvedSet set = test::lampSet(kWidth, kHeight, spot);
+  test::LampPlace turned = spot;
+  turned.panDegrees = 10;
+  const SolvedSet truth = test::lampSet(kWidth, kHeight, turned);
+  const SolvedSet edited = applyEdits(set, stackOf(TurnOperation{10, 0}, "key"));
+  const double nothing = test::meanError(set.contributions[0], truth.contributions[0]);
+  EXPECT_LT(test::meanError(edited.contributions[0], truth.contributions[0]), .3 * nothing);
+}
+
+TEST(LampEdit, ASpotsConeNarrowsAndWidens) {
+  const test::LampPlace spot{0, 0, .8, .25};
+  const SolvedSet set = test::lampSet(kWidth, kHeight, spot);
+  // What a wider cone comes to was never lit: that is a guess.
+  for (const auto& [width, left] : {std::array{.7F, .3F}, std::array{1.4F, .4F}}) {
+    test::LampPlace other = spot;
+    other.tangent *= width;
+    const SolvedSet truth = test::lampSet(kWidth, kHeight, other);
+    const SolvedSet edited = applyEdits(set, stackOf(SpreadOperation{width}, "key"));
+    EXPECT_LT(test::meanError(edited.contributions[0], truth.contributions[0]),
+              left * test::meanError(set.contributions[0], truth.contributions[0]))
+        << width;
+  }
+}
+
+}  // namespace
+}  // namespace swaplight

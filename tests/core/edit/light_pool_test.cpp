@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "core/edit/pool/lamp_fit.h"
+#include "core/edit/pool/lamp_gain.h"
+#include "core/edit/pool/light_pool.h"
+#include "tests/support/lamp_set.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kColumns = 64;
+constexpr int kRows = 36;
+
+template <typename Make>
+auto grid(const Make& make) {
+  std::vector<decltype(make(0., 0.))> pixels;
+  for (int y = 0; y < kRows; ++y)
+    for (int x = 0; x < kColumns; ++x)
+      pixels.push_back(make((x + .5) / kColumns - .5, (.5 * kRows - (y + .5)) / kColumns));
+  return pixels;
+}
+
+TEST(LampFit, FindsALampInFrontOfATexturedWall) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> texture(0, .3);
+  for (const test::LampPlace lamp : {test::LampPlace{.3, .2, .6}, test::LampPlace{-.5, .4, .5}}) {
+    const auto pixels = grid([&](double x, double y) {
+      return PoolPixel{x, y, 7 * test::wallLight(lamp, x, y) * std::exp(texture(random)), 1};
+    });
+    const LampModel found = fitLamp(pixels);
+    EXPECT_NEAR(found.position[0], lamp.x, .1);
+    EXPECT_NEAR(found.position[1], lamp.y, .1);
+    EXPECT_NEAR(found.position[2], lamp.z, .12);
+  }
+}
+
+TEST(LampFit, OfNothingIsTheLikelyLamp) {
+  const LampModel found = fitLamp(grid([](double x, double y) { return PoolPixel{x, y, 0, 1}; }));
+  EXPECT_EQ(found.position, LampModel().position);
+}
+
+TEST(LightCone, IsFoundAroundShadowsThatLieInIt) {
+  const LightCone cone{.1, -.05, .3, .2, std::cos(.4), std::sin(.4), .2};
+  const auto found = findCone(grid([&](double x, double y) {
+    const bool shadow = std::hypot(x - .15, y + .1) < .06;
+    return SeenPixel{x, y, shadow ? 0 : cone.at(x, y)};
+  }));
+  ASSERT_TRUE(found);
+  double worst = 0;
+  for (double angle = 0; angle < 6.28; angle += .1) {  // the same edge, whichever axis is called the first
+    const double x = .3 * std::cos(angle);
+    const double y = .2 * std::sin(angle);
+    const double px = .1 + std::cos(.4) * x - std::sin(.4) * y;
+    const double py = -.05 + std::sin(.4) * x + std::cos(.4) * y;
+    worst = std::max(worst, std::abs(found->radius(px, py) - 1));
+  }
+  EXPECT_LT(worst, .08);
+  EXPECT_NEAR(found->softness, .2, .1);
+}
+
+TEST(LightCone, IsNotSeenWhereThereIsNone) {
+  EXPECT_FALSE(findCone(grid([](double x, double y) { return SeenPixel{x, y, 1}; })));
+  EXPECT_FALSE(findCone(grid([](double x, double y) { return SeenPixel{x, y, 0}; })));
+  // Shadows in stripes, from one border to the other.
+  EXPECT_FALSE(findCone(grid([](double x, double y) {
+    return SeenPixel{x, y, std::sin(40 * x) > 0 ? 1. : 0.};
+  })));
+  EXPECT_FALSE(findCone({}));
+}
+
+TEST(LightPool, FindsASpotsConeAndContinuesItsLightBeyond) {
+  const int width = 320;
+  const int height = 180;
+  const test::LampPlace spot{0, 0, .8, .2};
+  test::LampPlace bare = spot;
+  bare.tangent = 0;
+  const SolvedSet set = test::lampSet(width, height, spot);
+  const LightPool pool = measurePool(set, 0);
+  ASSERT_TRUE(pool.cone);
+  EXPECT_NEAR(pool.cone->radiusA, .16, .02);
+  EXPECT_NEAR(pool.cone->radiusB, .16, .02);
+  EXPECT_LT(pool.bounce, .02);
+  // The ratio to the other light, a little outside the cone.
+  const double x = .22;
+  const double truth = test::wallLight(bare, x, 0) / test::wallLight({1.2, .3, 1.5}, x, 0);
+  const cv::Mat& ratio = pool.ratio[1];
+  const int column = static_cast<int>((x + .5) * ratio.cols);
+  EXPECT_NEAR(std::log(ratio.at<float>(ratio.rows / 2, column) / truth), 0, .25);
+  EXPECT_FALSE(measurePool(set, 1).cone);
+}
+
+TEST(LampGain, SaysWhereItGuesses) {
+  const int width = 320;
+  const int height = 180;
+  const LightPool pool = measurePool(test::lampSet(width, height, {0, 0, .8, .2}), 0);
+  LampChange change;
+  change.pan = 15;
+  const LampGain gain(pool, change, width, height);
+  std::vector<float> guess(width);
+  gain.guessRow(0, height / 2, width, guess.data());
+  const auto at = [&](double x) { return guess[static_cast<size_t>((x + .5) * width)]; };
+  EXPECT_GT(at(.25), .95);  // never lit before
+  EXPECT_EQ(at(.05), 0);    // lit before and after
+  EXPECT_EQ(at(-.45), 0);   // dark before and after
+}
+
+}  // namespace
+}  // namespace swaplight
