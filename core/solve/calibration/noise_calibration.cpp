@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/quantile.h"
-#include "core/linear/decompositions.h"
+#include "core/solve/calibration/variance_fit.h"
 #include "core/solve/estimators/matte_fit.h"
 #include "core/solve/estimators/run_scratch.h"
 #include "core/solve/model/pixel_sample.h"
@@ -14,26 +14,6 @@ namespace swaplight {
 namespace {
 
 constexpr int kBins = 10;
-
-/// Least squares over x >= 0 for three unknowns: the best of all subsets whose solution is not negative.
-Eigen::Vector3d nonNegative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
-  Eigen::Vector3d best = Eigen::Vector3d::Zero();
-  double smallest = b.squaredNorm();
-  for (int subset = 1; subset < 8; ++subset) {
-    std::vector<int> columns;
-    for (int j = 0; j < 3; ++j)
-      if (subset >> j & 1) columns.push_back(j);
-    const Eigen::MatrixXd part = a(Eigen::all, columns);
-    const Eigen::VectorXd x = leastSquares(part, b);
-    if (x.minCoeff() < 0) continue;
-    const double left = (part * x - b).squaredNorm();
-    if (left >= smallest) continue;
-    smallest = left;
-    best.setZero();
-    for (size_t j = 0; j < columns.size(); ++j) best[columns[j]] = x[long(j)];
-  }
-  return best;
-}
 
 }  // namespace
 
@@ -75,16 +55,14 @@ NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& si
   const double most = *std::max_element(factor.begin(), factor.end());
   const double least = most < tuning.nothingFlat ? tuning.smallestFactor : 1;
 
-  Eigen::MatrixXd powers(kBins, 3);
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(kBins);
+  std::vector<VariancePoint> points;
   for (size_t bin = 0; bin < kBins; ++bin) {
-    // Relative errors of the variance count alike in all bins.
     const double y = brightness[bin];
     const double target =
         std::clamp(factor[bin], least, tuning.largestFactor) * context.noise.variance(float(y));
-    powers.row(long(bin)) << 1 / target, y / target, y * y / target;
+    points.push_back({y, target});
   }
-  const Eigen::Vector3d x = nonNegative(powers, ones);
+  const std::array<double, 3> x = fitVariance(points);
   NoiseModel model = context.noise;
   model.constant = std::max(float(x[0]), 1e-12F);
   model.linear = float(x[1]);

@@ -1,0 +1,36 @@
+#include "core/solve/calibration/variance_fit.h"
+
+#include <vector>
+
+#include "core/linear/decompositions.h"
+
+namespace swaplight {
+
+std::array<double, 3> fitVariance(std::span<const VariancePoint> points) {
+  const long count = long(points.size());
+  Eigen::MatrixXd powers(count, 3);
+  for (long j = 0; j < count; ++j) {
+    const auto& [y, target] = points[size_t(j)];
+    powers.row(j) << 1 / target, y / target, y * y / target;
+  }
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(count);
+  // The best of all subsets whose solution is not negative.
+  std::array<double, 3> best{};
+  double smallest = double(count);
+  for (int subset = 1; subset < 8; ++subset) {
+    std::vector<int> columns;
+    for (int j = 0; j < 3; ++j)
+      if (subset >> j & 1) columns.push_back(j);
+    const Eigen::MatrixXd part = powers(Eigen::all, columns);
+    const Eigen::VectorXd x = leastSquares(part, ones);
+    if (x.minCoeff() < 0) continue;
+    const double left = (part * x - ones).squaredNorm();
+    if (left >= smallest) continue;
+    smallest = left;
+    best = {};
+    for (size_t j = 0; j < columns.size(); ++j) best[size_t(columns[j])] = x[long(j)];
+  }
+  return best;
+}
+
+}  // namespace swaplight

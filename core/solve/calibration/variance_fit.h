@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+namespace swaplight {
+
+/// A variance that was found at a signal.
+struct VariancePoint {
+  double signal = 0, variance = 0;
+};
+
+/// constant, linear, square >= 0 of constant + linear y + square y^2 through the points, relative errors
+/// counting alike in all of them.
+[[nodiscard]] std::array<double, 3> fitVariance(std::span<const VariancePoint> points);
+
+}  // namespace swaplight
