@@ -11,8 +11,10 @@
 #include "core/set/fill.h"
 #include "core/solve/auto/auto_solve.h"
 #include "core/solve/calibration/ambient_light.h"
+#include "core/solve/calibration/color_evidence.h"
 #include "core/solve/calibration/color_fit.h"
 #include "core/solve/calibration/noise_calibration.h"
+#include "core/solve/calibration/residual_noise.h"
 #include "core/solve/denoise.h"
 #include "core/solve/pixel_flags.h"
 #include "core/solve/pixelwise.h"
@@ -22,6 +24,8 @@
 
 namespace swaplight {
 namespace {
+
+constexpr double kNoPhotonNoise = 1e12;  // full well
 
 std::string nameOf(const Capture& capture) {
   return capture.file.empty() ? capture.name : capture.file.filename().string();
@@ -130,7 +134,11 @@ void SolveRun::calibrateNoise() {
   m_context.noise = noiseModel(m_report.noise, pixels(), 0);
   m_signal.emplace(pixels(), m_context.lighting, m_context.noise, exposure);
   placeUnknownColor();
-  if (!m_report.noiseGiven) m_context.noise = calibratedNoise(m_context, *m_signal, m_tuning.noise);
+  if (!m_report.noiseGiven) {
+    m_ownNoise =
+        residualNoise(m_context, noiseModel({0, kNoPhotonNoise}, pixels(), 0), *m_signal, m_tuning.ownNoise);
+    m_context.noise = calibratedNoise(m_context, *m_signal, m_tuning.noise);
+  }
 }
 
 void SolveRun::placeUnknownColor() {
@@ -218,9 +226,23 @@ void SolveRun::fitLightColors() {
   m_report.colorDisagreement = fit.disagreement;
   if (m_options.colorUncertainty >= 0) return;
   m_report.colorUncertainty = colorUncertaintyOf(fit, m_tuning.colors);
-  if (!m_report.noiseGiven)
-    m_report.colorUncertainty =
-        std::max(m_report.colorUncertainty, usualColorUncertainty(m_report.noise, m_tuning.colors));
+  const float usual = m_report.noiseGiven ? 0 : usualColorUncertainty(m_report.noise, m_tuning.colors);
+  if (usual <= 0) return;
+  judgeColors(usual);
+}
+
+/// Where the noise is not told: what of the matte model's misfit is the colours' error. The rest is the set's
+/// own, no error that it may hide in.
+void SolveRun::judgeColors(float usual) {
+  const ColorEvidenceTuning& tuning = m_tuning.colorEvidence;
+  const float visible =
+      std::max(m_report.colorUncertainty, colorErrorEverywhere(m_context, *m_signal, tuning));
+  const std::optional<float> judged =
+      colorUncertaintyByEvidence({m_context.lighting, m_ownNoise}, *m_signal, visible, tuning);
+  m_report.colorUncertainty = judged.value_or(std::max(m_report.colorUncertainty, usual));
+  if (!judged) return;
+  const float explained = *judged / std::max(visible, float(tuning.smallest));
+  m_context.noise = withModelError(m_ownNoise, m_context.noise, std::min(explained * explained, 1.0F));
 }
 
 void SolveRun::separateLights() {

@@ -39,6 +39,7 @@ class SolveRun {
   void fitLightColors();
   void setSwappedColor(const SwappedColor& swapped, const Rgb& color);
   void startFromLine(const SwappedColor& swapped, const SwappedColorLine& line);
+  void judgeColors(float usual);
   [[nodiscard]] const CapturePixels& pixels() const { return m_aligned ? *m_aligned : m_photographs; }
   void warn(const std::vector<std::string>& warnings);
 
@@ -52,6 +53,7 @@ class SolveRun {
   Capture m_capture;  ///< with the ambient light as a light, where it is solved for
   std::vector<UnknownColor> m_unknownColors;
   EstimatorContext m_context;
+  NoiseModel m_ownNoise;  ///< of the pixels alone, where nobody told it
   SolveReport m_report;
   std::optional<CapturePixels> m_aligned;
   std::optional<ShotSignal> m_signal;

@@ -11,8 +11,10 @@ namespace swaplight {
 struct SolveTuning {
   AutoTuning automatic;
   NoiseCalibrationTuning noise;
+  ResidualNoiseTuning ownNoise;
   ColorFitTuning colors;
   SwappedColorTuning swapped;
+  ColorEvidenceTuning colorEvidence;
   AmbientTuning ambient;
   MotionTuning motion;
   float tooDarkSigma = .25F;  ///< quality.sigma above which a pixel's beta is its neighbours'
@@ -21,8 +23,10 @@ struct SolveTuning {
     using T = SolveTuning;
     return std::tuple{std::pair{"auto", &T::automatic},
                       std::pair{"noise", &T::noise},
+                      std::pair{"own_noise", &T::ownNoise},
                       std::pair{"colors", &T::colors},
                       std::pair{"swapped", &T::swapped},
+                      std::pair{"color_evidence", &T::colorEvidence},
                       std::pair{"ambient", &T::ambient},
                       std::pair{"motion", &T::motion},
                       std::pair{"too_dark_sigma", &T::tooDarkSigma}};

@@ -23,6 +23,20 @@ struct NoiseCalibrationTuning {
   }
 };
 
+/// Of noise in what the matte model leaves (residual_noise.h).
+struct ResidualNoiseTuning {
+  int blocks = 900;           ///< of 8 x 8 pixels that are looked at
+  int mostBins = 8;           ///< of brightness
+  int fewest = 40;            ///< blocks a bin
+  double mostCorrelated = 9;  ///< variance of a mean of 2 x 2 over that of independent noise
+
+  static constexpr auto fields() {
+    using T = ResidualNoiseTuning;
+    return std::tuple{std::pair{"blocks", &T::blocks}, std::pair{"most_bins", &T::mostBins},
+                      std::pair{"fewest", &T::fewest}, std::pair{"most_correlated", &T::mostCorrelated}};
+  }
+};
+
 /// Of shots that do not lie exactly on one another (edge_noise.h).
 struct EdgeNoiseTuning {
   int minSample = 2000;         ///< pixels
@@ -53,7 +67,7 @@ struct ColorFitTuning {
   double absorbed = 2.5;
   double systematicFloor = .006;  ///< misfit that captures with exact colours have
   double noisyError = 1e-3;       ///< relative noise of a mid-tone above which little is seen of the colours
-  float noisyUncertainty = .05F;  ///< what is assumed of them then: real gels are known to a few per cent
+  float noisyUncertainty = .05F;  ///< what is assumed of them then where nothing says: gels are known to that
 
   static constexpr auto fields() {
     using T = ColorFitTuning;
@@ -93,6 +107,33 @@ struct SwappedColorTuning {
                       std::pair{"extreme", &T::extreme},
                       std::pair{"min_contrast", &T::minContrast},
                       std::pair{"farthest", &T::farthest}};
+  }
+};
+
+/// Of how wrong the colours are where the noise is not told (color_evidence.h).
+struct ColorEvidenceTuning {
+  int blocks = 900;             ///< of 8 x 8 pixels that are looked at
+  int fewest = 50;              ///< bright ones; with fewer nothing is said
+  double bright = .1;           ///< of the 95th percentile of brightness: what is bright
+  double lowest = .02;          ///< quantile of the blocks that stands for where a light is blocked
+  double quiet = .2;            ///< quantile of the blocks' misfit that wrong colours alone may have
+  double absorbed = 2.5;        ///< as ColorFitTuning's
+  double lowestOfNoise = 2.05;  ///< standard errors by which noise lowers that quantile at most
+  double visibleFreedom = 4;    ///< directions of colour errors that the matte model shows, at least
+  double smallest = .002, largest = .15;  ///< standard errors that are weighed
+
+  static constexpr auto fields() {
+    using T = ColorEvidenceTuning;
+    return std::tuple{std::pair{"blocks", &T::blocks},
+                      std::pair{"fewest", &T::fewest},
+                      std::pair{"bright", &T::bright},
+                      std::pair{"lowest", &T::lowest},
+                      std::pair{"quiet", &T::quiet},
+                      std::pair{"absorbed", &T::absorbed},
+                      std::pair{"visible_freedom", &T::visibleFreedom},
+                      std::pair{"lowest_of_noise", &T::lowestOfNoise},
+                      std::pair{"smallest", &T::smallest},
+                      std::pair{"largest", &T::largest}};
   }
 };
 

@@ -1,0 +1,70 @@
+#include "core/solve/calibration/residual_noise.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/synthetic_capture.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kLights = 3;
+constexpr NoiseModel kLeast{1e-9F, 0, 0};
+
+struct Taken {
+  Capture capture = rotatedCapture(kLights);
+  CapturePixels pixels;
+
+  explicit Taken(const SensorNoise& camera, float highlight = 0) {
+    capture.noise = camera;
+    pixels = photograph(capture, SyntheticSet(kLights, highlight));
+  }
+  [[nodiscard]] EstimatorContext context(const SensorNoise& noise) const {
+    return {lightingFromCapture(capture), noiseModel(noise, pixels, 0)};
+  }
+  [[nodiscard]] ShotSignal signal(const EstimatorContext& context) const {
+    return {pixels, context.lighting, context.noise, {1, 1, 1}};
+  }
+};
+
+TEST(ResidualNoise, IsThatOfTheCameraWhereEveryPixelIsTexture) {
+  constexpr SensorNoise kCamera{.002, 20000};
+  const Taken taken(kCamera);
+  const SensorNoise spatial = estimateSensorNoise(taken.pixels);
+  const EstimatorContext context = taken.context(spatial);
+  const NoiseModel found = residualNoise(context, kLeast, taken.signal(context));
+  const NoiseModel truth = noiseModel(kCamera, taken.pixels, 0);
+  for (const float y : {.1F, .2F, .4F}) {
+    EXPECT_GT(context.noise.variance(y), 10 * truth.variance(y)) << "texture is taken for noise";
+    EXPECT_GT(found.variance(y), .7F * truth.variance(y)) << y;
+    EXPECT_LT(found.variance(y), 2.5F * truth.variance(y)) << y;
+  }
+}
+
+TEST(ResidualNoise, IsAboutTheSpatialEstimateAtMostAndNeverBelowTheFiles) {
+  constexpr SensorNoise kCamera{.002, 20000};
+  const Taken taken(kCamera, .3F);  // highlights everywhere
+  const EstimatorContext context = taken.context(kCamera);
+  const NoiseModel found = residualNoise(context, kLeast, taken.signal(context));
+  const NoiseModel least{1e-4F, 0, 0};
+  const NoiseModel coarse = residualNoise(context, least, taken.signal(context));
+  for (const float y : {.05F, .2F, .5F}) {
+    EXPECT_LT(found.variance(y), 2 * context.noise.variance(y));
+    EXPECT_GE(coarse.variance(y), least.variance(y));
+  }
+}
+
+TEST(ResidualNoise, OfTheMisfitOnlyTheModelsErrorIsHeldAgainstAPixel) {
+  const NoiseModel own{1e-6F, 2e-5F, 0};
+  const NoiseModel calibrated{5e-6F, 1e-5F, 4e-4F};  // its linear part is below the pixels' own
+  const NoiseModel none = withModelError(own, calibrated, 0);
+  const NoiseModel half = withModelError(own, calibrated, .5F);
+  const NoiseModel all = withModelError(own, calibrated, 1);
+  EXPECT_EQ(none.variance(.3F), own.variance(.3F));
+  EXPECT_FLOAT_EQ(half.constant, 3e-6F);
+  EXPECT_FLOAT_EQ(half.square, 2e-4F);
+  EXPECT_EQ(all.constant, calibrated.constant);
+  EXPECT_EQ(all.linear, own.linear) << "never below what every pixel has";
+}
+
+}  // namespace
+}  // namespace swaplight
