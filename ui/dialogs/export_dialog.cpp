@@ -223,8 +223,8 @@ void ExportDialog::drawCameraLook(const Document& document) {
   const FilterPipeline& look = document.cameraLook;
   if (!picture || look.stages.empty()) return;
   const bool layers = m_choices.kind == ExportKind::Layers;
-  check(((layers ? "Layer of the camera look: " : "Camera look: ") + look.name).c_str(),
-        "camera_look", &m_choices.cameraLook,
+  check(((layers ? "Layer of the camera look: " : "Camera look: ") + look.name).c_str(), "camera_look",
+        &m_choices.cameraLook,
         layers ? "Adds the picture under the camera look as a layer of its own; it is no part of the sum."
                : "With the camera look, as the viewer shows it; off: the plain picture.");
 }
