@@ -99,6 +99,29 @@ class Edits(StudioTest):
         _, edits = self.save('straight')
         self.assertEqual(edits[0]['points'], [[0, 0], [1, 1]])
 
+    def test_a_lamp_is_moved_and_turned_by_sliders_and_put_back(self):
+        studio = self.open_edits()
+        before = studio.picture('lamp_before')
+        self.add('move')
+        self.assertLess(np.abs(studio.picture('lamp_neutral') - before).mean(), .05, 'a lamp that has not moved changes nothing')
+        self.drag_slider('parameters.right', 0.5, 0.8)
+        moved = studio.picture('lamp_moved')
+        self.assertGreater(np.abs(moved - before).mean(), 0.5)
+        studio.screenshot('lamp_panel')
+        self.assertNotIn('parameters.share', studio.layout()['items'], 'lamps always add')
+        self.add('turn')
+        self.drag_slider('parameters.tilt', 0.5, 0.7)
+        studio.screenshot('lamp_turned')
+        path, edits = self.save('lamps')
+        self.assertEqual([edit['operation'] for edit in edits], ['move', 'turn'])
+        self.assertAlmostEqual(edits[0]['right'], 0.3, delta=0.05)
+        self.assertAlmostEqual(edits[1]['tilt'], 18, delta=3)
+        self.same_as_command_line(path)
+        for _ in range(4):
+            studio.key('ctrl+z')
+        studio.settle()
+        self.assertLess(np.abs(studio.picture('lamp_undone') - before).mean(), .05)
+
     def test_every_kind_is_added_and_its_numbers_changed(self):
         studio = self.open_edits()
         self.add('gain')
