@@ -24,7 +24,7 @@ constexpr const char* kDragged = "swaplight edit";
 std::string detailWords(const Edit& edit) {
   std::string words = edit.lights.empty() ? "all lights" : fmt::format("{}", fmt::join(edit.lights, ", "));
   words += "  ·  " + operationSummary(edit.operation);
-  if (edit.energy == EnergyMode::Redistribute) words += "  ·  keeps total";
+  if (actsOnBeta(edit.operation) && edit.energy == EnergyMode::Redistribute) words += "  ·  keeps total";
   if (edit.opacity < 1) words += fmt::format("  ·  {:.0f} %", 100 * edit.opacity);
   return words;
 }
