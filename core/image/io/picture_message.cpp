@@ -11,6 +11,24 @@
 namespace swaplight {
 namespace {
 
+/// A whole number that an int holds; a number of another kind is no conversion's business.
+int integerOf(const Json& json) {
+  if (!json.is_number_integer()) throw std::runtime_error("no whole number");
+  const auto number = json.get<int64_t>();
+  if (number != static_cast<int>(number)) throw std::runtime_error("too large a number");
+  return static_cast<int>(number);
+}
+
+std::vector<int> integersOf(const Json& json) {
+  std::vector<int> numbers;
+  for (const Json& number : json) numbers.push_back(integerOf(number));
+  return numbers;
+}
+
+std::array<int, 4> fourOf(const Json& json) {
+  return {integerOf(json.at(0)), integerOf(json.at(1)), integerOf(json.at(2)), integerOf(json.at(3))};
+}
+
 std::string bytesOf(const Json& json) {
   std::string bytes;
   Json::to_cbor(json, bytes);
@@ -35,7 +53,7 @@ PixelType pixelTypeAt(int number) {
 
 std::vector<PixelType> typesFrom(const Json& json) {
   std::vector<PixelType> types;
-  for (const Json& number : json) types.push_back(pixelTypeAt(number.get<int>()));
+  for (const Json& number : json) types.push_back(pixelTypeAt(integerOf(number)));
   return types;
 }
 
@@ -51,9 +69,9 @@ HeaderValues headerFrom(const Json& json) {
   HeaderValues values;
   for (const Json& one : json) {
     HeaderValue& value = values[one.at(0).get<std::string>()];
-    value.kind = static_cast<Kind>(std::clamp(one.at(1).get<int>(), 0, static_cast<int>(Kind::Keycode)));
+    value.kind = static_cast<Kind>(std::clamp(integerOf(one.at(1)), 0, static_cast<int>(Kind::Keycode)));
     value.text = one.at(2).get<std::string>();
-    value.integers = one.at(3).get<std::vector<int>>();
+    value.integers = integersOf(one.at(3));
     value.floats = one.at(4).get<std::vector<float>>();
     const size_t integers = value.integers.size(), floats = value.floats.size();
     const bool suits = value.kind == Kind::Text       ? integers + floats == 0
@@ -88,9 +106,9 @@ ImageFileInfo infoFrom(const Json& json) {
   ImageFileInfo info;
   info.format = json.at("format").get<std::string>();
   info.pixelType = json.at("pixelType").get<std::string>();
-  info.bits = json.at("bits").get<int>();
+  info.bits = integerOf(json.at("bits"));
   info.isFloat = json.at("isFloat").get<bool>();
-  info.parts = json.at("parts").get<int>();
+  info.parts = integerOf(json.at("parts"));
   info.header = headerFrom(json.at("header"));
   info.pixelAspect = json.at("pixelAspect").get<float>();
   info.channelTypes = typesFrom(json.at("channelTypes"));
@@ -99,7 +117,7 @@ ImageFileInfo infoFrom(const Json& json) {
   for (const Json& entry : json.at("numbers"))
     info.numbers[entry.at(0).get<std::string>()] = entry.at(1).get<double>();
   if (json.contains("dataWindow")) {
-    const auto at = json.at("dataWindow").get<std::array<int, 4>>();
+    const auto at = fourOf(json.at("dataWindow"));
     info.dataWindow = PixelRect{at[0], at[1], at[2], at[3]};
   }
   return info;
@@ -116,10 +134,10 @@ Json jsonFrom(const PicturePart& part) {
 PicturePart partFrom(const Json& json, const ImageSpec& spec, const std::string& file) {
   constexpr int kFar = 1 << 18;
   PicturePart part;
-  const auto at = json.at("at").get<std::array<int, 4>>();
+  const auto at = fourOf(json.at("at"));
   part.x = at[0], part.y = at[1], part.width = at[2], part.height = at[3];
   part.types = typesFrom(json.at("types"));
-  part.channels = json.at("channels").get<std::vector<int>>();
+  part.channels = integersOf(json.at("channels"));
   part.rowsByChannel = json.at("rowsByChannel").get<bool>();
   checkImageFits(file, part.width, part.height, static_cast<int>(part.types.size()));
   std::vector<int> sorted = part.channels;
@@ -151,7 +169,7 @@ std::string messageOf(const PictureRequest& request) {
 
 PictureRequest pictureRequestOf(const std::string& message) {
   const Json json = jsonOf(message);
-  return {json.at("file").get<std::string>(), json.at("threads").get<int>()};
+  return {json.at("file").get<std::string>(), integerOf(json.at("threads"))};
 }
 
 std::string messageOf(const PictureAnswer& answer) {
@@ -173,7 +191,7 @@ PictureAnswer pictureAnswerOf(const std::string& message, const std::string& fil
   contents.spec.height = json.at("size").at(1).get<int>();
   contents.spec.channels = json.at("channels").get<std::vector<std::string>>();
   contents.spec.colorSpace = json.at("colorSpace").get<std::string>();
-  contents.orientation = json.at("orientation").get<int>();
+  contents.orientation = integerOf(json.at("orientation"));
   contents.info = infoFrom(json.at("info"));
   checkImageFits(file, contents.spec.width, contents.spec.height, contents.spec.channelCount());
   size_t channels = 0, largest = 0;
@@ -198,8 +216,8 @@ std::string messageOf(const BandAnswer& answer) {
 BandAnswer bandAnswerOf(const std::string& message, const PictureAnswer& picture) {
   const Json json = jsonOf(message);
   if (json.is_object()) throwIfFailed(json);
-  const BandAnswer answer{{json.at(0).get<int>(), json.at(1).get<int>(), json.at(2).get<int>()},
-                          json.at(3).get<int>(),
+  const BandAnswer answer{{integerOf(json.at(0)), integerOf(json.at(1)), integerOf(json.at(2))},
+                          integerOf(json.at(3)),
                           json.at(4).get<bool>()};
   if (answer.last) return answer;
   const auto& parts = picture.contents.parts;

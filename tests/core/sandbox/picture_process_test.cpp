@@ -177,6 +177,20 @@ TEST(PictureMessage, DamagedMessagesAreRefused) {
   EXPECT_GT(refused, 5000);
 }
 
+// Found by fuzzing: a number beyond what an int holds was converted all the same.
+TEST(PictureMessage, NumbersThatNoIntHoldsAreRefused) {
+  const test::TemporaryFolder folder;
+  writeImage(noise(8, 6, 3), folder / "a.exr");
+  PictureDecoder decoder(folder / "a.exr");
+  const std::string whole = messageOf(PictureAnswer{decoder.contents(), decoder.bandBytes()});
+  const size_t at = whole.find("\"bits\":") + 7;
+  for (const char* number : {"1e300", "-4.2e155", "5000000000", "1.5"}) {
+    std::string damaged = whole;
+    damaged.replace(at, whole.find_first_of(",}", at) - at, number);
+    EXPECT_ANY_THROW(static_cast<void>(pictureAnswerOf(damaged, "a"))) << number;
+  }
+}
+
 #endif
 
 }  // namespace
