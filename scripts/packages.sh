@@ -11,6 +11,7 @@ test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-numpy
 check_packages=(git clang clang-format clang-tidy)
 # libc6-dbg: the thread sanitizer's suppressions name a function of the C library.
 sanitize_packages=(libc6-dbg)
+fuzz_packages=(clang-14 clang libclang-rt-14-dev libfuzzer-14-dev)
 fresh_packages=(mmdebstrap git)
 
 # Installs those of the packages named that are missing.
