@@ -118,9 +118,18 @@ class Studio:
         return read_png(path)
 
     def picture(self, name):
-        """The pixels of the picture in the viewer."""
+        """The pixels of the picture in the viewer, without messages over it: those that pass are waited for."""
         x0, y0, x1, y1 = map(int, self.item('viewer.picture'))
+        end = time.time() + 20
+        while self.is_covered(x0, y0, x1, y1) and time.time() < end:
+            time.sleep(0.05)
         return self.screenshot(name)[y0:y1, x0:x1]
+
+    def is_covered(self, x0, y0, x1, y1):
+        """Whether a message lies over a part of this rectangle once all that was done so far has been drawn."""
+        self.settle()
+        return any(left < x1 and x0 < right and top < y1 and y0 < bottom
+                   for name, (left, top, right, bottom) in self.layout()['items'].items() if name.startswith('message.'))
 
     def echoes(self):
         return int(self.layout().get('echoes', 0))
