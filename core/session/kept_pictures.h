@@ -7,7 +7,7 @@
 
 namespace swaplight {
 
-/// What was shown last of each file that was open, small, for the page that the studio starts with: a PNG a
+/// How each file that was open was lit last, small, for the page that the studio starts with: a PNG a
 /// file in a folder, named by the file's path. What cannot be read or written is left out: it is worth no
 /// message.
 class KeptPictures {

@@ -11,6 +11,20 @@ namespace {
 constexpr std::chrono::seconds kStill{1};
 constexpr int kWidth = 480, kHeight = 270;  // for the largest screens
 
+SmallPicture pictureOf(const LiveSet& live, const ColorConfig& config, const Document& document) {
+  const LiveSet::Reading reading = live.read();
+  ViewSettings settings;
+  settings.display = displayWithin(config, document.display);
+  const DisplayTable table(config, reading.set().colorSpace(), settings);
+  const ViewPictures& pictures = reading.pictures();
+  const double scale = fitZoom(pictures.width(), pictures.height(), kWidth, kHeight);
+  const auto across = [scale](int length) {
+    return std::max(1, static_cast<int>(std::lround(length * scale)));
+  };
+  return framePicture(reading.set(), pictures, config, table, document.rig, across(pictures.width()),
+                      across(pictures.height()));
+}
+
 }  // namespace
 
 void PictureKeeper::update(const LightsContext& studio) {
@@ -29,18 +43,10 @@ void PictureKeeper::update(const LightsContext& studio) {
   if (shown == m_written || now - m_since < kStill || m_writing.running() || studio.editor.inGesture())
     return;
   m_written = shown;
-  const auto table =
-      studio.table.table(studio.colors.config(), set->solved().colorSpace(), studio.document().display);
-  const double scale = fitZoom(set->pictures().width(), set->pictures().height(), kWidth, kHeight);
-  const auto across = [scale](int length) {
-    return std::max(1, static_cast<int>(std::lround(length * scale)));
-  };
   m_writing.start(
-      [kept = m_kept, files,
-       picture =
-           framePicture(*set->live, *studio.colors.config(), *table, studio.document().rig,
-                        across(set->pictures().width()), across(set->pictures().height()))](const Progress&) {
-        kept.keep(files.front(), picture);
+      [kept = m_kept, files, live = set->live, config = studio.colors.config(),
+       document = studio.document()](const Progress&) {
+        kept.keep(files.front(), pictureOf(*live, *config, document));
         kept.keepOnly(files);
         return true;
       },

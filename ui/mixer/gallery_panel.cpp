@@ -131,7 +131,7 @@ unsigned GalleryPanel::thumbnail(LightsContext& studio, size_t index, int width,
       made.table == table)
     return made.texture.id();
   const SmallPicture picture =
-      framePicture(*set.live, *studio.colors.config(), *table, look.rig, width, height);
+      framePicture(set.solved(), set.pictures(), *studio.colors.config(), *table, look.rig, width, height);
   made.texture.update(width, height, picture.rgba.data());
   made.rig = look.rig;
   made.set = studio.session.setRevision();
