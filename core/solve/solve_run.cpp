@@ -235,8 +235,8 @@ void SolveRun::fitLightColors() {
 /// own, no error that it may hide in.
 void SolveRun::judgeColors(float usual) {
   const ColorEvidenceTuning& tuning = m_tuning.colorEvidence;
-  const float visible =
-      std::max(m_report.colorUncertainty, colorErrorEverywhere(m_context, *m_signal, tuning));
+  const float visible = std::max(m_report.colorUncertainty,
+                                 colorErrorEverywhere(m_context, *m_signal, tuning, m_tuning.colors));
   const std::optional<float> judged =
       colorUncertaintyByEvidence({m_context.lighting, m_ownNoise}, *m_signal, visible, tuning);
   m_report.colorUncertainty = judged.value_or(std::max(m_report.colorUncertainty, usual));

@@ -111,7 +111,7 @@ std::optional<float> colorUncertaintyByEvidence(const EstimatorContext& context,
 }
 
 float colorErrorEverywhere(const EstimatorContext& context, const ShotSignal& signal,
-                           const ColorEvidenceTuning& tuning) {
+                           const ColorEvidenceTuning& tuning, const ColorFitTuning& fit) {
   const MatteFit matte(context);
   if (context.lighting.lights < 2 || matte.freedom() < 1) return 0;
   const std::vector<BlockMisfit> blocks =
@@ -123,7 +123,7 @@ float colorErrorEverywhere(const EstimatorContext& context, const ShotSignal& si
   for (const BlockMisfit& block : blocks)
     if (block.brightness > least) misfit.push_back(block.smooth);
   if (misfit.empty()) return 0;
-  return float(tuning.absorbed * std::sqrt(std::max(double(quantile(std::span(misfit), tuning.quiet)), 0.0)));
+  return float(fit.absorbed * std::sqrt(std::max(double(quantile(std::span(misfit), tuning.quiet)), 0.0)));
 }
 
 }  // namespace swaplight

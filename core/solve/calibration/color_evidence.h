@@ -34,6 +34,7 @@ namespace swaplight {
 /// block noise is averaged out, and while gloss and bounced light are in places, wrong colours are in all of
 /// them: the quietest bright blocks count. 0 where the fit leaves no freedom.
 [[nodiscard]] float colorErrorEverywhere(const EstimatorContext& context, const ShotSignal& signal,
-                                         const ColorEvidenceTuning& tuning = {});
+                                         const ColorEvidenceTuning& tuning = {},
+                                         const ColorFitTuning& fit = {});
 
 }  // namespace swaplight
