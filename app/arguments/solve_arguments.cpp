@@ -3,10 +3,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "app/program/number_range.h"
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/solve/model/estimator.h"
 
 namespace swaplight {
@@ -19,14 +21,20 @@ bool chosen(const char* option, const std::string& text, const char* off, const 
   return text == on;
 }
 
+/// A pixel's column or row; nothing where it is no whole number.
+std::optional<int> pixelFromText(std::string_view text) {
+  const std::optional<float> number = numberFromText(text);
+  if (!number || *number != std::floor(*number) || std::abs(*number) > 1e6F) return std::nullopt;
+  return static_cast<int>(*number);
+}
+
 /// "120,80". `where` begins the message. Throws InputError.
-std::array<int, 2> placeFromText(const std::string& text, const std::string& where) {
-  std::array<int, 2> place{};
-  const size_t comma = text.find(',');
-  if (comma == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, comma), place[0]) ||
-      !CLI::detail::lexical_cast(text.substr(comma + 1), place[1]))
-    throw InputError("{}: write X,Y in pixels", where);
-  return place;
+std::array<int, 2> placeFromText(std::string_view text, const std::string& where) {
+  const size_t comma = std::min(text.find(','), text.size());
+  const std::optional<int> x = pixelFromText(text.substr(0, comma));
+  const std::optional<int> y = pixelFromText(text.substr(std::min(comma + 1, text.size())));
+  if (!x || !y) throw InputError("{}: write X,Y in pixels", where);
+  return {*x, *y};
 }
 
 /// "key=120,80"
@@ -120,11 +128,11 @@ SolveOptions SolveArguments::resolve() const {
   resolved.model = modelFromName(m_model);
   resolved.align = chosen("--align", m_align, "off", "on");
   if (chosen("--denoise", m_denoise, "off", "guided")) resolved.denoise = Denoise::Guided;
-  const int settled = !m_oneLamp.empty() + !m_grey.empty() + (m_position >= 0);
+  const int settled = !m_oneLamp.empty() + !m_grey.empty() + m_position.has_value();
   if (settled > 1) throw InputError("--one-lamp, --grey, --open-color: give one of them");
   if (!m_oneLamp.empty()) resolved.openColor.oneLamp = oneLampFromText(m_oneLamp);
   if (!m_grey.empty()) resolved.openColor.grey = placeFromText(m_grey, "--grey " + m_grey);
-  if (m_position >= 0) resolved.openColor.position = m_position;
+  resolved.openColor.position = m_position;
   if (!m_noise.empty()) resolved.noise = noiseFromText(m_noise);
   return resolved;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,7 @@ class SolveArguments {
   std::string m_noise;
   std::string m_oneLamp;
   std::string m_grey;
-  float m_position = -1;
+  std::optional<float> m_position;
   SolveOptions m_solve;
   std::vector<const CLI::Option*> m_options;
 };
