@@ -216,14 +216,14 @@ std::vector<ResolvedStage> PipelineRenderer::usable(std::span<const ResolvedStag
   return fine;
 }
 
-FilteredImage PipelineRenderer::apply(FilteredImage frame, std::span<const ResolvedStage> wanted,
+FilteredImage PipelineRenderer::apply(FilteredImage frame, std::span<const ResolvedStage> asked,
                                       const PipelineOptions& options, const Progress& progress) {
   Encoding encoding = frame.space == FilterSpace::Display ? Encoding::DisplayCodes : Encoding::SceneLight;
-  std::vector<ResolvedStage> stages = usable(wanted, options);
+  std::vector<ResolvedStage> stages = usable(asked, options);
   for (size_t begin = 0; begin < stages.size();) {
-    const Encoding wantedEncoding = wantedBy(*stages[begin].filter, encoding);
-    convert(frame.image, encoding, wantedEncoding, options);
-    encoding = wantedEncoding;
+    const Encoding wanted = wantedBy(*stages[begin].filter, encoding);
+    convert(frame.image, encoding, wanted, options);
+    encoding = wanted;
     // As many filters as work on the same values and can be drawn together, part by part.
     size_t end = begin + 1;
     if (program(stages[begin].filter).tiles())

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/quantile.h"
+
 namespace swaplight {
 namespace {
 
@@ -38,9 +40,7 @@ double residualScale(const Parameters& p, const std::vector<PoolPixel>& pixels) 
   for (const PoolPixel& at : pixels)
     if (at.weight > 0.5) all.push_back(std::abs(residual(p, at)));
   if (all.empty()) return kTexture;
-  const auto middle = all.begin() + static_cast<ptrdiff_t>(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end());
-  return std::max(1.5 * *middle, kLeastScale);
+  return std::max(1.5 * median(std::span(all)), kLeastScale);
 }
 
 // One damped step of Gauss and Newton.
