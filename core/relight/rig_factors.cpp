@@ -3,30 +3,18 @@
 
 #include "core/ocio/color_config.h"
 #include "core/relight/brightness.h"
+#include "core/relight/live_level.h"
 #include "core/relight/rig.h"
 
 namespace swaplight {
 
-namespace {
-
-float groupFactor(const Rig& rig, const LightSetting& light) {
-  if (light.group.empty()) return 1;
-  const auto group = std::find_if(rig.groups.begin(), rig.groups.end(),
-                                  [&](const LightGroup& other) { return other.name == light.group; });
-  if (group == rig.groups.end()) return 1;
-  return group->on ? std::exp2(group->stops) : 0;
-}
-
-}  // namespace
-
 std::vector<Rgb> rigFactors(const Rig& rig) {
-  const bool anySolo =
-      std::any_of(rig.lights.begin(), rig.lights.end(), [](const LightSetting& light) { return light.solo; });
   std::vector<Rgb> factors;
-  for (const LightSetting& light : rig.lights)
-    factors.push_back(light.mute || (anySolo && !light.solo)
-                          ? Rgb(0)
-                          : brightnessLimited(groupFactor(rig, light) * lightFactor(light)));
+  for (size_t i = 0; i < rig.lights.size(); ++i)
+    factors.push_back(
+        liveLevel(rig, i).by != HeldBack::Nothing
+            ? Rgb(0)
+            : brightnessLimited(std::exp2(groupStops(rig, rig.lights[i])) * lightFactor(rig.lights[i])));
   return factors;
 }
 

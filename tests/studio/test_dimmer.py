@@ -96,6 +96,40 @@ class Dimmer(StudioTest):
         self.assertAlmostEqual(self.stops('fine'), coarse / 10, delta=0.02)
         studio.screenshot('dimmer')
 
+    def live(self):
+        self.studio.settle()
+        return [self.studio.state(f'mixer.{light}.live') for light in ('key', 'fill', 'back')]
+
+    def row_ink(self, shot, light):
+        """How bright the brightest of the light's title and slider is."""
+        x0, y0, x1, y1 = map(int, self.studio.item(f'mixer.{light}.stops'))
+        return shot[y0:y1, x0:x1].max()
+
+    def test_rows_say_what_comes_out_and_grey_where_nothing_does(self):
+        studio = self.open_sample()
+        studio.move(*studio.point('viewer.picture', 0.5, 0.05))
+        self.assertEqual(self.live(), ['100 %'] * 3)
+        bright = self.row_ink(studio.screenshot('rows_all'), 'fill')
+        studio.click('mixer.key.solo')
+        studio.move(*studio.point('viewer.picture', 0.5, 0.05))
+        self.assertEqual(self.live(), ['100 %', 'not in solo', 'not in solo'])
+        solo = studio.screenshot('rows_solo')
+        self.assertLess(self.row_ink(solo, 'fill'), bright - 60)
+        self.assertGreaterEqual(self.row_ink(solo, 'key'), bright)
+        studio.click('mixer.key.mute')
+        self.assertEqual(self.live(), ['muted', 'not in solo', 'not in solo'])
+        studio.click('mixer.key.solo')
+        studio.click('mixer.back.on')
+        self.type_level('25%', light='fill')
+        studio.move(*studio.point('viewer.picture', 0.5, 0.05))
+        self.assertEqual(self.live(), ['muted', '25 %', 'off'])
+        shot = studio.screenshot('rows_muted')
+        self.assertLess(self.row_ink(shot, 'key'), bright - 60)
+        self.assertGreaterEqual(self.row_ink(shot, 'fill'), bright)
+        self.type_level('50%', light='key')  # what gives nothing can be set all the same
+        self.assertEqual(self.live(), ['muted', '25 %', 'off'])
+        self.assertAlmostEqual(self.stops('muted', 'key'), -1, 5)
+
 
 if __name__ == '__main__':
     unittest.main()

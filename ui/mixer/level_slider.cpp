@@ -64,11 +64,12 @@ void drawSlider(const Track& track, ImVec2 low, ImVec2 high, float stops) {
                       ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
                       px(4));
   draw->AddRectFilled(ImVec2(std::min(middle, x), low.y), ImVec2(std::max(middle, x), high.y),
-                      IM_COL32(96, 152, 224, 70));
-  draw->AddLine(ImVec2(middle, low.y + px(3)), ImVec2(middle, high.y - px(3)), kFaint, px(1));
+                      ImGui::GetColorU32(IM_COL32(96, 152, 224, 70)));
+  draw->AddLine(ImVec2(middle, low.y + px(3)), ImVec2(middle, high.y - px(3)), ImGui::GetColorU32(kFaint),
+                px(1));
   const ImVec2 grabLow(x - px(kHalfGrab), low.y + px(1)), grabHigh(x + px(kHalfGrab), high.y - px(1));
-  draw->AddRectFilled(grabLow, grabHigh, ImGui::IsItemActive() ? kAccent : IM_COL32(214, 214, 214, 255),
-                      px(3));
+  const ImU32 grab = ImGui::IsItemActive() ? kAccent : IM_COL32(214, 214, 214, 255);
+  draw->AddRectFilled(grabLow, grabHigh, ImGui::GetColorU32(grab), px(3));
   draw->AddRect(grabLow, grabHigh, IM_COL32(0, 0, 0, 140), px(3));
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/relight/level.h"
+#include "core/relight/live_level.h"
 #include "ui/control/light_edit.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
@@ -25,15 +26,27 @@ namespace {
 constexpr float kRowHeight = 82;
 constexpr float kChipSide = 32;
 
-/// What a row says below the light's name.
+constexpr float kHeldBackAlpha = 0.45F;  ///< of what belongs to a light that gives nothing now
+
+/// What a row says below the light's name, after what comes out of it.
 std::string underName(const LightSetting& setting) {
-  const double times = levelOf(setting);
   std::string words = colorWords(setting.color);
-  words += times < 9.995 ? fmt::format("  ·  {:.0f} %", 100 * times) : fmt::format("  ·  ×{:.0f}", times);
   if (setting.role != Role::Other && roleName(setting.role) != setting.light)
     words = roleName(setting.role) + "  ·  " + words;
   if (!setting.group.empty()) words += "  ·  " + setting.group;
   return words;
+}
+
+/// The level that comes out of the light, or why nothing does.
+std::string liveWords(const LiveLevel& live) {
+  if (live.by != HeldBack::Nothing) return heldBackWords(live.by);
+  return live.level < 9.995 ? fmt::format("{:.0f} %", 100 * live.level) : fmt::format("×{:.0f}", live.level);
+}
+
+ImU32 liveInk(HeldBack by) {
+  if (by == HeldBack::Nothing) return kText;
+  if (by == HeldBack::Muted) return kMute;
+  return by == HeldBack::NotInSolo ? kSolo : kChanged;
 }
 
 /// Which lights are chosen after a click on this one, with the modifiers held.
@@ -79,6 +92,31 @@ void nameField(LightsContext& studio, size_t light, float width) {
   mixer.renaming = -1;
 }
 
+/// The live level and the light's colour, below its name.
+void secondLine(const LightSetting& setting, const LiveLevel& live, ImVec2 at, float width) {
+  ImGui::SetCursorPos(at);
+  const ImVec2 clip = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(clip, ImVec2(clip.x + width, clip.y + px(30)), true);
+  const std::string words = liveWords(live);
+  ImGui::PushFont(fonts().small);
+  ImGui::PushStyleColor(ImGuiCol_Text, liveInk(live.by));
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopStyleColor();
+  markItem({"mixer.", setting.light, ".live"});
+  markState("mixer." + setting.light + ".live", words);
+  ImGui::SameLine(0, px(8));
+  ImGui::TextUnformatted(underName(setting).c_str());
+  ImGui::PopFont();
+  ImGui::PopClipRect();
+}
+
+/// A chip of a light that gives nothing is hollow.
+void hollowChip(ImVec2 low, float side) {
+  const float rim = px(5);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(low.x + rim, low.y + rim),
+                                            ImVec2(low.x + side - rim, low.y + side - rim), kCard, px(2));
+}
+
 void name(LightsContext& studio, size_t light, const LightSetting& setting, ImVec2 at, float width) {
   ImGui::SetCursorPos(ImVec2(at.x, at.y - px(2)));
   if (studio.mixer.renaming == static_cast<int>(light)) {
@@ -94,11 +132,6 @@ void name(LightsContext& studio, size_t light, const LightSetting& setting, ImVe
       ImGui::TextDisabled("%s", kIconLink);
     }
   }
-  ImGui::SetCursorPos(ImVec2(at.x, at.y + px(18)));
-  const ImVec2 clip = ImGui::GetCursorScreenPos();
-  ImGui::PushClipRect(clip, ImVec2(clip.x + width, clip.y + px(30)), true);
-  hint(underName(setting));
-  ImGui::PopClipRect();
 }
 
 /// Mute, solo and on at the right end of a row.
@@ -106,18 +139,23 @@ void switches(LightsContext& studio, size_t light, const LightSetting& setting) 
   const float side = px(kSwitchSide);
   const float gap = px(4);
   const std::string mark = "mixer." + setting.light;
-  if (toggleButton("M", setting.mute, kMute, side, "Mute  (M)")) {
+  if (toggleButton(
+          "M", setting.mute, kMute, side,
+          "Mute: out for a moment, and back as it was (M). Not copied with the light, not in rig texts.")) {
     const bool mute = !setting.mute;
     editLights(studio, light, mute ? "mute" : "unmute", [&](LightSetting& changed) { changed.mute = mute; });
   }
   markItem({mark, ".mute"});
   ImGui::SameLine(0, gap);
   if (toggleButton("S", setting.solo, kSolo, side,
-                   "Solo: all other lights off  (S). Alt-click: this light only."))
+                   "Solo: lights without it are out while it is lit (S). Alt-click: this light only."))
     toggleSolo(studio, light, ImGui::GetIO().KeyAlt);
   markItem({mark, ".solo"});
   ImGui::SameLine(0, gap);
-  if (toggleButton(kIconPower, setting.on, kLitPower, side, "Turn on or off")) {
+  if (toggleButton(
+          kIconPower, setting.on, kLitPower, side,
+          "On or off: part of the light's setting, which looks keep and copies take along. To compare, "
+          "mute.")) {
     const bool on = !setting.on;
     editLights(studio, light, on ? "on" : "off", [&](LightSetting& changed) { changed.on = on; });
   }
@@ -163,6 +201,8 @@ void drawLightRow(LightsContext& studio, size_t light) {
   const int index = static_cast<int>(light);
   const std::set<int>& several = studio.view.selectedLights;
   const bool chosen = several.empty() ? shownLight(studio) == light : several.count(index) > 0;
+  const LiveLevel live = liveLevel(studio.document().rig, light);
+  const bool shines = live.by == HeldBack::Nothing;
   const MixerCard card(kRowHeight, chosen);
   const float nameAt = px(kChipSide + 10);
   const float switchesWidth = 3 * px(kSwitchSide) + 2 * px(4);
@@ -188,15 +228,23 @@ void drawLightRow(LightsContext& studio, size_t light) {
   }
 
   ImGui::SetCursorPos(card.at(0, 0));
+  const ImVec2 chip = ImGui::GetCursorScreenPos();
   if (colorChip("##chip", chipColor(setting.color), ImVec2(px(kChipSide), px(kChipSide)),
-                "Select this light"))
+                "Select this light. A hollow chip: nothing comes out of it now."))
     choose(studio, light);
   markItem({mark, ".chip"});
+  if (!shines) hollowChip(chip, px(kChipSide));
+  const float alpha = shines ? ImGui::GetStyle().Alpha : kHeldBackAlpha;
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, alpha);
   name(studio, light, setting, card.at(nameAt, 0), nameWidth);
+  ImGui::PopStyleVar();
+  secondLine(setting, live, ImVec2(card.at(nameAt, 0).x, card.at(0, px(18)).y), nameWidth);
   ImGui::SetCursorPos(card.at(card.innerWidth() - switchesWidth, px(3)));
   switches(studio, light, setting);
   ImGui::SetCursorPos(card.at(0, px(40)));
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, alpha);
   intensity(studio, light, setting, card.innerWidth());
+  ImGui::PopStyleVar();
   ImGui::PopID();
   card.end();
 }

@@ -12,8 +12,9 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kPointsAtOnce = 2000;  // Dear ImGui counts a line's corners in 16 bits
-constexpr float kLeastStep = 1.5F;      // pixels of the screen between two points that are drawn
+constexpr size_t kPointsAtOnce = 2000;               // Dear ImGui counts a line's corners in 16 bits
+constexpr float kLeastStep = 1.5F;                   // pixels of the screen between two points that are drawn
+constexpr float kTickSpacing = 11, kTickLength = 6;  // at scale 1
 
 /// Draws outlines of the picture where they are seen.
 class OutlinePen {
@@ -30,13 +31,28 @@ class OutlinePen {
       for (const Outline& outline : outlines) drawOne(outline, color, thick);
   }
 
+  /// Fainter than the line itself: which side of it is shadow.
+  void drawTicks(const std::vector<Outline>& outlines, ImU32 ink) {
+    const auto zoom = static_cast<float>(m_window.zoom);
+    const ImU32 faint = (ink & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 150);
+    for (const Outline& outline : outlines)
+      for (const auto& [from, to] : shadowTicks(outline, px(kTickSpacing) / zoom, px(kTickLength) / zoom)) {
+        const ImVec2 foot = onScreen(from);
+        if (foot.x > m_low.x && foot.x < m_high.x && foot.y > m_low.y && foot.y < m_high.y)
+          ImGui::GetWindowDrawList()->AddLine(foot, onScreen(to), faint, px(1.2F));
+      }
+  }
+
  private:
+  [[nodiscard]] ImVec2 onScreen(const std::array<float, 2>& point) const {
+    return {m_low.x + static_cast<float>(m_window.windowX(point[0])),
+            m_low.y + static_cast<float>(m_window.windowY(point[1]))};
+  }
+
   void drawOne(const Outline& outline, ImU32 color, float width) {
     m_line.clear();
     for (size_t i = 0; i <= outline.size(); ++i) {
-      const auto& [x, y] = outline[i % outline.size()];
-      const ImVec2 at(m_low.x + static_cast<float>(m_window.windowX(x)),
-                      m_low.y + static_cast<float>(m_window.windowY(y)));
+      const ImVec2 at = onScreen(outline[i % outline.size()]);
       const bool near = !m_line.empty() && std::abs(at.x - m_line.back().x) < kLeastStep &&
                         std::abs(at.y - m_line.back().y) < kLeastStep;
       if (near && i < outline.size()) continue;
@@ -88,6 +104,10 @@ void drawLegend(bool chosen, ImVec2 origin, ImVec2 size) {
     const float middle = y + ImGui::GetTextLineHeight() / 2;
     draw->AddLine(ImVec2(low.x + px(8), middle), ImVec2(low.x + px(30), middle), lines[i].ink,
                   px(lines[i].width));
+    for (const float x : {14.F, 22.F})
+      if (i != 0)
+        draw->AddLine(ImVec2(low.x + px(x), middle), ImVec2(low.x + px(x), middle + px(5)), lines[i].ink,
+                      px(1));
     draw->AddText(ImVec2(low.x + px(38), y), kText, lines[i].words);
   }
   ImGui::PopFont();
@@ -108,10 +128,14 @@ void drawShadowOverlay(EditingContext& studio, const ViewWindow& window, ImVec2 
       true);
   OutlinePen pen(window, origin);
   if (state.outlines && outlines) {
+    pen.drawTicks(outlines->penumbra, kPenumbraInk);
     pen.draw(outlines->penumbra, kPenumbraInk, px(1.2F));
     pen.draw(outlines->umbra, kUmbraInk, px(1.6F));
   }
-  if (chosen) pen.draw(state.chosen->outline, kChosenInk, px(2.6F));
+  if (chosen) {
+    pen.drawTicks(state.chosen->outline, kChosenInk);
+    pen.draw(state.chosen->outline, kChosenInk, px(2.6F));
+  }
   ImGui::GetWindowDrawList()->PopClipRect();
   drawLegend(chosen, origin, size);
   markState("shadows.outlines", outlines && state.outlines ? "drawn" : "none");

@@ -7,6 +7,7 @@
 #include "core/plot/text_drawing.h"
 #include "core/shadow/result/label_mask.h"
 #include "core/shadow/result/shadow_file.h"
+#include "core/shadow/result/shadow_outline.h"
 
 namespace swaplight {
 namespace {
@@ -36,6 +37,15 @@ void outline(cv::Mat& picture, const LightShadows& shadows, ShadowLabel lightest
   cv::drawContours(picture, contours, -1, color, thickness, cv::LINE_AA);
 }
 
+/// Ticks on the shadow's side, where a line alone does not say which side that is.
+void tickShadows(cv::Mat& picture, const LightShadows& shadows, const cv::Scalar& color) {
+  const float length = std::max(2.f, static_cast<float>(picture.rows) / 180);
+  for (const Outline& line : shadowOutlines(shadows.labels, picture.cols).penumbra)
+    for (const auto& [from, to] : shadowTicks(line, 2 * length, length))
+      cv::line(picture, cv::Point2f(from[0] - .5f, from[1] - .5f), cv::Point2f(to[0] - .5f, to[1] - .5f),
+               color, 1, cv::LINE_AA);
+}
+
 }  // namespace
 
 Image drawShadowOutlines(const SolvedSet& set, const std::vector<NamedShadows>& lights) {
@@ -43,6 +53,7 @@ Image drawShadowOutlines(const SolvedSet& set, const std::vector<NamedShadows>& 
   const int height = std::clamp(picture.rows / 26, 10, 60);
   for (size_t i = 0; i < lights.size(); ++i) {
     const cv::Scalar& color = kColors[i % kColors.size()];
+    tickShadows(picture, *lights[i].shadows, color * .55);
     outline(picture, *lights[i].shadows, ShadowLabel::Penumbra, color * .55, 1);
     outline(picture, *lights[i].shadows, ShadowLabel::Umbra, color, std::max(1, picture.rows / 400));
     drawText(picture, lights[i].light,

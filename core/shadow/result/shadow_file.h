@@ -20,7 +20,7 @@ struct NamedShadows {
 void writeShadows(const std::vector<NamedShadows>& lights, const std::filesystem::path& file);
 
 /// The set under all its lights, dimmed, with the outline of each light's umbra and, thinner, of its
-/// penumbra, in a colour a light, and their names. R G B, sRGB code values.
+/// penumbra with ticks on the shadow's side, in a colour a light, and their names. R G B, sRGB code values.
 [[nodiscard]] Image drawShadowOutlines(const SolvedSet& set, const std::vector<NamedShadows>& lights);
 
 }  // namespace swaplight

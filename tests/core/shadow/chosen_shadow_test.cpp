@@ -81,6 +81,34 @@ TEST(ChosenShadow, IsOutlinedWhereItIs) {
     }
 }
 
+// A ring of shadow: ticks point into it from its outer border and from that of its hole.
+TEST(ShadowTicks, LieOnTheShadowsSideOfItsBorderAndOfItsHoles) {
+  constexpr int kSide = 120;
+  std::vector<ShadowLabel> labels(kSide * kSide, ShadowLabel::Lit);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      if (const double r = std::hypot(x - 60, y - 60); r > 20 && r < 50)
+        labels[static_cast<size_t>(y) * kSide + static_cast<size_t>(x)] = ShadowLabel::Umbra;
+  const std::vector<Outline> outlines = shadowOutlines(labels, kSide).umbra;
+  ASSERT_EQ(outlines.size(), 2U);
+  size_t count = 0;
+  for (const Outline& outline : outlines)
+    for (const auto& [from, to] : shadowTicks(outline, 6, 4)) {
+      const float foot = std::hypot(from[0] - 60.5F, from[1] - 60.5F);
+      const float tip = std::hypot(to[0] - 60.5F, to[1] - 60.5F);
+      EXPECT_GT(tip, 21) << "in the ring";
+      EXPECT_LT(tip, 49);
+      EXPECT_GT(std::abs(tip - foot), 2) << "upright on the border";
+      ++count;
+    }
+  EXPECT_NEAR(static_cast<double>(count), 2 * 3.14 * (20 + 50) / 6, 8);
+}
+
+TEST(ShadowTicks, AreNotOnSpecks) {
+  EXPECT_TRUE(shadowTicks({{1, 1}, {1, 2}, {2, 2}, {2, 1}}, 6, 4).empty());
+  EXPECT_TRUE(shadowTicks({}, 6, 4).empty());
+}
+
 TEST(ChosenShadow, IsRemovedAsWhollyAsAllShadowsAreAndTheOtherStays) {
   const auto set = twoDiscs();
   const SolvedSet all = edited(set, {}, {});
