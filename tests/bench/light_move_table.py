@@ -11,6 +11,7 @@ warped    its contribution displaced by the best of many shifts, and its best le
 rule      our edit, its numbers from the real lamp's by the rule below: nobody has looked
 dragged   our edit, its numbers moved until it looks right (pattern search on the error), as a person with sliders would
 fader     the same, dragging the light's own fader along
+said      with the rule's numbers: what the program warns of
 
 The rule: lengths are divided by the picture's width at the depth that the lamp's axis meets. A move's part along the axis is
 `distance`, the rest is `right` and `up` as the camera sees them. A turn's angle is that between the axes; it goes where the
@@ -20,6 +21,7 @@ import argparse
 import glob
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -95,6 +97,13 @@ class Light:
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
         return read_fresh(frame)
 
+    def limits(self):
+        """What the program says that the last edit cannot know: the guessed part of the picture, how far the light goes."""
+        said = subprocess.run([self.program, 'relight', self.solved, '--edits', os.path.join(self.folder, 'edits.json'), '-o',
+                               os.path.join(self.folder, 'said.exr')], check=True, capture_output=True, text=True)
+        found = re.findall(r'(a guess on|moves by) (\d+ %)', said.stdout + said.stderr)
+        return ', '.join(('guess ' if kind == 'a guess on' else 'moves ') + part for kind, part in found)
+
 
 def read_fresh(frame):
     oiio.ImageCache().invalidate(frame)
@@ -147,9 +156,10 @@ def rows(a, name, folder):
         operation, numbers = numbers_of(scene, edit)
         before = light.picture()
         by_rule = light.picture(operation, numbers)
+        limits = light.limits()
         best, at = dragged(light, truth, operation, numbers, 1 if a.quick else 5)
         yield dict(set=name, light=edit['light'], edit=edit['edit'], nothing=score(before, truth),
-                   level=best_level(before, truth), warped=warped(before, truth), rule=score(by_rule, truth),
+                   level=best_level(before, truth), warped=warped(before, truth), rule=score(by_rule, truth), limits=limits,
                    dragged=best, fader=min(best, dragged(light, truth, operation, at, 1 if a.quick else 4, best_level)[0]),
                    at=', '.join(f'{key} {value:.2f}' for key, value in at.items()))
 
@@ -168,8 +178,8 @@ def main():
     if not found:
         sys.exit(f'{captures}: no set with lamps that were really moved (T_<light>@<edit>.exr)')
     work = a.keep or tempfile.mkdtemp()
-    print('| set | light | edit | nothing | its level | warped | rule | dragged | and fader | dragged / nothing | dragged to |')
-    print('|---|---|---|---|---|---|---|---|---|---|---|')
+    print('| set | light | edit | nothing | its level | warped | rule | dragged | and fader | dragged / nothing | dragged to | said |')
+    print('|---|---|---|---|---|---|---|---|---|---|---|---|')
     told = []
     for name in a.sets.split(',') if a.sets else found:
         folder = os.path.join(work, name.replace('/', '_'))
@@ -177,7 +187,7 @@ def main():
         for row in rows(a, name, folder):
             told.append(row)
             print('| {set} | {light} | {edit} | {nothing:.2f} | {level:.2f} | {warped:.2f} | {rule:.2f} | {dragged:.2f} '
-                  '| {fader:.2f} | {ratio:.2f} | {at} |'.format(**row, ratio=row['dragged'] / row['nothing']), flush=True)
+                  '| {fader:.2f} | {ratio:.2f} | {at} | {limits} |'.format(**row, ratio=row['dragged'] / row['nothing']), flush=True)
     print()
     for title, chosen in (('Constants chosen on', True), ('Kept back', False)):
         for kind in ('move', 'turn', 'spread'):

@@ -55,6 +55,21 @@ class LampEditsTest(cli.CliTest):
         for operation in ('move', 'turn', 'spread'):
             np.testing.assert_array_equal(self.frame({'lights': ['key'], 'operation': operation}), before)
 
+    def test_what_nobody_can_know_is_said(self):
+        self.solved_set(wall(0, 0, .8, cone=.3))
+        def said(**edit):
+            self.frame({'lights': ['key'], **edit})
+            result = self.succeed('relight', self.path('solved.exr'), '--edits', self.path('edits.json'), '-o',
+                                  self.path('frame.exr'))
+            return result.stdout + result.stderr
+        self.assertNotIn('warning', said(operation='move', right=.01))
+        far = said(operation='move', right=.3)
+        self.assertRegex(far, r'edit "move": "key" is a guess on \d+ % of the picture')
+        self.assertIn('its shadows stay', far)
+        self.assertNotIn('its shadows stay', said(operation='turn', pan=20))
+        self.assertIn('is a guess', said(operation='spread', width=1.5))
+        self.assertNotIn('warning', said(operation='turn', pan=20, opacity=.1))
+
     def test_numbers_out_of_range_are_refused(self):
         self.solved_set(wall())
         for operation, key, value in (('move', 'distance', 0), ('turn', 'pan', 170), ('spread', 'width', -1)):

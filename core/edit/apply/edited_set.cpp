@@ -1,5 +1,7 @@
 #include "core/edit/apply/edited_set.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "core/base/error.h"
@@ -7,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/edit/apply/edit_changes.h"
 #include "core/edit/apply/edit_tile.h"
+#include "core/edit/apply/lamp_limits.h"
 
 namespace swaplight {
 namespace {
@@ -87,6 +90,11 @@ void writeBack(const EditTile& tile, const PixelRect& part, SolvedSet& result) {
   }
 }
 
+std::string warningOf(const Edit& edit, const std::string& warning) {
+  return fmt::format("edit \"{}\": {}", edit.name.empty() ? operationName(edit.operation) : edit.name,
+                     warning);
+}
+
 }  // namespace
 
 EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
@@ -107,8 +115,13 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
   MaskContext context(set, shadows);
   BetaFiles files;
   EditTile picture(set, static_cast<int>(lights.names.size()), all);
-  for (const auto& edit : stack.edits) picture.apply(prepareEdit(edit, lights, context, files), all);
   SolvedSet result = emptyResult(set, lights);
+  for (const auto& edit : stack.edits) {
+    const PreparedEdit prepared = prepareEdit(edit, lights, context, files);
+    picture.apply(prepared, all);
+    for (const std::string& warning : lampWarnings(prepared, lights))
+      result.capture.warnings.push_back(warningOf(*edit, warning));
+  }
   writeBack(picture, all, result);
   return result;
 }
@@ -165,6 +178,12 @@ void EditedSet::setStack(const EditStack& stack) {
   }
   m_prepared = std::move(prepared);
   m_stack = stack;
+}
+
+std::shared_ptr<const PreparedEdit> EditedSet::prepared(const Edit* edit) const {
+  const auto found = std::find_if(m_prepared.begin(), m_prepared.end(),
+                                  [&](const Prepared& one) { return one->edit.get() == edit; });
+  return found == m_prepared.end() ? nullptr : *found;
 }
 
 void EditedSet::markStale(const PixelRect& area) {

@@ -15,8 +15,8 @@ namespace swaplight {
 [[nodiscard]] EditedLights editedLights(const SolvedSet& set, const EditStack& stack);
 
 /// The truth that EditedSet is compared with: the whole picture, one edit after the other, without tiles or
-/// caches. New lights follow the set's own; beta is of the result; quality is not filled in. Throws
-/// InputError.
+/// caches. New lights follow the set's own; beta is of the result; quality is not filled in. What edits of
+/// lamps cannot know is among the capture's warnings. Throws InputError.
 [[nodiscard]] SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack,
                                    const ShadowSource& shadows = {});
 
@@ -32,6 +32,8 @@ class EditedSet {
   /// pixels where they lie in memory. Throws InputError, and keeps the old stack then.
   void setStack(const EditStack& stack);
   [[nodiscard]] const EditStack& stack() const { return m_stack; }
+  /// One of the stack's edits (this very object) as it runs; nullptr: there is none.
+  [[nodiscard]] std::shared_ptr<const PreparedEdit> prepared(const Edit* edit) const;
 
   /// Computes what is out of date in the area. Returns the rectangles (at most one a tile) that have changed.
   std::vector<PixelRect> update(const PixelRect& area);

@@ -7,12 +7,13 @@ namespace swaplight {
 LampEdit lampEdit(const LampChange& change, size_t light, const MaskContext& context,
                   const LampEdit* earlier) {
   const SolvedSet& set = context.set();
-  if (change.isNeutral() || light >= set.contributions.size()) return {};
+  if (light >= set.contributions.size()) return {};
   LampEdit edit;
   edit.solved = &set.contributions[light];
   edit.pool =
       earlier && earlier->pool ? earlier->pool : std::make_shared<const LightPool>(measurePool(set, light));
-  edit.gain = std::make_shared<const LampGain>(*edit.pool, change, set.width(), set.height());
+  if (!change.isNeutral())
+    edit.gain = std::make_shared<const LampGain>(*edit.pool, change, set.width(), set.height());
   return edit;
 }
 

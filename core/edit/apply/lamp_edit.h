@@ -12,7 +12,7 @@ struct LampRow;
 struct LightPool;
 
 /// What an edit of a light's lamp looks up of the light: its pool as it was solved, and what the change makes
-/// of it. Of a light that the edits add, and of a neutral change, nothing: they stay as they are.
+/// of it. A neutral change has no gain; of a light that the edits add nothing is known: it stays as it is.
 struct LampEdit {
   std::shared_ptr<const LightPool> pool;
   std::shared_ptr<const LampGain> gain;

@@ -2,11 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <string>
 
 #include "core/edit/fields/field.h"
 #include "core/edit/operations/operation_info.h"
-#include "core/edit/pool/lamp_change.h"
+#include "core/edit/pool/lamp_handle.h"
 
 namespace swaplight {
 
@@ -44,6 +45,13 @@ struct MoveOperation {
     change.up = up;
     change.distance = distance;
     return change;
+  }
+  /// Moves the lamp so that the middle of its light comes to a place.
+  void dragTo(const LampModel& lamp, const PlanePoint& place) {
+    constexpr float kMost = 2;  // widths
+    const LampChange change = movedTo(lamp, place);
+    right = std::clamp(change.right, -kMost, kMost);
+    up = std::clamp(change.up, -kMost, kMost);
   }
 };
 

@@ -36,6 +36,8 @@ namespace swaplight {
 //
 //   static T initial()                      what the studio starts with, instead of T{}
 //
+//   void dragTo(const LampModel&, const PlanePoint&)  of a lamp that is dragged in the picture
+//
 //   static constexpr bool kSwapsTwoLights   of two lights: they change places
 //
 // and it is listed here. Whatever handles edits visits the list, so that one that is not handled does not
@@ -56,6 +58,24 @@ template <typename T>
 concept LampOperation = requires(const T& operation) {
   { operation.lampChange() } -> std::same_as<LampChange>;
 };
+
+/// Its lamp can be dragged in the picture.
+template <typename T>
+concept DraggedOperation = requires(T& operation, const LampModel& lamp, const PlanePoint& place) {
+  operation.dragTo(lamp, place);
+};
+
+/// What it does to its light's lamp: nothing, for edits that are not of lamps.
+[[nodiscard]] inline LampChange lampChangeOf(const Operation& operation) {
+  return std::visit(
+      []<typename T>(const T& one) {
+        if constexpr (LampOperation<T>)
+          return one.lampChange();
+        else
+          return LampChange();
+      },
+      operation);
+}
 
 template <typename T>
 concept LightOperation = std::equality_comparable<T> && std::default_initializable<T> && requires {

@@ -6,7 +6,7 @@
 
 #include "core/edit/fields/field.h"
 #include "core/edit/operations/operation_info.h"
-#include "core/edit/pool/lamp_change.h"
+#include "core/edit/pool/lamp_handle.h"
 
 namespace swaplight {
 
@@ -34,6 +34,12 @@ struct TurnOperation {
     change.pan = pan;
     change.tilt = tilt;
     return change;
+  }
+  /// Turns the lamp so that the middle of its light comes to a place.
+  void dragTo(const LampModel& lamp, const PlanePoint& place) {
+    const LampChange change = turnedTo(lamp, place);
+    pan = change.pan;
+    tilt = change.tilt;
   }
 };
 

@@ -119,12 +119,10 @@ void LampGain::changeRow(int x, int y, int count, const float* mask, const LampR
   }
 }
 
-void LampGain::guessRow(int x, int y, int count, float* guess) const {
-  std::fill_n(guess, count, 0.F);
-  for (int i = 0; m_coneMoves && i < count; ++i) {
-    const Cones cones = conesAt(x + i, y);
-    if (cones.after > cones.before) guess[i] = cones.guess;
-  }
+float LampGain::guessAt(int x, int y) const {
+  if (!m_coneMoves) return 0;
+  const Cones cones = conesAt(x, y);
+  return cones.after > cones.before ? std::min(cones.guess, 1 - cones.before / cones.after) : 0;
 }
 
 }  // namespace swaplight

@@ -31,9 +31,9 @@ class LampGain {
 
   /// Changes a row by `mask` (0..1) times what the lamp's change asks for.
   void changeRow(int x, int y, int count, const float* mask, const LampRow& row) const;
-  /// How far a pixel's new light is a guess, 0..1: 1 where the light comes to what it never reached, 0 where
-  /// only its level changes.
-  void guessRow(int x, int y, int count, float* guess) const;
+  /// The part of a pixel's new light that is a guess, 0..1: 1 where the light comes to what it never reached,
+  /// 0 where only its level changes.
+  [[nodiscard]] float guessAt(int x, int y) const;
 
  private:
   struct Cones {

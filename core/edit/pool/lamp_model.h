@@ -33,6 +33,7 @@ class ChangedLamp {
   /// The ray that now meets the plane at (x, y) met it here before. False where it comes from behind the
   /// lamp, or went away from the plane.
   bool sourceOf(double x, double y, double& sourceX, double& sourceY) const;
+  [[nodiscard]] const LampModel& after() const { return m_after; }
 
  private:
   LampModel m_before, m_after;

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/parallel.h"
+#include "core/base/quantile.h"
 #include "core/edit/pool/lamp_fit.h"
 
 namespace swaplight {
@@ -139,6 +140,13 @@ double bounceOutside(const SmallPictures& small, const LightPool& pool) {
   return would > 0 ? std::clamp(found / would, 0., kMostBounce) : 0;
 }
 
+// Four standard deviations of where the light is: a disc's diameter.
+double widthOf(const cv::Mat& weight) {
+  const cv::Moments m = cv::moments(weight);
+  if (!(m.m00 > 0)) return 1;
+  return 4 * std::sqrt((m.mu20 + m.mu02) / m.m00 / 2) / weight.cols;
+}
+
 std::optional<LightCone> coneIn(const cv::Mat& seen) {
   return findCone(gridOf<SeenPixel>(seen.size(), [&](const Place& place, int y, int x) {
     return SeenPixel{place.x, place.y, seen.at<float>(y, x)};
@@ -163,12 +171,6 @@ std::array<cv::Mat, 3> continuedRatio(const SmallPictures& small, bool alone, co
   return ratio;
 }
 
-double percentile(std::vector<double>& values, double part) {
-  const auto place = values.begin() + static_cast<ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 // The light's ratio to the others along the cone's radius: 1 inside, 0 far outside. Shadows lie in it, so
 // that of a ring the upper quartile counts. NaN where there are too few pixels.
 class ConeProfile {
@@ -181,15 +183,16 @@ class ConeProfile {
         m_pixels.push_back({cone.radius(place.x, place.y), ratio.at<float>(y, x)});
       }
     std::vector<double> inside = between(0, kInside);
-    m_inside = inside.size() < kFewest ? 0 : percentile(inside, 0.6);
+    m_inside = inside.size() < kFewest ? 0 : quantile(std::span(inside), 0.6);
     std::vector<double> outside = between(kOutside, 1e9);
-    m_outside =
-        outside.size() < kFewest ? 0 : std::min(std::exp(percentile(outside, 0.5) - m_inside), kMostBounce);
+    m_outside = outside.size() < kFewest
+                    ? 0
+                    : std::min(std::exp(quantile(std::span(outside), 0.5) - m_inside), kMostBounce);
   }
   [[nodiscard]] double at(double radius) const {
     std::vector<double> ring = between(radius - kRing, radius + kRing);
     if (ring.size() < kFewest) return std::nan("");
-    return (std::exp(percentile(ring, 0.75) - m_inside) - m_outside) / (1 - m_outside);
+    return (std::exp(quantile(std::span(ring), 0.75) - m_inside) - m_outside) / (1 - m_outside);
   }
 
  private:
@@ -243,6 +246,7 @@ LightPool measurePool(const SolvedSet& set, size_t light) {
   pool.cone = coneIn(seen);
   if (pool.cone) pool.cone = withEdge(*pool.cone, small, pool.alone);
   const cv::Mat weight = poolWeight(seen, pool.cone);
+  pool.width = widthOf(weight.mul(small.ownGrey));
   pool.ratio = continuedRatio(small, pool.alone, weight);
   pool.lamp = fitLamp(gridOf<PoolPixel>(size, [&](const Place& place, int y, int x) {
     return PoolPixel{place.x, place.y, small.ownGrey.at<float>(y, x), weight.at<float>(y, x)};

@@ -106,6 +106,23 @@ TEST(LampEdit, ADarkLightStaysDarkAndANewOneToo) {
         ASSERT_LT(edited.contributions[dark].plane(c)[p], 1e-5F);
 }
 
+TEST(LampEdit, SaysWhatNobodyCanKnow) {
+  const SolvedSet spot = test::lampSet(kWidth, kHeight, {0, 0, .8, .2});
+  const auto warned = [&](const Operation& operation, Mask mask = {}) {
+    return applyEdits(spot, stackOf(operation, "key", std::move(mask))).capture.warnings;
+  };
+  using testing::ElementsAre;
+  using testing::HasSubstr;
+  EXPECT_THAT(warned(MoveOperation{}), ElementsAre());
+  EXPECT_THAT(warned(MoveOperation{.01F, 0, 1}), ElementsAre());
+  EXPECT_THAT(warned(MoveOperation{.2F, 0, 1}),
+              ElementsAre(HasSubstr("\"key\" is a guess on"), HasSubstr("its shadows stay")));
+  EXPECT_THAT(warned(TurnOperation{20, 0}), ElementsAre(HasSubstr("is a guess")));
+  EXPECT_THAT(warned(SpreadOperation{2}), ElementsAre(HasSubstr("is a guess")));
+  // Where the edit does not act nothing is guessed.
+  EXPECT_THAT(warned(SpreadOperation{2}, Mask{{RectangleShape{0, 0, 10, 10, 0}, false}}), ElementsAre());
+}
+
 TEST(LampEdit, ChangesOnlyWhereItsMaskIs) {
   const SolvedSet set = smallSet(2, kWidth, kHeight);
   for (const Operation& operation : lampOperations()) {

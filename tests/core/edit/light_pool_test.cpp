@@ -6,6 +6,7 @@
 
 #include "core/edit/pool/lamp_fit.h"
 #include "core/edit/pool/lamp_gain.h"
+#include "core/edit/pool/lamp_handle.h"
 #include "core/edit/pool/light_pool.h"
 #include "tests/support/lamp_set.h"
 
@@ -100,12 +101,32 @@ TEST(LampGain, SaysWhereItGuesses) {
   LampChange change;
   change.pan = 15;
   const LampGain gain(pool, change, width, height);
-  std::vector<float> guess(width);
-  gain.guessRow(0, height / 2, width, guess.data());
-  const auto at = [&](double x) { return guess[static_cast<size_t>((x + .5) * width)]; };
+  const auto at = [&](double x) { return gain.guessAt(static_cast<int>((x + .5) * width), height / 2); };
   EXPECT_GT(at(.25), .95);  // never lit before
   EXPECT_EQ(at(.05), 0);    // lit before and after
   EXPECT_EQ(at(-.45), 0);   // dark before and after
+}
+
+TEST(LampHandle, TheLampFollowsTheMiddleOfItsLight) {
+  for (const LampModel& lamp :
+       {LampModel(), LampModel{{.4, .3, .6}, {-.1, .05, 0}, 1}, LampModel{{-.6, 0, .3}, {.1, .1, 0}, 0}})
+    for (const PlanePoint wanted :
+         {PlanePoint{.2, -.1}, PlanePoint{-.3, .2}, PlanePoint{lamp.aim[0], lamp.aim[1]}})
+      for (const LampChange& change : {movedTo(lamp, wanted), turnedTo(lamp, wanted)}) {
+        const auto middle = middleOf(lamp, change);
+        ASSERT_TRUE(middle);
+        EXPECT_NEAR(middle->x, wanted.x, 1e-5);
+        EXPECT_NEAR(middle->y, wanted.y, 1e-5);
+      }
+  EXPECT_TRUE(turnedTo(LampModel(), {0, 0}).isNeutral());
+  LampChange away;
+  away.pan = 89.99F;
+  EXPECT_FALSE(middleOf(LampModel(), away));  // it shines past the set
+}
+
+TEST(LightPool, IsAsWideAsWhatTheLampLights) {
+  const LightPool pool = measurePool(test::lampSet(320, 180, {0, 0, .8, .2}), 0);
+  EXPECT_NEAR(pool.width, .32, .05);  // of a cone, 2 * .8 * .2
 }
 
 }  // namespace

@@ -1,0 +1,61 @@
+#include "core/edit/apply/lamp_limits.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/edit/pool/lamp_gain.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kColumns = 96;  // of the grid: cones have no detail
+
+// Of the picture's area, where at least half of what the edit shows is a guess.
+double guessedArea(const PreparedEdit& edit, const LampGain& gain, const EditedLights& lights) {
+  const int step = std::max(1, lights.width / kColumns);
+  int guessed = 0;
+  int all = 0;
+  for (int y = step / 2; y < lights.height; y += step)
+    for (int x = step / 2; x < lights.width; x += step) {
+      ++all;
+      if (gain.guessAt(x, y) < .5F) continue;
+      float mask = 0;
+      edit.mask->row(x, y, 1, &mask);
+      guessed += mask * edit.edit->opacity >= .5F;
+    }
+  return all > 0 ? double(guessed) / all : 0;
+}
+
+}  // namespace
+
+LampLimits lampLimits(const PreparedEdit& edit, size_t k, const EditedLights& lights) {
+  LampLimits limits;
+  if (k >= edit.lamps.size() || !edit.lamps[k].gain || !edit.isActive()) return limits;
+  const LightPool& pool = *edit.lamps[k].pool;
+  limits.guessed = guessedArea(edit, *edit.lamps[k].gain, lights);
+  const LampChange change = lampChangeOf(edit.edit->operation);
+  limits.shift = std::hypot(change.right, change.up) / pool.width;
+  return limits;
+}
+
+std::vector<std::string> lampWarnings(const PreparedEdit& edit, const EditedLights& lights) {
+  std::vector<std::string> warnings;
+  for (size_t k = 0; k < edit.lamps.size(); ++k) {
+    const LampLimits limits = lampLimits(edit, k, lights);
+    const std::string& light = lights.names[static_cast<size_t>(edit.lights[k])];
+    if (limits.guessed >= LampLimits::kGuessTold)
+      warnings.push_back(fmt::format("\"{}\" is a guess on {:.0f} % of the picture: its lamp never lit that",
+                                     light, 100 * limits.guessed));
+    constexpr double kRounding = .005;
+    if (limits.shift > LampLimits::kFarthest + kRounding)
+      warnings.push_back(
+          fmt::format("\"{}\" moves by {:.0f} % of the width that it lights while its shadows stay "
+                      "where they are: up to {:.0f} % looks right",
+                      light, 100 * limits.shift, 100 * LampLimits::kFarthest));
+  }
+  return warnings;
+}
+
+}  // namespace swaplight

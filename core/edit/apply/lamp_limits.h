@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/edit/apply/prepared_edit.h"
+
+namespace swaplight {
+
+/// How far an edit of a lamp goes beyond what can be known of it. Measured on a grid of the picture.
+struct LampLimits {
+  /// Of the picture's area: where at least half of the light is a guess, because it comes to what its lamp
+  /// never lit. 0..1.
+  double guessed = 0;
+  /// How far the lamp moves, over the width of what it lights: beyond kFarthest its shadows, which keep their
+  /// shape, are in the wrong place. A lamp that turns in its place throws the same ones.
+  double shift = 0;
+
+  static constexpr double kFarthest = 0.25;   ///< what moves were measured to be good for: docs/edits.md
+  static constexpr double kGuessTold = 0.01;  ///< smaller areas are not worth a word
+};
+
+/// `k` is an index of the edit's chosen lights.
+[[nodiscard]] LampLimits lampLimits(const PreparedEdit& edit, size_t k, const EditedLights& lights);
+
+/// In words; nothing where the edit stays within its limits, or is none of lamps.
+[[nodiscard]] std::vector<std::string> lampWarnings(const PreparedEdit& edit, const EditedLights& lights);
+
+}  // namespace swaplight

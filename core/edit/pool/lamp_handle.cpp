@@ -1,0 +1,40 @@
+#include "core/edit/pool/lamp_handle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swaplight {
+
+std::optional<PlanePoint> middleOf(const LampModel& lamp, const LampChange& change) {
+  const LampModel now = ChangedLamp(lamp, change).after();
+  const cv::Vec3d axis = now.axis();
+  constexpr double kGrazes = 1e-3;
+  if (axis[2] > -kGrazes) return std::nullopt;
+  const double far = now.position[2] / -axis[2];
+  return PlanePoint{now.position[0] + far * axis[0], now.position[1] + far * axis[1]};
+}
+
+LampChange movedTo(const LampModel& lamp, const PlanePoint& place) {
+  LampChange change;
+  change.right = static_cast<float>(place.x - lamp.aim[0]);
+  change.up = static_cast<float>(place.y - lamp.aim[1]);
+  return change;
+}
+
+LampChange turnedTo(const LampModel& lamp, const PlanePoint& place, double most) {
+  LampChange change;
+  const cv::Vec3d axis = lamp.axis();
+  const cv::Vec3d wanted = cv::normalize(cv::Vec3d(place.x, place.y, 0) - lamp.position);
+  const cv::Vec3d aside = wanted - axis * axis.dot(wanted);
+  // A turn is a direction in the picture, (pan, tilt, 0), and an angle: of that direction the part across the
+  // axis is `aside`, so that what it lacks is along the axis.
+  const cv::Vec3d swing = aside - axis * (aside[2] / axis[2]);
+  const double length = cv::norm(swing);
+  if (length < 1e-9) return change;
+  const double degrees = std::acos(std::clamp(axis.dot(wanted), -1., 1.)) * 180 / CV_PI;
+  change.pan = static_cast<float>(std::clamp(degrees * swing[0] / length, -most, most));
+  change.tilt = static_cast<float>(std::clamp(degrees * swing[1] / length, -most, most));
+  return change;
+}
+
+}  // namespace swaplight
