@@ -99,11 +99,20 @@ class Edits(StudioTest):
         _, edits = self.save('straight')
         self.assertEqual(edits[0]['points'], [[0, 0], [1, 1]])
 
+    def beside_the_lamp(self, picture):
+        """The picture's pixels with what is drawn at the lamp's handle left out."""
+        left, top, _, _ = self.studio.item('viewer.picture')
+        x0, y0, x1, y1 = self.studio.item('lamp.handle')
+        picture = picture.copy()
+        picture[round(y0 - top) - 4:round(y1 - top) + 4, round(x0 - left) - 4:round(x1 - left) + 4] = 0
+        return picture
+
     def test_a_lamp_is_moved_and_turned_by_sliders_and_put_back(self):
         studio = self.open_edits()
         before = studio.picture('lamp_before')
         self.add('move')
-        self.assertLess(np.abs(studio.picture('lamp_neutral') - before).mean(), .05, 'a lamp that has not moved changes nothing')
+        change = self.beside_the_lamp(np.abs(studio.picture('lamp_neutral') - before))
+        self.assertLess(change.mean(), .05, 'a lamp that has not moved changes nothing')
         self.drag_slider('parameters.right', 0.5, 0.8)
         moved = studio.picture('lamp_moved')
         self.assertGreater(np.abs(moved - before).mean(), 0.5)
@@ -121,6 +130,38 @@ class Edits(StudioTest):
             studio.key('ctrl+z')
         studio.settle()
         self.assertLess(np.abs(studio.picture('lamp_undone') - before).mean(), .05)
+
+    def test_a_lamp_is_dragged_in_the_picture(self):
+        studio = self.open_edits()
+        before = studio.picture('lamp_drag_before')
+        self.add('move')
+        x0, y0, x1, y1 = studio.item('viewer.picture')
+        width = x1 - x0
+        start = studio.point('lamp.handle')
+        studio.drag(start, (start[0] + round(.5 * width), start[1]))
+        studio.item('parameters.lamp.warning')
+        studio.key('ctrl+z')
+        studio.drag(start, (start[0] + round(.1 * width), start[1] + round(.05 * width)))
+        studio.move(*studio.point('viewer.picture', .95, .95))
+        studio.screenshot('lamp_dragged')
+        path, edits = self.save('dragged')
+        self.assertAlmostEqual(edits[0]['right'], .1, delta=.01)
+        self.assertAlmostEqual(edits[0]['up'], -.05, delta=.01)
+        self.assertEqual(edits[0]['distance'], 1)
+        self.same_as_command_line(path)
+        end = studio.point('lamp.handle')
+        self.assertAlmostEqual(end[0] - start[0], .1 * width, delta=3)
+        studio.key('ctrl+z')  # one step
+        self.assertLess(self.beside_the_lamp(np.abs(studio.picture('lamp_drag_undone') - before)).mean(), .05)
+        self.add('turn')
+        start = studio.point('lamp.handle')
+        studio.drag(start, (start[0] - round(.15 * width), start[1]))
+        self.assertFalse(studio.has('parameters.lamp.warning'), 'a lamp that turns throws the same shadows')
+        studio.move(*studio.point('viewer.picture', .95, .95))
+        studio.screenshot('lamp_turned_by_hand')
+        edits = self.saved(path)
+        self.assertEqual([edit['operation'] for edit in edits], ['move', 'turn'])
+        self.assertLess(edits[1]['pan'], -5)
 
     def test_every_kind_is_added_and_its_numbers_changed(self):
         studio = self.open_edits()

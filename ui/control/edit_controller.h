@@ -53,6 +53,10 @@ class EditController {
   /// for or the shape is being drawn, and for shapes that are formulas. Throws InputError as MaskContext
   /// does.
   std::shared_ptr<const MaskRaster> raster(const MaskShape& shape);
+  /// An edit of the document as it runs; nullptr until it does. For the interface's thread.
+  [[nodiscard]] std::shared_ptr<const PreparedEdit> prepared(const Edit& edit) const {
+    return m_room.edited ? m_room.edited->prepared(&edit) : nullptr;
+  }
   /// Whether shadows() are for the document's thresholds.
   [[nodiscard]] bool shadowsCurrent() const;
   [[nodiscard]] bool findingShadows() const { return m_finding.running(); }

@@ -10,6 +10,8 @@
 #include <filesystem>
 
 #include "core/color/srgb.h"
+#include "core/edit/apply/edited_set.h"
+#include "core/edit/apply/lamp_limits.h"
 #include "core/edit/fields/field.h"
 #include "core/edit/stack/beta_histogram.h"
 #include "ui/control/light_edit.h"
@@ -231,6 +233,23 @@ bool control(const Parameters& of, const Field<Owner, Choice>& field, Choice& ch
   return false;
 }
 
+/// Of edits of lamps: what the hand can do in the picture, and what nobody can know.
+template <LampOperation T>
+void lampHints(const Parameters& of) {
+  const auto prepared = of.studio.edits.prepared(of.edit);
+  if (!prepared || prepared->lamps.empty()) return;
+  if constexpr (DraggedOperation<T>)
+    hint(prepared->lamps.size() == 1 ? "Or drag the lamp in the picture."
+                                     : "One light's lamp can be dragged in the picture, too.");
+  const EditedLights all = editedLights(*of.studio.set()->original, of.studio.document().edits);
+  for (const std::string& warning : lampWarnings(*prepared, all)) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
+    ImGui::TextWrapped("%s", warning.c_str());
+    ImGui::PopStyleColor();
+    markItem("parameters.lamp.warning");
+  }
+}
+
 template <LightOperation T>
 void fields(const Parameters& of, T operation) {
   const char* changed = nullptr;
@@ -239,6 +258,7 @@ void fields(const Parameters& of, T operation) {
     if (shown && control(of, field, value)) changed = field.label;
   });
   if (changed) of.preview(changed, operation);
+  if constexpr (LampOperation<T>) lampHints<T>(of);
   if (!swapsTwoLights(operation)) return;
   const size_t all = of.studio.document().rig.lights.size();
   hint(of.edit.lights.size() == 2 || (of.edit.lights.empty() && all == 2) ? "The two lights change places."

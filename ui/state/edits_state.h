@@ -7,6 +7,7 @@
 #include "ui/state/brush_state.h"
 #include "ui/state/curve_grab.h"
 #include "ui/state/handle_state.h"
+#include "ui/state/lamp_handle_state.h"
 #include "ui/state/selection_state.h"
 #include "ui/state/shadow_state.h"
 #include "ui/state/stencil_state.h"
@@ -18,6 +19,7 @@ struct EditsState {
   BrushState brush;
   StencilState stencil;
   HandleState handle;
+  LampHandleState lamp;
   SelectionState selection;
   ShadowState shadow;
   int chosen = -1;        ///< edit of the list; -1: none
@@ -34,12 +36,13 @@ struct EditsState {
 
   /// Something is being drawn or dragged in the picture.
   [[nodiscard]] bool dragging() const {
-    return brush.going || stencil.going || handle.going || selection.going;
+    return brush.going || stencil.going || handle.going || lamp.going || selection.going;
   }
   void endDrags() {
     brush.going.reset();
     stencil.going.reset();
     handle.going.reset();
+    lamp.going.reset();
     selection.going.reset();
   }
 };

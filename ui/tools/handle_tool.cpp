@@ -7,6 +7,7 @@
 #include "core/edit/mask/drag_shape.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
+#include "ui/tools/chosen_edit.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/stencil_tool.h"
 
@@ -18,13 +19,6 @@ constexpr float kReach = 11;  // pixels of the screen at scale 1
 constexpr float kRadius = 5;
 constexpr float kLeastHandleDrag = 1;
 constexpr ImU32 kHandleShade = IM_COL32(0, 0, 0, 190);
-
-const Edit* chosenEdit(const EditingContext& studio) {
-  const auto& edits = studio.document().edits.edits;
-  const int chosen = studio.editing.chosen;
-  const bool there = chosen >= 0 && chosen < static_cast<int>(edits.size());
-  return there ? edits[static_cast<size_t>(chosen)].get() : nullptr;
-}
 
 ImVec2 onScreen(const Point& at, const ViewWindow& window, ImVec2 origin) {
   return {origin.x + static_cast<float>(window.windowX(at[0])),

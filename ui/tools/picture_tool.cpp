@@ -4,6 +4,7 @@
 
 #include "ui/tools/brush_tool.h"
 #include "ui/tools/handle_tool.h"
+#include "ui/tools/lamp_tool.h"
 #include "ui/tools/pick_tool.h"
 #include "ui/tools/selection_tool.h"
 #include "ui/tools/stencil_tool.h"
@@ -33,8 +34,8 @@ void addToolActions(ActionTable& actions, EditingContext& studio) {
 std::span<const PictureTool* const> pictureTools() {
   // The handles of a shape go before laying on a new one. Picking comes last: it is what Alt makes of the
   // others.
-  static constexpr std::array<const PictureTool*, 5> kTools = {&kSelectionTool, &kBrushTool, &kHandleTool,
-                                                               &kStencilTool, &kPickTool};
+  static constexpr std::array<const PictureTool*, 6> kTools = {&kSelectionTool, &kBrushTool,   &kHandleTool,
+                                                               &kLampTool,      &kStencilTool, &kPickTool};
   return kTools;
 }
 

@@ -1,0 +1,179 @@
+#include "ui/tools/lamp_tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/edit/pool/lamp_gain.h"
+#include "core/edit/pool/lamp_handle.h"
+#include "ui/kit/hatch.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/layout_probe.h"
+#include "ui/kit/theme.h"
+#include "ui/tools/chosen_edit.h"
+#include "ui/tools/pointer.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kLampReach = 14;  // pixels of the screen at scale 1
+constexpr float kLampRadius = 11;
+constexpr float kLeastLampDrag = 1;
+constexpr ImU32 kLampShade = IM_COL32(0, 0, 0, 190);
+constexpr ImU32 kGuessInk = IM_COL32(240, 160, 64, 200);
+
+bool isDragged(const Operation& operation) {
+  return std::visit([]<typename T>(const T&) { return DraggedOperation<T>; }, operation);
+}
+
+/// The chosen edit as it runs, or as it ran a moment ago, where it drags one light's lamp; nullptr: there is
+/// nothing to drag.
+const PreparedEdit* lampInHand(EditingContext& studio) {
+  const Edit* edit = chosenEdit(studio);
+  const bool free = !studio.tool && studio.layout.edits && !studio.layout.hidden;
+  if (!free || !edit || !edit->on || !isDragged(edit->operation)) return nullptr;
+  std::shared_ptr<const PreparedEdit>& shown = studio.editing.lamp.shown;
+  if (auto now = studio.edits.prepared(*edit)) shown = std::move(now);
+  const bool same = shown && shown->edit->lights == edit->lights &&
+                    shown->edit->operation.index() == edit->operation.index();
+  return same && shown->lamps.size() == 1 && shown->lamps[0].pool ? shown.get() : nullptr;
+}
+
+/// Places of the plane that stands for the set, as points of the picture, and back.
+class LampView {
+ public:
+  LampView(const EditingContext& studio, const ViewWindow& window, ImVec2 origin)
+      : m_width(studio.set()->original->width()),
+        m_height(studio.set()->original->height()),
+        m_window(window),
+        m_origin(origin) {}
+  [[nodiscard]] ImVec2 onScreen(const PlanePoint& at) const {
+    return {m_origin.x + static_cast<float>(m_window.windowX((at.x + .5) * m_width)),
+            m_origin.y + static_cast<float>(m_window.windowY(.5 * m_height - at.y * m_width))};
+  }
+  [[nodiscard]] PlanePoint onPlane(const std::array<float, 2>& pixel) const {
+    return {pixel[0] / m_width - .5, (.5 * m_height - pixel[1]) / m_width};
+  }
+  /// The pixel of the picture at a point of the screen.
+  [[nodiscard]] int column(float x) const {
+    return static_cast<int>(std::floor(m_window.pictureX(double{x} - m_origin.x)));
+  }
+  [[nodiscard]] int row(float y) const {
+    return static_cast<int>(std::floor(m_window.pictureY(double{y} - m_origin.y)));
+  }
+  [[nodiscard]] bool inPicture(int x, int y) const { return x >= 0 && y >= 0 && x < m_width && y < m_height; }
+
+ private:
+  int m_width, m_height;
+  const ViewWindow& m_window;
+  ImVec2 m_origin;
+};
+
+std::optional<PlanePoint> middleNow(const EditingContext& studio, const PreparedEdit& prepared) {
+  return middleOf(prepared.lamps[0].pool->lamp, lampChangeOf(chosenEdit(studio)->operation));
+}
+
+void previewLamp(EditingContext& studio, const PreparedEdit& prepared, const PlanePoint& to) {
+  const LampHandleState::Going& going = *studio.editing.lamp.going;
+  Edit edit = *going.before.edits.edits[going.edit];
+  std::visit(
+      [&]<typename T>(T& operation) {
+        if constexpr (DraggedOperation<T>) operation.dragTo(prepared.lamps[0].pool->lamp, to);
+      },
+      edit.operation);
+  const std::string name = edit.name.empty() ? operationName(edit.operation) : edit.name;
+  Document next = going.before;
+  next.edits.replace(going.edit, std::move(edit));
+  studio.editor.preview(name + ": dragged", std::move(next));
+}
+
+bool underMouse(ImVec2 handle) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return std::hypot(handle.x - mouse.x, handle.y - mouse.y) < px(kLampReach);
+}
+
+bool wantsLamp(const EditingContext& studio, const ToolInput& input) {
+  return studio.editing.lamp.going || (!input.alt && !input.moves && !input.grabbed);
+}
+
+/// True where the mouse is busy with the lamp, or would be at a click.
+bool dragLamp(EditingContext& studio, const ToolInput& input) {
+  LampHandleState& state = studio.editing.lamp;
+  const PreparedEdit* prepared = lampInHand(studio);
+  if (!prepared) {
+    state.going.reset();
+    return false;
+  }
+  const LampView view(studio, input.window, input.origin);
+  const std::array<float, 2> mouse = pointAtMouse(input.window, input.origin);
+  if (state.going) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    const float far = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left];
+    if (far > kLeastLampDrag * kLeastLampDrag)
+      previewLamp(studio, *prepared,
+                  view.onPlane({mouse[0] - state.going->offset[0], mouse[1] - state.going->offset[1]}));
+    if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) state.going.reset();
+    return true;
+  }
+  const std::optional<PlanePoint> middle = middleNow(studio, *prepared);
+  if (!input.hovered || studio.editing.dragging() || !middle) return false;
+  const ImVec2 handle = view.onScreen(*middle);
+  if (!underMouse(handle)) return false;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    const float x = static_cast<float>(input.window.pictureX(double{handle.x} - input.origin.x));
+    const float y = static_cast<float>(input.window.pictureY(double{handle.y} - input.origin.y));
+    state.going = {
+        studio.document(), static_cast<size_t>(studio.editing.chosen), {mouse[0] - x, mouse[1] - y}};
+  }
+  return true;
+}
+
+void hatchGuesses(const PreparedEdit& prepared, const LampView& view, const ViewWindow& window,
+                  ImVec2 origin) {
+  const LampGain* gain = prepared.lamps[0].gain.get();
+  if (!gain) return;
+  const auto guessed = [&](float x, float y) {
+    const int column = view.column(x);
+    const int row = view.row(y);
+    if (!view.inPicture(column, row) || gain->guessAt(column, row) < .5F) return false;
+    float mask = 0;
+    prepared.mask->row(column, row, 1, &mask);
+    return mask >= .5F;
+  };
+  drawHatch(origin,
+            ImVec2(origin.x + static_cast<float>(window.width), origin.y + static_cast<float>(window.height)),
+            kGuessInk, guessed);
+}
+
+void drawLamp(EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
+  const PreparedEdit* prepared = lampInHand(studio);
+  if (!prepared) return;
+  const LampView view(studio, window, origin);
+  hatchGuesses(*prepared, view, window, origin);
+  const std::optional<PlanePoint> middle = middleNow(studio, *prepared);
+  if (!middle) return;
+  const LampModel& lamp = prepared->lamps[0].pool->lamp;
+  const ImVec2 from = view.onScreen({lamp.aim[0], lamp.aim[1]});
+  const ImVec2 to = view.onScreen(*middle);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const float radius = px(kLampRadius);
+  if (std::hypot(to.x - from.x, to.y - from.y) > radius) {
+    draw->AddLine(from, to, kLampShade, px(3));
+    draw->AddLine(from, to, kText, std::max(1.F, px(1)));
+    draw->AddCircle(from, px(4), kLampShade, 0, px(3));
+    draw->AddCircle(from, px(4), kText, 0, std::max(1.F, px(1)));
+  }
+  const bool lit = studio.editing.lamp.going || (studio.shown.hovered && underMouse(to));
+  draw->AddCircleFilled(to, radius + px(1.5F), kLampShade);
+  draw->AddCircle(to, radius, lit ? kAccent : kText, 0, px(1.5F));
+  const ImVec2 size = ImGui::CalcTextSize(kIconLight);
+  draw->AddText(ImVec2(to.x - size.x / 2, to.y - size.y / 2), lit ? kAccent : kText, kIconLight);
+  markRect("lamp.handle", to.x - radius, to.y - radius, to.x + radius, to.y + radius);
+}
+
+}  // namespace
+
+const PictureTool kLampTool = {{}, wantsLamp, dragLamp, drawLamp};
+
+}  // namespace swaplight
