@@ -21,6 +21,7 @@ struct NewCommand {
   std::vector<std::string> shots;
   std::vector<std::string> cards;
   std::string rotation = "guess";
+  std::string exposures;
   bool oneAtATime = false;
   std::string colorSpace;
   std::string crop;
@@ -50,11 +51,11 @@ std::vector<ShotColor> ringOf(const NewCommand& arguments) {
   return namedUnknowns(std::move(ring));
 }
 
-/// Every colour the same step on in every shot.
+/// Every colour the same step on in every lighting.
 std::vector<int> steadySteps(const CaptureDraft& draft, int step) {
   std::vector<int> steps;
   const auto count = static_cast<int>(draft.lights.size());
-  for (size_t k = 0; k < draft.folder.shots.size(); ++k)
+  for (size_t k = 0; k < draft.lightings(); ++k)
     steps.push_back(static_cast<int>(k) * (step + count) % count);
   return steps;
 }
@@ -83,12 +84,15 @@ std::string placeRing(const NewCommand& arguments, const std::vector<ShotColor>&
 }
 
 void placeOneAtATime(CaptureDraft& draft) {
-  if (draft.lights.size() != draft.folder.shots.size())
-    throw InputError("--one-at-a-time: {} lights and {} shots: there must be one shot a light",
-                     draft.lights.size(), draft.folder.shots.size());
-  for (size_t k = 0; k < draft.colors.size(); ++k)
+  if (draft.lights.size() != draft.lightings())
+    throw InputError("--one-at-a-time: {} lights and {} {}: there must be one a light", draft.lights.size(),
+                     draft.lightings(), draft.brackets.length > 1 ? "brackets" : "shots");
+  for (size_t k = 0; k < draft.lightings(); ++k) {
+    std::vector<ShotColor> colors;
     for (size_t i = 0; i < draft.lights.size(); ++i)
-      draft.colors[k][i] = i == k ? ShotColor{"on", Rgb(1)} : ShotColor{"off", Rgb(0)};
+      colors.push_back(i == k ? ShotColor{"on", Rgb(1)} : ShotColor{"off", Rgb(0)});
+    setLighting(draft, k, std::move(colors));
+  }
 }
 
 void placeShots(const NewCommand& arguments, CaptureDraft& draft) {
@@ -101,7 +105,7 @@ void placeShots(const NewCommand& arguments, CaptureDraft& draft) {
     const std::vector<ShotColor> said = shotColorsFromText(colors);
     if (said.size() != draft.lights.size())
       throw InputError("--shot {}: {} colours for {} lights", text, said.size(), draft.lights.size());
-    draft.colors[static_cast<size_t>(found - shots.begin())] = said;
+    setLighting(draft, draft.brackets.lightingOf(static_cast<size_t>(found - shots.begin())), said);
   }
 }
 
@@ -115,8 +119,11 @@ void placeCards(const NewCommand& arguments, const CapturePixels& pixels, Captur
     if (numbers.size() != 2 || !CLI::detail::lexical_cast(numbers[0], x) ||
         !CLI::detail::lexical_cast(numbers[1], y))
       throw InputError("--card {}: write LIGHT=X,Y in pixels", text);
-    for (size_t k = 0; k < draft.colors.size(); ++k)
-      draft.colors[k][static_cast<size_t>(light - draft.lights.begin())] = colorOfCard(pixels.shots[k], x, y);
+    for (size_t k = 0; k < draft.lightings(); ++k) {
+      std::vector<ShotColor> colors = draft.colors[k * static_cast<size_t>(draft.brackets.length)];
+      colors[static_cast<size_t>(light - draft.lights.begin())] = colorOfCard(draft, pixels, k, x, y);
+      setLighting(draft, k, std::move(colors));
+    }
   }
 }
 
@@ -144,12 +151,15 @@ Description describe(const CaptureDraft& draft, const std::filesystem::path& fil
   }
   Description d{tableText(rows) + "\n", Json::object()};
   d.line("order", draft.folder.timed ? "of capture time" : "of file name");
+  if (!draft.brackets.words.empty()) d.line("exposures", draft.brackets.words);
   if (!how.empty()) d.line("colours", how);
   for (const std::string& warning : warnings) d.line("warning", warning);
   d.json = {{"capture", file.string()},
             {"lights", draft.lights},
             {"shots", shots},
             {"order", draft.folder.timed ? "time" : "name"},
+            {"bracket", draft.brackets.length},
+            {"exposures", draft.brackets.words},
             {"colors", how},
             {"color_space", draft.colorSpace},
             {"crop", draft.frame.crop ? Json{draft.frame.crop->x, draft.frame.crop->y,
@@ -173,6 +183,8 @@ int run(const NewCommand& arguments, Terminal& terminal) {
         "FILE=COLOUR,COLOUR, --card LIGHT=X,Y, or --one-at-a-time");
 
   const CapturePixels pixels = loadCapturePixels(*config, captureOf(draft), terminal.progress());
+  setBrackets(draft, arguments.exposures.empty() ? findBrackets(folder, pixels)
+                                                 : toldBrackets(folder, arguments.exposures));
   std::string how;
   if (!ring.empty()) how = placeRing(arguments, ring, pixels, draft);
   if (arguments.oneAtATime) placeOneAtATime(draft);
@@ -211,6 +223,10 @@ void addNewVerb(Program& program) {
                   "one), back")
       ->type_name("HOW")
       ->capture_default_str();
+  verb.add_option(
+          "--exposures", a->exposures,
+          "Stops of each photograph of a bracket, over its first one; 0: no brackets (default: found)")
+      ->type_name("0,-3,+2");
   verb.add_flag("--one-at-a-time", a->oneAtATime,
                 "One light per photograph: the first light in the first one, and so on");
   verb.add_option("--shot", a->shots, "Colours of one photograph, one per light; may be repeated")

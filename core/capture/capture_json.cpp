@@ -142,6 +142,28 @@ std::vector<Shot> shotsFromJson(JsonFields& fields, const std::vector<Light>& li
   return shots;
 }
 
+/// "exposures": those of one bracket, which all others repeat, or one a shot.
+void readExposures(JsonFields& fields, std::vector<Shot>& shots) {
+  const Json* list = fields.find("exposures");
+  if (!list || list->is_null()) return;
+  const bool numbers =
+      list->is_array() && !list->empty() && std::all_of(list->begin(), list->end(), [](const Json& one) {
+        return one.is_number() && std::abs(one.get<double>()) <= kMostStops;
+      });
+  if (!numbers || shots.size() % list->size() != 0)
+    throw InputError(
+        "{}: \"exposures\" is {}, expected stops such as [0, -3, 2]: those of one bracket, which all others "
+        "repeat, or one for each of the {} shots.",
+        fields.where(), describeJson(*list), shots.size());
+  for (size_t k = 0; k < shots.size(); ++k) {
+    if (shots[k].exposureStops != 0)
+      throw InputError("{}: shot {} has \"exposure_stops\", and there are \"exposures\". Give one of both.",
+                       fields.where(), k + 1);
+    shots[k].exposureStops =
+        static_cast<float>((*list)[k % list->size()].get<double>() - (*list)[0].get<double>());
+  }
+}
+
 std::optional<std::string> optionalPath(JsonFields& fields, const std::string& key) {
   const Json* value = fields.find(key);
   if (!value || value->is_null()) return std::nullopt;
@@ -247,6 +269,7 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
   if (colorSpace) capture.colorSpace = *colorSpace;
   capture.lights = lightsFromJson(fields, capture.warnings);
   capture.shots = shotsFromJson(fields, capture.lights, capture.warnings);
+  readExposures(fields, capture.shots);
   if (!colorSpace) assumeColorSpace(config, capture, fields.where());
   capture.ambient = optionalPath(fields, "ambient");
   capture.dark = optionalPath(fields, "dark");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/capture/light_name.h"
@@ -28,7 +29,9 @@ std::vector<Light> lightsOf(const CaptureDraft& draft) {
 }
 
 /// Over the first shot, in steps of a twentieth of a stop: files round their times.
-std::vector<float> exposuresOf(const ShotFolder& folder) {
+std::vector<float> exposuresOf(const CaptureDraft& draft) {
+  if (!draft.brackets.stops.empty()) return draft.brackets.stops;
+  const ShotFolder& folder = draft.folder;
   std::vector<float> stops(folder.shots.size(), 0);
   for (const FoundShot& shot : folder.shots)
     if (!shot.exposureStops) return stops;
@@ -43,9 +46,42 @@ std::vector<float> exposuresOf(const ShotFolder& folder) {
 CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& lights) {
   checkLightNames(lights, "the lights");
   if (lights.empty()) throw InputError("name at least one light");
-  CaptureDraft draft{folder, lights, {}, colorSpaceOf(folder), {}};
+  CaptureDraft draft{folder, lights, {}, colorSpaceOf(folder), {}, {}};
   draft.colors.assign(folder.shots.size(), std::vector<ShotColor>(lights.size(), ShotColor{"unknown", {}}));
   return draft;
+}
+
+void setBrackets(CaptureDraft& draft, Brackets brackets) {
+  draft.brackets = std::move(brackets);
+  for (size_t lighting = 0; lighting < draft.lightings(); ++lighting)
+    setLighting(draft, lighting, std::vector<ShotColor>(draft.lights.size(), ShotColor{"unknown", {}}));
+}
+
+void setLighting(CaptureDraft& draft, size_t lighting, std::vector<ShotColor> colors) {
+  const auto length = static_cast<size_t>(draft.brackets.length);
+  if (length > 1)
+    for (size_t i = 0; i < colors.size(); ++i)
+      if (!colors[i].color && colors[i].name().empty())
+        colors[i].text = fmt::format("?{}_{}", draft.lights[i], lighting + 1);
+  for (size_t k = lighting * length; k < (lighting + 1) * length; ++k) draft.colors[k] = colors;
+}
+
+ShotColor colorOfCard(const CaptureDraft& draft, const CapturePixels& pixels, size_t lighting, int x, int y) {
+  const auto length = static_cast<size_t>(draft.brackets.length);
+  const std::vector<float> exposures = exposuresOf(draft);
+  std::vector<size_t> longestFirst(length);
+  std::iota(longestFirst.begin(), longestFirst.end(), lighting * length);
+  std::sort(longestFirst.begin(), longestFirst.end(),
+            [&](size_t a, size_t b) { return exposures[a] > exposures[b]; });
+  ShotColor card;
+  for (const size_t k : longestFirst) {
+    card = colorOfCard(pixels.shots[k], x, y);
+    const Rgb seen = *card.color;
+    if (length > 1) card = shotColorFromRgb(seen * std::exp2(-exposures[k]));
+    // A mean this near to the clip level has clipped pixels in it.
+    if (constexpr float kSafe = 0.9F; std::max({seen.r, seen.g, seen.b}) < kSafe * pixels.clipLevel[k]) break;
+  }
+  return card;
 }
 
 Capture captureOf(const CaptureDraft& draft) {
@@ -57,7 +93,7 @@ Capture captureOf(const CaptureDraft& draft) {
   capture.ambient = draft.folder.ambient;
   capture.dark = draft.folder.dark;
   capture.frame = draft.frame;
-  const std::vector<float> exposures = exposuresOf(draft.folder);
+  const std::vector<float> exposures = exposuresOf(draft);
   for (size_t k = 0; k < draft.folder.shots.size(); ++k) {
     Shot shot;
     shot.image = draft.folder.shots[k].file;

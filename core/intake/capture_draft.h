@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/capture/capture_pixels.h"
+#include "core/intake/brackets.h"
 #include "core/intake/shot_color.h"
 #include "core/intake/shot_folder.h"
 
@@ -16,14 +17,31 @@ struct CaptureDraft {
   std::vector<std::vector<ShotColor>> colors;  ///< [shot][light]
   std::string colorSpace;                      ///< of the pictures
   CaptureFrame frame;                          ///< the part of them that is used, and its size
+  Brackets brackets = {};                      ///< which shots are exposures of one lighting
+
+  [[nodiscard]] size_t lightings() const {
+    return folder.shots.size() / static_cast<size_t>(brackets.length);
+  }
 };
 
 /// A draft in which every colour is unknown. Throws InputError: names that cannot be, colour spaces that
 /// differ.
 [[nodiscard]] CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& lights);
 
+/// Groups the shots; every colour is unknown again.
+void setBrackets(CaptureDraft& draft, Brackets brackets);
+
+/// The colours that the lights had in a lighting, in all its exposures. What is unknown and has no name gets
+/// one where there are several: it is the same in each.
+void setLighting(CaptureDraft& draft, size_t lighting, std::vector<ShotColor> colors);
+
+/// colorOfCard in a lighting: in its longest exposure that is not clipped there, over that exposure.
+[[nodiscard]] ShotColor colorOfCard(const CaptureDraft& draft, const CapturePixels& pixels, size_t lighting,
+                                    int x, int y);
+
 /// The capture that it describes. Lights called after a role have it; otherwise, without any, the first is
-/// the key and the second the fill. Exposures are those of the files, where all say them.
+/// the key and the second the fill. Exposures are those of the brackets, else of the files, where all say
+/// them.
 [[nodiscard]] Capture captureOf(const CaptureDraft& draft);
 
 /// What a person should know of the pictures, at once and in words: clipped areas, a moved camera, differing

@@ -17,15 +17,39 @@ namespace {
 constexpr float kMovedPixels = 0.35F;
 constexpr double kClippedArea = 0.002;  ///< of a shot, that is worth a word
 
-/// The part of a shot's pixels that are saturated in some channel.
-double clippedPart(const Image& shot, float level) {
+/// The part of the pixels in which a channel is saturated in all exposures of a lighting.
+double clippedPart(const CapturePixels& pixels, size_t firstShot, size_t length) {
+  const size_t count = pixels.shots[firstShot].pixelCount();
   size_t clipped = 0;
-  for (size_t p = 0; p < shot.pixelCount(); ++p)
-    clipped += shot.plane(0)[p] >= level || shot.plane(1)[p] >= level || shot.plane(2)[p] >= level ? 1 : 0;
-  return static_cast<double>(clipped) / static_cast<double>(std::max<size_t>(1, shot.pixelCount()));
+  for (size_t p = 0; p < count; ++p) {
+    bool lost = false;
+    for (int c = 0; c < 3 && !lost; ++c) {
+      lost = true;
+      for (size_t k = firstShot; k < firstShot + length; ++k)
+        lost = lost && pixels.shots[k].plane(c)[p] >= pixels.clipLevel[k];
+    }
+    clipped += lost ? 1 : 0;
+  }
+  return static_cast<double>(clipped) / static_cast<double>(std::max<size_t>(1, count));
+}
+
+void clippingWarnings(const CaptureDraft& draft, const CapturePixels& pixels,
+                      std::vector<std::string>& warnings) {
+  const auto length = static_cast<size_t>(draft.brackets.length);
+  for (size_t k = 0; k < pixels.shots.size(); k += length) {
+    const double part = clippedPart(pixels, k, length);
+    if (part <= kClippedArea) continue;
+    const std::string& file = draft.folder.shots[k].file;
+    warnings.push_back(
+        length > 1 ? fmt::format("{}: {:.1f} % of the picture is clipped in all {} exposures: "
+                                 "add a shorter one",
+                                 file, 100 * part, length)
+                   : fmt::format("{}: {:.1f} % of the picture is clipped: expose less", file, 100 * part));
+  }
 }
 
 void exposureWarnings(const CaptureDraft& draft, std::vector<std::string>& warnings) {
+  if (!draft.brackets.stops.empty()) return;  // said by Brackets::words
   const std::vector<FoundShot>& shots = draft.folder.shots;
   const Capture capture = captureOf(draft);
   for (size_t k = 1; k < shots.size(); ++k)
@@ -61,12 +85,9 @@ std::string placeWords(const Capture& capture, const UnknownColor& unknown) {
 std::vector<std::string> pictureWarnings(const CaptureDraft& draft, const CapturePixels& pixels) {
   std::vector<std::string> warnings = pixels.warnings;
   const std::vector<FoundShot>& shots = draft.folder.shots;
-  for (size_t k = 0; k < pixels.shots.size(); ++k) {
-    const double part = clippedPart(pixels.shots[k], pixels.clipLevel[k]);
-    if (part > kClippedArea)
-      warnings.push_back(
-          fmt::format("{}: {:.1f} % of the picture is clipped: expose less", shots[k].file, 100 * part));
-  }
+  clippingWarnings(draft, pixels, warnings);
+  for (std::string& warning : bracketWarnings(draft.folder, pixels, draft.brackets))
+    warnings.push_back(std::move(warning));
   const std::vector<ShotShift> shifts = measureShifts(pixels);
   for (size_t k = 0; k < shifts.size(); ++k)
     if (worthMoving(shifts[k]) && std::hypot(shifts[k].x, shifts[k].y) > kMovedPixels)

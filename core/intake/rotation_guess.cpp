@@ -79,9 +79,12 @@ std::string wordsFor(const RotationGuess& guess) {
 
 CaptureDraft withRotation(CaptureDraft draft, const std::vector<ShotColor>& ring,
                           const std::vector<int>& steps) {
-  for (size_t k = 0; k < draft.colors.size(); ++k)
-    for (size_t i = 0; i < draft.lights.size(); ++i)
-      draft.colors[k][i] = ring[(i + static_cast<size_t>(steps[k])) % ring.size()];
+  std::vector<ShotColor> colors(draft.lights.size());
+  for (size_t lighting = 0; lighting < draft.lightings(); ++lighting) {
+    for (size_t i = 0; i < colors.size(); ++i)
+      colors[i] = ring[(i + static_cast<size_t>(steps[lighting])) % ring.size()];
+    setLighting(draft, lighting, colors);
+  }
   return draft;
 }
 
@@ -96,7 +99,7 @@ RotationGuess guessRotation(const CaptureDraft& draft, const CapturePixels& pixe
   RotationGuess guess;
   const NoiseModel noise = noiseModel(estimateSensorNoise(pixels), pixels, kColorError);
   guess.misfit = guess.nextMisfit = INFINITY;
-  for (const std::vector<int>& steps : plansToTry(static_cast<int>(ring.size()), draft.folder.shots.size())) {
+  for (const std::vector<int>& steps : plansToTry(static_cast<int>(ring.size()), draft.lightings())) {
     const double misfit = misfitOf(withRotation(draft, ring, steps), pixels, noise);
     ++guess.tried;
     if (misfit < guess.misfit) {

@@ -9,7 +9,7 @@ namespace swaplight {
 
 /// Which light had which colour in every shot, as the pictures tell.
 struct RotationGuess {
-  std::vector<int> steps;  ///< of each shot: light i has colour (i + step) of the ring; the first is 0
+  std::vector<int> steps;  ///< of each lighting: light i has colour (i + step) of the ring; the first is 0
   double misfit = 0;       ///< RMS, relative to the signal: what the matte model leaves under this plan
   double nextMisfit = 0;   ///< of the second best plan; 0 where there was no other
   size_t tried = 0;        ///< plans
@@ -25,7 +25,7 @@ struct RotationGuess {
                                           const std::vector<ShotColor>& ring);
 inline constexpr size_t kMostPlans = 64;
 
-/// The draft with the ring's colours in every shot.
+/// The draft with the ring's colours in every lighting.
 [[nodiscard]] CaptureDraft withRotation(CaptureDraft draft, const std::vector<ShotColor>& ring,
                                         const std::vector<int>& steps);
 

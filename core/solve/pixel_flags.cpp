@@ -1,20 +1,40 @@
 #include "core/solve/pixel_flags.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/capture/lightings.h"
 #include "core/set/fill.h"
+#include "core/solve/model/pixel_run.h"
 #include "core/solve/registration/align_shots.h"
 
 namespace swaplight {
+namespace {
+
+/// Whether a channel is clipped in a shot and in all others of its light: of a bracket, in every exposure.
+bool clippedInALighting(const CapturePixels& pixels, const std::vector<int>& lightings, size_t pixel) {
+  for (int c = 0; c < 3; ++c) {
+    std::array<bool, kMaxShots> seen{};
+    for (size_t k = 0; k < pixels.shots.size(); ++k)
+      if (pixels.shots[k].plane(c)[pixel] < pixels.clipLevel[k]) seen[size_t(lightings[k])] = true;
+    for (const int lighting : lightings)
+      if (!seen[size_t(lighting)]) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 std::vector<uint8_t> writeFlags(const CapturePixels& pixels, const ShotSignal& signal, float tooDarkSigma,
                                 SolvedSet& set) {
   float* flags = set.quality.plane(kFlags);
   const float* sigma = set.quality.plane(kSigma);
   std::vector<uint8_t> unknown;
+  const std::vector<int> lightings = lightingsOf(set.capture.shots);
   for (size_t p = 0; p < signal.pixelCount(); ++p) {
     int bits = int(flags[p]) | (signal.flags().empty() ? 0 : signal.flags()[p]);
+    if (bits & kClipped && !clippedInALighting(pixels, lightings, p)) bits &= ~kClipped;
     if (sigma[p] > tooDarkSigma) bits |= kTooDark;
     if (bits & kNotFinite) {
       for (int c = 0; c < 3; ++c) {

@@ -138,6 +138,54 @@ class New(cli.CliTest):
         self.assertIn('of the picture is clipped', warnings)
         self.assertEqual(self.manifest()['shots'][1]['exposure_stops'], -1)
 
+    def brackets(self, stops, **exposure):
+        """A folder of two lightings, each at these exposures and clipped: in 16 bits, or EXR that states its exposure."""
+        capture = cli.Capture(self.path('made'), height=60, width=80)
+        for lighting, shot in enumerate(capture.shots):
+            for k, one in enumerate(stops):
+                pixels = np.clip(shot * 2.0 ** one, 0, 1)
+                attributes = {'ExposureTime': 2.0 ** one / 50, 'FNumber': 4.0, 'Exif:ISOSpeedRatings': 100} if exposure else {}
+                name = f'IMG_{lighting * len(stops) + k + 1}.' + ('exr' if exposure else 'tif')
+                cli.write_image(self.path('plain', name), pixels, 'float' if exposure else 'uint16', **attributes)
+        return self.path('plain'), capture
+
+    def test_brackets_are_found_told_and_solved(self):
+        arguments = ['--lights', 'key,fill', '--colors', '0.9/0.2/0.15,0.15/0.8/0.25', '--color-space', 'lin_rec709']
+        for stated in ({}, {'exposure': True}):
+            folder, made = self.brackets([0, -3, 2], **stated)
+            result = self.succeed_json('new', folder, *arguments)
+            self.assertEqual(result['bracket'], 3, result)
+            self.assertIn('by the files and the photographs' if stated else 'by the ratios', result['exposures'])
+            self.assertFalse([w for w in result['warnings'] if 'expose less' in w], result['warnings'])
+            np.testing.assert_allclose([s.get('exposure_stops', 0) for s in self.manifest()['shots']], [0, -3, 2] * 2,
+                                       atol=.02)
+            colors = [s['light_colors'] for s in self.manifest()['shots']]
+            np.testing.assert_allclose(colors, np.repeat(cli.SWAPPED, 3, axis=0), atol=1e-4)
+            self.succeed('solve', folder, '-o', self.path('solved.exr'), '--float')
+            for light, truth in zip(('key', 'fill'), made.truth):
+                np.testing.assert_allclose(cli.read_rgb(self.path('solved.exr'), light), truth, atol=4e-3)
+            shutil.rmtree(folder)
+
+    def test_exposures_are_told(self):
+        folder, _ = self.brackets([0, -2])
+        arguments = ['new', folder, '--lights', 'key,fill', '--colors', '0.9/0.2/0.15,0.15/0.8/0.25', '--color-space',
+                     'lin_rec709', '--force']
+        result = self.succeed_json(*arguments, '--exposures', '0,-1.7')
+        self.assertEqual((result['bracket'], result['exposures']), (2, 'brackets of 2: 0, -1.7 stops, as told'))
+        self.assertTrue(any('is -2.00 stops, not -1.70' in w for w in result['warnings']), result)
+        self.assertEqual(self.manifest()['shots'][3]['exposure_stops'], -1.7)
+        self.assertEqual(self.succeed_json(*arguments, '--exposures', '0')['bracket'], 1)
+        self.deny(*arguments, '--exposures', '0,-3,2', naming='3 of them for 4 photographs')
+        self.deny(*arguments, '--exposures', '0,much', naming="'much' is no number of stops")
+
+    def test_one_light_at_a_time_in_brackets(self):
+        capture = cli.Capture(self.path('made'), light_colors=[[[1] * 3, [0] * 3], [[0] * 3, [1] * 3]], height=60, width=80)
+        for k in range(4):
+            cli.write_image(self.path('plain', f'{k}.tif'), np.clip(capture.shots[k // 2] * (1, 4)[k % 2], 0, 1), 'uint16')
+        self.succeed('new', self.path('plain'), '--lights', 'key,fill', '--one-at-a-time', '--color-space', 'lin_rec709')
+        self.assertEqual([s['light_colors'][0][0] for s in self.manifest()['shots']], [1, 1, 0, 0])
+        np.testing.assert_allclose(self.manifest()['shots'][3]['exposure_stops'], 2, atol=.02)
+
     def test_a_camera_that_moved_by_half_a_pixel_is_said_and_one_that_stood_still_is_not(self):
         lights = ('key', 'fill', 'back', 'practical')
         os.makedirs(self.path('one'))

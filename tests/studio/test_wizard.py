@@ -189,6 +189,44 @@ class Wizard(StudioTest):
         self.assertLess(np.abs(self.studio.picture('wizard_raw_sample') - picture).mean(), 3.5,
                         'but for the mosaic, which no lens softens here')
 
+    def test_brackets_are_shown_as_one_lighting_each(self):
+        with open(os.path.join(SAMPLES, 'two_swapped', 'capture.json')) as file:
+            manifest = json.load(file)
+        for k, shot in enumerate(manifest['shots']):
+            source = oiio.ImageInput.open(os.path.join(SAMPLES, 'two_swapped', shot['image']))
+            pixels = np.asarray(source.read_image('float'))[..., :3]
+            source.close()
+            for j, gain in enumerate((1, .125, 4)):
+                path = os.path.join(self.shots, f'IMG_{3 * k + j + 1}.exr')
+                output = oiio.ImageOutput.create(path)
+                spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], 3, 'half')
+                self.assertTrue(output.open(path, spec) and output.write_image(np.minimum(gain * pixels, 1)))
+                output.close()
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        self.assertIn('6 photographs are 2 lightings of 3 exposures: found', studio.state('wizard.brackets'))
+        self.assertFalse(studio.has('wizard.cell.2.0'))
+        studio.screenshot('wizard_brackets')
+        found = studio.state('wizard.exposures.text')
+        for text, words in (('0,-3', '6 photographs are 3 lightings of 2 exposures'), ('', 'a lighting of its own'),
+                            (found, '6 photographs are 2 lightings of 3 exposures')):
+            studio.click('wizard.exposures')
+            studio.key('ctrl+a')
+            studio.type(text) if text else studio.key('BackSpace')
+            studio.wait(lambda layout: words in layout.get('wizard.brackets', ''), words)
+        self.fill_in(0, *('/'.join(map(str, color)) for color in manifest['shots'][0]['light_colors']))
+        studio.click('wizard.guess')
+        studio.wait(lambda layout: 'guessed' in layout.get('wizard.guess_words', ''), 'the guess')
+        studio.screenshot('wizard_brackets_guessed')
+        studio.click('wizard.solve')
+        studio.wait_ready()
+        written = self.written()['shots']
+        self.assertEqual([shot['light_colors'] for shot in written],
+                         [manifest['shots'][k // 3]['light_colors'] for k in range(6)])
+        np.testing.assert_allclose([shot.get('exposure_stops', 0) for shot in written], [0, -3, 2] * 2, atol=.03)
+        self.assertGreater(studio.picture('wizard_brackets_solved').std(), 15)
+
     def test_what_has_no_photographs_is_said(self):
         studio = self.start()
         studio.item('welcome.open')

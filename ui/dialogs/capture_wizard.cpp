@@ -52,10 +52,12 @@ void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::p
         Photographs found;
         found.folder = scanShotFolder(*config, folder);
         // Any name does for looking at the pictures; the person gives the lights theirs.
-        const CaptureDraft draft = draftOf(found.folder, {"light"});
+        CaptureDraft draft = draftOf(found.folder, {"light"});
         found.pixels = std::make_shared<const CapturePixels>(
             loadCapturePixels(*config, captureOf(draft), progress.part(0, 0.7F)));
         progress.update(0.7F, "checking the photographs");
+        found.brackets = findBrackets(found.folder, *found.pixels);
+        setBrackets(draft, found.brackets);
         found.thumbnails = shotThumbnails(*found.pixels, kThumbnailWidth, kThumbnailHeight);
         found.warnings = found.folder.notes;
         for (std::string& warning : pictureWarnings(draft, *found.pixels))
@@ -68,12 +70,16 @@ void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::p
 void CaptureWizard::close() {
   m_reading.cancel();
   m_guessing.cancel();
-  if (m_folder && m_found) m_typed = {*m_folder, m_lights, m_cells, m_frame, m_solve};
+  m_checking.cancel();
+  if (m_folder && m_found) m_typed = {*m_folder, m_lights, m_exposures, m_cells, m_frame, m_solve};
   m_folder.reset();
   m_found.reset();
   m_textures.clear();
   m_lights.clear();
   m_cells.clear();
+  m_brackets = {};
+  m_exposures.clear();
+  m_exposuresWrong.clear();
   m_guess.clear();
   m_picking.reset();
   m_frame = {};
@@ -86,24 +92,32 @@ void CaptureWizard::update(Messages& messages) {
   const Taken read = takeOrReport(m_reading, messages, "these photographs", [this](Photographs found) {
     if (!m_folder) return;
     m_found = std::move(found);
-    m_cells.resize(m_found->folder.shots.size());
-    setLights(std::clamp<size_t>(m_found->folder.shots.size(), 2, 4));
+    m_brackets = m_found->brackets;
+    m_exposures = exposureList(m_brackets);
+    m_cells.resize(m_found->folder.shots.size() / static_cast<size_t>(m_brackets.length));
+    setLights(std::clamp<size_t>(m_cells.size(), 2, 4));
     restoreTyped();
     for (const SmallPicture& thumbnail : m_found->thumbnails)
       m_textures.emplace_back().update(thumbnail.width, thumbnail.height, thumbnail.rgba.data());
+  });
+  takeOrReport(m_checking, messages, "these exposures", [this](std::vector<std::string> warnings) {
+    if (m_found) m_found->warnings = std::move(warnings);
   });
   const Taken guessed = takeOrReport(m_guessing, messages, "this guess", [this](const RotationGuess& guess) {
     if (!m_found) return;
     const CaptureDraft placed = withRotation(draft(), ring(), guess.steps);
     for (size_t k = 1; k < m_cells.size(); ++k)
-      for (size_t i = 0; i < m_lights.size(); ++i) m_cells[k][i] = {placed.colors[k][i].text, true};
+      for (size_t i = 0; i < m_lights.size(); ++i)
+        m_cells[k][i] = {placed.colors[firstShot(k)][i].text, true};
     m_guess = guess.words;
   });
   if ((read == Taken::Failed || guessed == Taken::Failed) && !m_found) close();
 }
 
 void CaptureWizard::restoreTyped() {
-  if (m_typed.folder != m_folder || m_typed.cells.size() != m_cells.size()) return;
+  if (m_typed.folder != m_folder) return;
+  if (m_typed.exposures != m_exposures) readExposures(m_typed.exposures);
+  if (m_typed.cells.size() != m_cells.size()) return;
   m_lights = m_typed.lights;
   m_cells = m_typed.cells;
   m_frame = m_typed.frame;
@@ -116,6 +130,30 @@ void CaptureWizard::setLights(size_t count) {
   for (std::vector<Cell>& row : m_cells) row.resize(count);
 }
 
+void CaptureWizard::readExposures(const std::string& text) {
+  m_exposures = text;
+  m_exposuresWrong.clear();
+  Brackets brackets;
+  try {
+    if (!text.empty()) brackets = toldBrackets(m_found->folder, text);
+  } catch (const InputError& error) {
+    m_exposuresWrong = error.what();
+    return;
+  }
+  if (brackets.stops == m_brackets.stops && brackets.length == m_brackets.length) return;
+  m_brackets = std::move(brackets);
+  m_picking.reset();
+  m_cells.resize(m_found->folder.shots.size() / static_cast<size_t>(m_brackets.length));
+  setLights(m_lights.size());
+  m_checking.start(
+      [draft = emptyDraft({"light"}), pixels = m_found->pixels](const Progress&) {
+        std::vector<std::string> warnings = draft.folder.notes;
+        for (std::string& warning : pictureWarnings(draft, *pixels)) warnings.push_back(std::move(warning));
+        return warnings;
+      },
+      m_wake);
+}
+
 void CaptureWizard::oneLampAShot(bool on) {
   setLights(m_cells.size());
   for (size_t k = 0; k < m_cells.size(); ++k)
@@ -125,13 +163,14 @@ void CaptureWizard::oneLampAShot(bool on) {
 
 /// What has to be put right before it can be solved; empty where nothing has.
 std::string CaptureWizard::mistake() const {
+  if (!m_exposuresWrong.empty()) return m_exposuresWrong;
   try {
     checkLightNames(m_lights, "the lights");
     for (size_t k = 0; k < m_cells.size(); ++k)
       for (size_t i = 0; i < m_lights.size(); ++i) {
         if (m_cells[k][i].text.empty())
           return fmt::format("What colour was {} in {}? (\"unknown\" if you cannot tell.)", m_lights[i],
-                             m_found->folder.shots[k].file);
+                             m_found->folder.shots[firstShot(k)].file);
         static_cast<void>(shotColorFromText(m_cells[k][i].text));
       }
   } catch (const InputError& error) {
@@ -140,11 +179,20 @@ std::string CaptureWizard::mistake() const {
   return {};
 }
 
+CaptureDraft CaptureWizard::emptyDraft(const std::vector<std::string>& lights) const {
+  CaptureDraft draft = draftOf(m_found->folder, lights);
+  setBrackets(draft, m_brackets);
+  return draft;
+}
+
 CaptureDraft CaptureWizard::draft() const {
-  CaptureDraft draft = draftOf(m_found->folder, m_lights);
+  CaptureDraft draft = emptyDraft(m_lights);
   draft.frame = m_frame;
-  for (size_t k = 0; k < m_cells.size(); ++k)
-    for (size_t i = 0; i < m_lights.size(); ++i) draft.colors[k][i] = shotColorFromText(m_cells[k][i].text);
+  for (size_t k = 0; k < m_cells.size(); ++k) {
+    std::vector<ShotColor> colors;
+    for (const Cell& cell : m_cells[k]) colors.push_back(shotColorFromText(cell.text));
+    setLighting(draft, k, std::move(colors));
+  }
   return draft;
 }
 
@@ -155,7 +203,7 @@ std::vector<ShotColor> CaptureWizard::ring() const {
 }
 
 void CaptureWizard::guess() {
-  m_guessing.start([draft = draftOf(m_found->folder, m_lights), pixels = m_found->pixels,
+  m_guessing.start([draft = emptyDraft(m_lights), pixels = m_found->pixels,
                     ring = ring()](const Progress&) { return guessRotation(draft, *pixels, ring); },
                    m_wake);
 }
@@ -197,6 +245,31 @@ void CaptureWizard::drawLights() {
   ImGui::Checkbox("Align photographs", &m_solve.align);
   markItem("wizard.align");
   tooltip("Use this if the camera moved: photographs are registered to the first one before solving.");
+}
+
+void CaptureWizard::drawExposures() {
+  const size_t count = m_found->folder.shots.size();
+  if (count < 4) return;  // no two lightings of two exposures
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Exposures");
+  ImGui::SameLine(0, px(10));
+  ImGui::SetNextItemWidth(px(220));
+  std::string text = m_exposures;
+  if (ImGui::InputTextWithHint("##exposures", "no brackets", &text)) readExposures(text);
+  markItem("wizard.exposures");
+  markState("wizard.exposures.text", m_exposures);
+  tooltip(
+      "The stops of a bracket's photographs over its first one, as 0, -3, +2; every lighting repeats them. "
+      "Empty: every photograph is a lighting of its own.");
+  ImGui::SameLine(0, px(10));
+  std::string words =
+      m_checking.running() ? "checking the photographs …"
+      : m_brackets.length > 1
+          ? fmt::format("{} photographs are {} lightings of {} exposures{}", count, m_cells.size(),
+                        m_brackets.length, m_brackets.words == m_found->brackets.words ? ": found" : "")
+          : "every photograph is a lighting of its own";
+  hint(words);
+  markState("wizard.brackets", words);
 }
 
 // The two ways of photographing lights that have no gels.
@@ -312,6 +385,7 @@ void CaptureWizard::draw(Messages& messages, const Solve& solve) {
     drawReading();
   } else {
     drawLights();
+    drawExposures();
     const float line = ImGui::GetFrameHeightWithSpacing();
     const std::vector<std::string> warned = warnings();
     const float lines =

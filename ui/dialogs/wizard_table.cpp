@@ -116,7 +116,8 @@ void CaptureWizard::drawFrame() {
   tooltip("Use the whole photographs again");
 }
 
-void CaptureWizard::drawThumbnail(size_t shot) {
+void CaptureWizard::drawThumbnail(size_t lighting) {
+  const size_t shot = firstShot(lighting);
   const SmallPicture& picture = m_found->thumbnails[shot];
   const float scale = std::min(px(kThumbnailColumn - 10) / static_cast<float>(picture.width),
                                px(kRowHeight) / static_cast<float>(picture.height));
@@ -126,8 +127,8 @@ void CaptureWizard::drawThumbnail(size_t shot) {
   beginNoTabStops();
   const bool clicked = ImGui::InvisibleButton("##picture", size);
   endNoTabStops();
-  markItem({"wizard.picture.", shot});
-  const bool picking = m_picking && m_picking->first == shot;
+  markItem({"wizard.picture.", lighting});
+  const bool picking = m_picking && m_picking->first == lighting;
   if (!picking) cropOnThumbnail(at, size);
   drawTexture(m_textures[shot].id(), at, ImVec2(at.x + size.x, at.y + size.y));
   if (picking)
@@ -139,9 +140,10 @@ void CaptureWizard::drawThumbnail(size_t shot) {
     return std::clamp(static_cast<int>(place / length * static_cast<float>(count)), 0, count - 1);
   };
   const Image& pixels = m_found->pixels->shots[shot];
-  Cell& cell = m_cells[shot][m_picking->second];
+  Cell& cell = m_cells[lighting][m_picking->second];
   try {
-    cell = {colorOfCard(pixels, pixel(mouse.x - at.x, size.x, pixels.width()),
+    cell = {colorOfCard(emptyDraft({"light"}), *m_found->pixels, lighting,
+                        pixel(mouse.x - at.x, size.x, pixels.width()),
                         pixel(mouse.y - at.y, size.y, pixels.height()))
                 .text,
             false};
@@ -151,10 +153,10 @@ void CaptureWizard::drawThumbnail(size_t shot) {
   }
 }
 
-void CaptureWizard::drawCell(size_t shot, size_t light) {
-  Cell& cell = m_cells[shot][light];
+void CaptureWizard::drawCell(size_t lighting, size_t light) {
+  Cell& cell = m_cells[lighting][light];
   const Reading reading = readingOf(cell.text);
-  const std::string mark = fmt::format("wizard.cell.{}.{}", shot, light);
+  const std::string mark = fmt::format("wizard.cell.{}.{}", lighting, light);
   const float side = ImGui::GetFrameHeight();
   ImGui::PushID(static_cast<int>(light));
   ImGui::Dummy(ImVec2(0, (px(kRowHeight) - 2 * side) / 2));
@@ -169,7 +171,7 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
   const bool wrong = !reading.mistake.empty(), guessed = cell.guessed;
   if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kMute);
   if (!wrong && guessed) ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
-  if (ImGui::InputTextWithHint("##colour", shot == 0 ? "gel or colour" : "to be guessed", &cell.text))
+  if (ImGui::InputTextWithHint("##colour", lighting == 0 ? "gel or colour" : "to be guessed", &cell.text))
     cell.guessed = false;
   if (wrong || guessed) ImGui::PopStyleColor();
   markItem(mark);
@@ -179,10 +181,10 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
                          : "This light's colour in this photograph");
   ImGui::SameLine(0, px(4));
   beginNoTabStops();  // from field to field: all that the two buttons give can be typed
-  const bool picking = m_picking == std::pair(shot, light);
+  const bool picking = m_picking == std::pair(lighting, light);
   if (toggleButton(kIconPicker, picking, kAccent, side,
                    "Then click a white card in this photograph that only this light reaches"))
-    m_picking = picking ? std::nullopt : std::optional(std::pair(shot, light));
+    m_picking = picking ? std::nullopt : std::optional(std::pair(lighting, light));
   markItem({mark, ".pick"});
   ImGui::SameLine(0, px(4));
   if (toggleButton(kIconDown, false, kAccent, side, "Gels, white, off, unknown")) ImGui::OpenPopup("##gels");
@@ -206,15 +208,18 @@ void CaptureWizard::drawCell(size_t shot, size_t light) {
   ImGui::PopID();
 }
 
-void CaptureWizard::drawShot(size_t shot) {
-  ImGui::PushID(static_cast<int>(shot));
+void CaptureWizard::drawLighting(size_t lighting) {
+  ImGui::PushID(static_cast<int>(lighting));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  drawThumbnail(shot);
-  hint(fmt::format("{}  {}", shot + 1, m_found->folder.shots[shot].file));
+  drawThumbnail(lighting);
+  const std::string& file = m_found->folder.shots[firstShot(lighting)].file;
+  const int more = m_brackets.length - 1;
+  hint(more > 0 ? fmt::format("{}  {} and {} more", lighting + 1, file, more)
+                : fmt::format("{}  {}", lighting + 1, file));
   for (size_t i = 0; i < m_lights.size(); ++i) {
     ImGui::TableNextColumn();
-    drawCell(shot, i);
+    drawCell(lighting, i);
   }
   ImGui::PopID();
 }
@@ -242,7 +247,7 @@ void CaptureWizard::drawTable(float height) {
     markItem({"wizard.light.", i});
     tooltip("This light's name");
   }
-  for (size_t k = 0; k < m_cells.size(); ++k) drawShot(k);
+  for (size_t k = 0; k < m_cells.size(); ++k) drawLighting(k);
   ImGui::EndTable();
 }
 

@@ -28,6 +28,28 @@ SWAPLIGHT_SIMD(bool, allWithin, (const float* y, size_t count, float lowest, flo
   return outside == 0;
 }
 
+/// Of each shot the one of the same light with the next shorter exposure; -1 where there is none.
+std::vector<int> shorterExposures(const LightingMatrix& lighting, const std::vector<float>& exposure) {
+  const auto litAlike = [&](int a, int b) {
+    constexpr float kRounding = 1e-5F;
+    const float ratio = exposure[size_t(a)] / exposure[size_t(b)];
+    for (int i = 0; i < lighting.lights; ++i)
+      for (int c = 0; c < 3; ++c) {
+        const float one = lighting.color(a, i)[c], other = ratio * lighting.color(b, i)[c];
+        if (std::abs(one - other) > kRounding * std::max(one, other)) return false;
+      }
+    return true;
+  };
+  std::vector<int> shorter(size_t(lighting.shots), -1);
+  for (int k = 0; k < lighting.shots; ++k)
+    for (int j = 0; j < lighting.shots; ++j) {
+      int& best = shorter[size_t(k)];
+      const bool nearer = best < 0 || exposure[size_t(j)] > exposure[size_t(best)];
+      if (exposure[size_t(j)] < exposure[size_t(k)] && nearer && litAlike(j, k)) best = j;
+    }
+  return shorter;
+}
+
 void flagOutside(const float* y, size_t count, float lowest, float clip, uint8_t* flags) {
   for (size_t p = 0; p < count; ++p) {
     if (isBroken(y[p], lowest))
@@ -45,6 +67,7 @@ ShotSignal::ShotSignal(const CapturePixels& pixels, const LightingMatrix& lighti
       m_needed(lighting.lights + 2),
       m_lowest(-std::max(6 * std::sqrt(noise.constant), 2e-3F)),
       m_exposure(exposure),
+      m_shorter(shorterExposures(lighting, exposure)),
       m_pixelCount(pixels.shots.front().pixelCount()) {
   const int chunks = int((m_pixelCount + kChunk - 1) / kChunk);
   std::vector<uint8_t> dirty(size_t(chunks), 0);
@@ -123,30 +146,41 @@ void ShotSignal::run(size_t first, int count, bool mask, std::vector<float>& scr
       }
     }
   if (!bad) return;
-  for (int p = 0; p < count; ++p) {
-    if (!m_flags[first + size_t(p)]) continue;
-    // How many good values the pixel has, and each channel.
-    int good = 0;
-    int inChannel[3] = {};
-    for (size_t k = 0; k < shots.size(); ++k)
-      for (int c = 0; c < 3; ++c) {
-        const float y = shots[k].plane(c)[first + size_t(p)];
-        if (!isBroken(y, m_lowest) && y < m_pixels->clipLevel[k]) ++good, ++inChannel[c];
-      }
-    const bool dropClipped =
-        mask && good >= m_needed && inChannel[0] > 0 && inChannel[1] > 0 && inChannel[2] > 0;
-    for (size_t k = 0; k < shots.size(); ++k)
-      for (int c = 0; c < 3; ++c) {
-        const float y = shots[k].plane(c)[first + size_t(p)];
-        const bool broken = isBroken(y, m_lowest);
-        const bool clipped = !broken && y >= m_pixels->clipLevel[k];
-        float& usable = planeOf(k, c)[p];
-        if (broken || (clipped && dropClipped))
-          usable = mask ? NAN : 0.0F;
-        else if (m_pixels->ambient && !std::isfinite(usable))
-          usable = y;  // the ambient picture is broken there
-      }
-  }
+  for (int p = 0; p < count; ++p)
+    if (m_flags[first + size_t(p)]) repair(first + size_t(p), mask, scratch.data() + p, padded);
+}
+
+/// `values`: those of the pixel, [shot * 3 + channel] `stride` apart.
+void ShotSignal::repair(size_t pixel, bool mask, float* values, size_t stride) const {
+  const auto& shots = m_pixels->shots;
+  const auto isUsable = [&](size_t k, int c) {
+    const float y = shots[k].plane(c)[pixel];
+    return !isBroken(y, m_lowest) && y < m_pixels->clipLevel[k];
+  };
+  int good = 0;
+  int inChannel[3] = {};
+  for (size_t k = 0; k < shots.size(); ++k)
+    for (int c = 0; c < 3; ++c)
+      if (isUsable(k, c)) ++good, ++inChannel[c];
+  const bool dropClipped =
+      mask && good >= m_needed && inChannel[0] > 0 && inChannel[1] > 0 && inChannel[2] > 0;
+  for (size_t k = 0; k < shots.size(); ++k)
+    for (int c = 0; c < 3; ++c) {
+      const float y = shots[k].plane(c)[pixel];
+      const auto at = [&](size_t shot) -> float& { return values[(shot * 3 + size_t(c)) * stride]; };
+      // The next shorter exposure that is usable, else the shortest.
+      int shorter = m_shorter[k];
+      while (shorter >= 0 && !isUsable(size_t(shorter), c) && m_shorter[size_t(shorter)] >= 0)
+        shorter = m_shorter[size_t(shorter)];
+      const bool told = shorter >= 0 && !isBroken(shots[size_t(shorter)].plane(c)[pixel], m_lowest);
+      const bool broken = isBroken(y, m_lowest), clipped = !broken && y >= m_pixels->clipLevel[k];
+      if (broken || (clipped && (dropClipped || (mask && told))))
+        at(k) = mask ? NAN : 0.0F;
+      else if (clipped && told)
+        at(k) = m_exposure[k] / m_exposure[size_t(shorter)] * at(size_t(shorter));
+      else if (m_pixels->ambient && !std::isfinite(at(k)))
+        at(k) = y;  // the ambient picture is broken there
+    }
 }
 
 }  // namespace swaplight

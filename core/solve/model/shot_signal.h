@@ -23,7 +23,8 @@ class ShotSignal {
 
   /// Fills `run` with the signal of pixels first .. first + count; `scratch` gives it room. With `mask`,
   /// values that are clipped or broken become NaN (a clipped value stays where too few would be left without
-  /// it); otherwise broken ones become 0.
+  /// it, and no shorter exposure of the same light says more); otherwise broken ones become 0, and clipped
+  /// ones what a shorter exposure says.
   void run(size_t first, int count, bool mask, std::vector<float>& scratch, PixelRun& run) const;
 
   /// The mean signal of each shot, over an even sample of usable pixels.
@@ -34,10 +35,13 @@ class ShotSignal {
   [[nodiscard]] size_t pixelCount() const { return m_pixelCount; }
 
  private:
+  void repair(size_t pixel, bool mask, float* values, size_t stride) const;
+
   const CapturePixels* m_pixels;
   int m_needed;  ///< usable values that a pixel must keep
   float m_lowest;
   std::vector<float> m_exposure;
+  std::vector<int> m_shorter;  ///< of each shot: that of the same light with the next shorter exposure, or -1
   size_t m_pixelCount;
   std::vector<uint8_t> m_flags;
 };

@@ -5,16 +5,10 @@
 
 #include <algorithm>
 
+#include "core/capture/lightings.h"
+
 namespace swaplight {
 namespace {
-
-bool litAlike(const Shot& a, const Shot& b, int lights) {
-  for (size_t i = 0; i < size_t(lights); ++i) {
-    if (a.lightColors[i] != b.lightColors[i]) return false;
-    if (!a.lightColors[i] && (a.colorName(i).empty() || a.colorName(i) != b.colorName(i))) return false;
-  }
-  return true;
-}
 
 bool hasLight(const std::optional<Rgb>& color) {
   return color && std::min({color->r, color->g, color->b}) > 0;
@@ -62,7 +56,7 @@ std::optional<SwappedColor> swappedColorOf(const Capture& capture) {
         const Shot &one = capture.shots[size_t(a)], &other = capture.shots[size_t(b)];
         if (!areSwapped(one, other, size_t(first))) continue;
         const bool open = std::all_of(capture.shots.begin(), capture.shots.end(), [&](const Shot& shot) {
-          return &shot == &one || &shot == &other || litAlike(shot, one, 2) || litAlike(shot, other, 2);
+          return &shot == &one || &shot == &other || litAlike(shot, one) || litAlike(shot, other);
         });
         return SwappedColor{{a, b}, {first, 1 - first}, open};
       }

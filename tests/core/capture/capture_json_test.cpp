@@ -91,6 +91,23 @@ TEST(CaptureJson, UnknownKeysAreKeptAndWarnedAbout) {
   EXPECT_THAT(capture.warnings[0], HasSubstr("set/capture.json: light 1: the unknown key \"gel\" is kept"));
 }
 
+TEST(CaptureJson, ExposuresOfABracketAreRepeatedByAllOthers) {
+  Json json = manifest();
+  json["shots"][0].erase("exposure_stops");
+  for (int k = 0; k < 2; ++k) json["shots"].push_back(json["shots"][size_t(k)]);
+  json["exposures"] = {1, -2};
+  const Capture capture = captureFromJson(json, "set");
+  for (size_t k = 0; k < 4; ++k) EXPECT_FLOAT_EQ(capture.shots[k].exposureStops, k % 2 ? -3 : 0) << k;
+  EXPECT_FLOAT_EQ(captureFromJson(jsonFromCapture(capture), "set").shots[3].exposureStops, -3);
+  json["exposures"] = {0, -3, 2};
+  EXPECT_THAT(errorOf(json), HasSubstr("\"exposures\" is "));
+  json["exposures"] = {0, "much"};
+  EXPECT_THAT(errorOf(json), HasSubstr("one for each of the 4 shots"));
+  json["exposures"] = {0, -3};
+  json["shots"][1]["exposure_stops"] = 1;
+  EXPECT_THAT(errorOf(json), HasSubstr("shot 2 has \"exposure_stops\""));
+}
+
 TEST(CaptureJson, SurvivesTheDisk) {
   const TemporaryFolder folder;
   writeCapture(captureFromJson(manifest(), "set"), folder / "capture.json");
