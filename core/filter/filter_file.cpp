@@ -9,6 +9,7 @@
 #include "core/base/json.h"
 #include "core/file/atomic_file.h"
 #include "core/file/json_fields.h"
+#include "core/file/json_file.h"
 #include "core/filter/size_expression.h"
 
 namespace swaplight {
@@ -41,15 +42,12 @@ int lineAt(const std::string& text, size_t offset) {
   return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<ptrdiff_t>(offset), '\n'));
 }
 
+/// Behind as many line ends as the file has before it, so that the line of which an error speaks is the
+/// file's.
 Json jsonOfHeader(const std::string& text, const Header& header, const std::string& name) {
-  try {
-    return Json::parse(text.begin() + static_cast<ptrdiff_t>(header.begin),
-                       text.begin() + static_cast<ptrdiff_t>(header.end));
-  } catch (const Json::parse_error& error) {
-    const size_t at = header.begin + std::min(error.byte > 0 ? error.byte - 1 : 0, header.end - header.begin);
-    throw InputError("{}:{}: the header is not JSON here; look for a missing comma, quote or bracket", name,
-                     lineAt(text, at));
-  }
+  const auto linesBefore = static_cast<size_t>(lineAt(text, header.begin) - 1);
+  return parseJson(std::string(linesBefore, '\n') + text.substr(header.begin, header.end - header.begin),
+                   name + ": the header");
 }
 
 /// A name that GLSL takes.

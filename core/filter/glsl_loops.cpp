@@ -1,6 +1,9 @@
 #include "core/filter/glsl_loops.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <map>
 #include <string>
 
 namespace swaplight {
@@ -8,10 +11,15 @@ namespace {
 
 using Tokens = std::vector<GlslToken>;
 
-/// The tokens of a range that are not blank.
+// A filter may hold as many loops as fit into its file, inside of each other or without an end: all of this
+// costs what the text is long.
+
+constexpr size_t kMostWords = 4;  // of the condition and the step of a loop that plainly ends
+
+/// The tokens of a range that are not blank; no more than can be of interest.
 std::vector<std::string> wordsOf(const Tokens& tokens, size_t begin, size_t end) {
   std::vector<std::string> words;
-  for (size_t i = begin; i < end; ++i)
+  for (size_t i = begin; i < end && words.size() <= kMostWords; ++i)
     if (tokens[i].kind != GlslToken::Kind::Blank) words.push_back(tokens[i].text);
   return words;
 }
@@ -28,13 +36,6 @@ bool isSmallNumber(const std::string& word) {
   return isNumber(word) && error == std::errc() && value <= kFew;
 }
 
-/// Whether a loop stands between here and there: loops in loops multiply.
-bool holdsLoop(const Tokens& tokens, size_t begin, size_t end) {
-  for (size_t i = begin; i < end; ++i)
-    if (tokens[i].is("for") || tokens[i].is("while")) return true;
-  return false;
-}
-
 /// "i < 8" or "i <= 8", and "i++", "++i" or "i += 1": it ends, unless the body changes i.
 bool plainlyEnds(const std::vector<std::string>& condition, const std::vector<std::string>& step) {
   const bool upTo = (condition.size() == 3 || (condition.size() == 4 && condition[2] == "=")) &&
@@ -47,79 +48,106 @@ bool plainlyEnds(const std::vector<std::string>& condition, const std::vector<st
          step[3][0] <= '9';
 }
 
-/// Whether something between here and there is assigned to a counter ("i =", "i -=", "i--").
-bool assigns(const Tokens& tokens, size_t begin, size_t end, const std::string& counter) {
-  for (size_t i = begin; i < end; ++i) {
-    if (!tokens[i].is(counter.c_str())) continue;
-    const size_t mark = nextToken(tokens, i + 1);
-    if (mark >= end || tokens[mark].kind != GlslToken::Kind::Mark) continue;
-    const size_t after = nextToken(tokens, mark + 1);
-    const std::string two = tokens[mark].text + (after < tokens.size() ? tokens[after].text : "");
-    if (two == "--" || two == "-=" || two == "*=" || two == "/=" || (two[0] == '=' && two != "=="))
-      return true;
-  }
-  return false;
+/// Whether the word at `at` is changed other than forwards ("i =", "i -=", "i--").
+bool isAssigned(const Tokens& tokens, size_t at) {
+  const size_t mark = nextToken(tokens, at + 1);
+  if (mark >= tokens.size() || tokens[mark].kind != GlslToken::Kind::Mark) return false;
+  const size_t after = nextToken(tokens, mark + 1);
+  const std::string two = tokens[mark].text + (after < tokens.size() ? tokens[after].text : "");
+  return two == "--" || two == "-=" || two == "*=" || two == "/=" || (two[0] == '=' && two != "==");
 }
 
-/// The end of the statement that begins at `at`: its closing brace or semicolon.
-size_t endOfStatement(const Tokens& tokens, size_t at) {
+bool isLoop(const GlslToken& token) {
+  return token.is("for") || token.is("while");
+}
+
+/// Whether the statement that begins at `at`, to its closing brace or semicolon, leaves the counter alone and
+/// holds no loop: loops in loops multiply.
+bool isPlainBody(const Tokens& tokens, size_t at, const std::string& counter) {
   int depth = 0;
   for (size_t i = at; i < tokens.size(); ++i) {
+    if (isLoop(tokens[i]) || (tokens[i].is(counter.c_str()) && isAssigned(tokens, i))) return false;
     if (tokens[i].is("{")) ++depth;
-    if (tokens[i].is("}") && --depth <= 0) return i;
-    if (tokens[i].is(";") && depth == 0) return i;
+    if ((tokens[i].is("}") && --depth <= 0) || (tokens[i].is(";") && depth == 0)) return true;
   }
-  return tokens.size();
+  return true;
 }
 
-GlslToken mark(const char* text) {
-  return {GlslToken::Kind::Mark, text};
-}
+/// What lies between brackets.
+struct Brackets {
+  size_t close = 0;  ///< 0: never closed
+  std::array<size_t, 2> semicolons = {};
+  size_t semicolonCount = 0;
+};
 
-void guard(Tokens& tokens, size_t begin, size_t end) {
-  const bool empty = wordsOf(tokens, begin, end).empty();
-  tokens.insert(tokens.begin() + static_cast<ptrdiff_t>(end), mark(empty ? "" : ")"));
-  tokens.insert(tokens.begin() + static_cast<ptrdiff_t>(begin), mark(empty ? "isf_go()" : "isf_go() && ("));
-}
-
-/// A for loop's two semicolons; false where it has others.
-bool semicolonsOf(const Tokens& tokens, size_t open, size_t close, size_t& first, size_t& second) {
-  first = second = 0;
-  for (size_t i = open; i < close; ++i) {
-    if (!tokens[i].is(";")) continue;
-    if (second != 0) return false;
-    (first == 0 ? first : second) = i;
+/// Every opening bracket's, by its place.
+std::map<size_t, Brackets> bracketsOf(const Tokens& tokens) {
+  std::map<size_t, Brackets> all;
+  std::vector<std::map<size_t, Brackets>::iterator> open;
+  for (size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].is("(") || tokens[i].is("[")) open.push_back(all.emplace_hint(all.end(), i, Brackets{}));
+    if (open.empty()) continue;
+    Brackets& inner = open.back()->second;
+    if (tokens[i].is(";") && inner.semicolonCount++ < 2) inner.semicolons[inner.semicolonCount - 1] = i;
+    if (!tokens[i].is(")") && !tokens[i].is("]")) continue;
+    inner.close = i;
+    open.pop_back();
   }
-  return second != 0;
+  return all;
+}
+
+/// Tokens that are put in before others, which keep their places until all of them are known.
+class Insertions {
+ public:
+  /// The condition between here and there asks isf_go(), too.
+  void guard(const Tokens& tokens, size_t begin, size_t end) {
+    const bool empty = wordsOf(tokens, begin, end).empty();
+    m_marks.emplace(begin, empty ? "isf_go()" : "isf_go() && (");
+    if (!empty) m_marks.emplace(end, ")");
+  }
+  [[nodiscard]] bool empty() const { return m_marks.empty(); }
+  [[nodiscard]] Tokens applied(Tokens tokens) const {
+    Tokens all;
+    all.reserve(tokens.size() + m_marks.size());
+    auto mark = m_marks.begin();
+    for (size_t i = 0; i < tokens.size(); ++i) {
+      for (; mark != m_marks.end() && mark->first == i; ++mark)
+        all.push_back({GlslToken::Kind::Mark, mark->second});
+      all.push_back(std::move(tokens[i]));
+    }
+    return all;
+  }
+
+ private:
+  std::multimap<size_t, const char*> m_marks;
+};
+
+/// A for loop's condition, its step and its body say that it ends.
+bool plainlyEnds(const Tokens& tokens, const Brackets& head) {
+  const std::vector<std::string> condition = wordsOf(tokens, head.semicolons[0] + 1, head.semicolons[1]);
+  return plainlyEnds(condition, wordsOf(tokens, head.semicolons[1] + 1, head.close)) &&
+         isPlainBody(tokens, head.close + 1, condition[0]);
 }
 
 }  // namespace
 
 bool boundLoops(Tokens& tokens) {
-  bool changed = false;
+  const std::map<size_t, Brackets> brackets = bracketsOf(tokens);
+  Insertions guards;
   for (size_t at = 0; at < tokens.size(); ++at) {
-    const bool isFor = tokens[at].is("for");
-    if (!isFor && !tokens[at].is("while")) continue;
+    if (!isLoop(tokens[at])) continue;
     const size_t open = nextToken(tokens, at + 1);
     if (open >= tokens.size() || !tokens[open].is("(")) continue;
-    const size_t close = closingBracket(tokens, open);
-    if (close >= tokens.size()) continue;
-    size_t begin = open + 1, end = close;
-    if (isFor) {
-      size_t first = 0, second = 0;
-      if (!semicolonsOf(tokens, open, close, first, second)) continue;
-      const std::vector<std::string> condition = wordsOf(tokens, first + 1, second);
-      const size_t bodyEnd = endOfStatement(tokens, close + 1);
-      if (plainlyEnds(condition, wordsOf(tokens, second + 1, close)) &&
-          !holdsLoop(tokens, close + 1, bodyEnd) && !assigns(tokens, close + 1, bodyEnd, condition[0]))
-        continue;
-      begin = first + 1;
-      end = second;
-    }
-    guard(tokens, begin, end);
-    changed = true;
+    const Brackets& head = brackets.at(open);
+    if (head.close == 0) continue;
+    if (tokens[at].is("while"))
+      guards.guard(tokens, open + 1, head.close);
+    else if (head.semicolonCount == 2 && !plainlyEnds(tokens, head))
+      guards.guard(tokens, head.semicolons[0] + 1, head.semicolons[1]);
   }
-  return changed;
+  if (guards.empty()) return false;
+  tokens = guards.applied(std::move(tokens));
+  return true;
 }
 
 }  // namespace swaplight

@@ -70,13 +70,4 @@ size_t nextToken(const std::vector<GlslToken>& tokens, size_t at) {
   return at;
 }
 
-size_t closingBracket(const std::vector<GlslToken>& tokens, size_t open) {
-  int depth = 0;
-  for (size_t i = open; i < tokens.size(); ++i) {
-    if (tokens[i].is("(") || tokens[i].is("[")) ++depth;
-    if ((tokens[i].is(")") || tokens[i].is("]")) && --depth == 0) return i;
-  }
-  return tokens.size();
-}
-
 }  // namespace swaplight

@@ -20,7 +20,5 @@ struct GlslToken {
 
 /// The next token at or behind `at` that is not blank; the number of tokens where there is none.
 [[nodiscard]] size_t nextToken(const std::vector<GlslToken>& tokens, size_t at);
-/// The bracket that closes the one at `open`; the number of tokens where there is none.
-[[nodiscard]] size_t closingBracket(const std::vector<GlslToken>& tokens, size_t open);
 
 }  // namespace swaplight

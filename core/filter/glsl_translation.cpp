@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <map>
 #include <regex>
 #include <set>
@@ -43,12 +45,24 @@ std::string replacementOf(const std::string& word, bool vertex) {
   return word;
 }
 
+bool isNewGlsl(const std::string& number) {
+  int version = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), version);
+  return error == std::errc::result_out_of_range || version >= 130;
+}
+
 /// A switch statement is legal where a program asks for a newer GLSL than ISF's; then words keep their
 /// meaning.
-bool asksForNewGlsl(const std::string& source) {
-  static const std::regex version("#\\s*version\\s+([0-9]+)");
-  std::smatch match;
-  return std::regex_search(source, match, version) && std::stoi(match[1].str().substr(0, 4)) >= 130;
+bool asksForNewGlsl(const Tokens& tokens) {
+  for (size_t at = 0; at < tokens.size(); ++at) {
+    if (!tokens[at].is("#")) continue;
+    const size_t word = nextToken(tokens, at + 1);
+    if (word >= tokens.size() || !tokens[word].is("version")) continue;
+    const size_t number = nextToken(tokens, word + 1);
+    if (number < tokens.size() && tokens[number].kind == GlslToken::Kind::Number)
+      return isNewGlsl(tokens[number].text);
+  }
+  return false;
 }
 
 /// Directives that the translation's own replace: to blanks, up to the end of the line.
@@ -99,20 +113,22 @@ bool replaceImageCalls(Tokens& tokens, const std::set<std::string>& images) {
 
 /// ISF's older names of an image's rectangle and size.
 void replaceImageNames(Tokens& tokens, const std::set<std::string>& images) {
+  std::map<std::string, std::string> names;
+  for (const std::string& image : images) {
+    names["_" + image + "_imgRect"] = "vec4(0.0, 0.0, 1.0, 1.0)";
+    names["_" + image + "_imgSize"] = fmt::format("isf_window_{}.zw", image);
+    names["_" + image + "_flip"] = "false";
+  }
   for (GlslToken& token : tokens) {
     if (token.kind != GlslToken::Kind::Word || token.text[0] != '_') continue;
-    for (const std::string& image : images) {
-      if (token.text == "_" + image + "_imgRect") token.text = "vec4(0.0, 0.0, 1.0, 1.0)";
-      if (token.text == "_" + image + "_imgSize") token.text = fmt::format("isf_window_{}.zw", image);
-      if (token.text == "_" + image + "_flip") token.text = "false";
-    }
+    if (const auto found = names.find(token.text); found != names.end()) token.text = found->second;
   }
 }
 
 std::string translateBody(const std::string& source, const std::set<std::string>& images, bool vertex,
                           bool maySkipBounds, bool& elsewhere) {
-  const bool modern = asksForNewGlsl(source);
   Tokens tokens = glslTokens(source);
+  const bool modern = asksForNewGlsl(tokens);
   dropDirectives(tokens);
   elsewhere = replaceImageCalls(tokens, images) || elsewhere;
   replaceImageNames(tokens, images);
@@ -223,6 +239,19 @@ constexpr const char* kVertexEnd =
     "  isf_userMain();\n"
     "}\n";
 
+/// The first lines, none longer than can be read: they quote the source, and a regular expression's search
+/// goes a step deeper with each letter.
+std::string beginningOf(const std::string& log) {
+  constexpr size_t kMostLines = 20, kLongestLine = 200;
+  std::string beginning;
+  for (size_t line = 0, at = 0; line < kMostLines && at < log.size(); ++line) {
+    const size_t end = std::min(log.find('\n', at), log.size());
+    beginning += log.substr(at, std::min(end - at, kLongestLine)) + "\n";
+    at = end + 1;
+  }
+  return beginning;
+}
+
 }  // namespace
 
 std::string glslName(const std::string& name) {
@@ -245,11 +274,12 @@ GlslTranslation translateFilter(const Filter& filter, bool maySkipBounds) {
   return result;
 }
 
-std::string compileErrorLine(const std::string& log, const std::string& file) {
+std::string compileErrorLine(const std::string& allWords, const std::string& file) {
   static const std::regex mesa("[0-9]+:([0-9]+)\\([0-9]+\\): *error: *([^\\n]*)");
   static const std::regex nvidia("[0-9]+\\(([0-9]+)\\) *: *error *[A-Z0-9]*:? *([^\\n]*)");
   static const std::regex others("ERROR: *[0-9]+:([0-9]+): *([^\\n]*)");
   static const std::regex renamed("isf_word_");
+  const std::string log = beginningOf(allWords);
   for (const std::regex& pattern : {mesa, nvidia, others}) {
     std::smatch match;
     if (!std::regex_search(log, match, pattern)) continue;
@@ -258,8 +288,7 @@ std::string compileErrorLine(const std::string& log, const std::string& file) {
     words = std::regex_replace(words, std::regex("isf_FragColor"), "gl_FragColor");
     return fmt::format("{}:{}: {}", file, match[1].str(), words);
   }
-  const size_t end = log.find('\n');
-  return fmt::format("{}: {}", file, end == std::string::npos ? log : log.substr(0, end));
+  return fmt::format("{}: {}", file, log.substr(0, log.find('\n')));
 }
 
 }  // namespace swaplight

@@ -29,9 +29,11 @@ class ExpressionReader {
 
  private:
   static constexpr int kDeepest = 64;
+  static constexpr size_t kLongestQuote = 200;
 
   [[noreturn]] void fail(const std::string& expected) const {
-    throw InputError("the expression \"{}\": found {} at character {}, expected {}", m_text,
+    throw InputError("the expression \"{}{}\": found {} at character {}, expected {}",
+                     m_text.substr(0, kLongestQuote), m_text.size() > kLongestQuote ? "..." : "",
                      m_at < m_text.size() ? fmt::format("\"{}\"", m_text.substr(m_at, 12)) : "its end",
                      m_at + 1, expected);
   }

@@ -64,7 +64,7 @@ class Library(CameraLookTest):
     def test_a_broken_file_is_skipped_and_named(self):
         broken = self.write('data/swaplight/filters/Broken.fs', '/*{ "INPUTS": [ }*/')
         result = self.succeed('look', 'list')
-        self.assertIn(broken + ':1: the header is not JSON', result.stderr)
+        self.assertIn(broken + ': the header: line 1, column ', result.stderr)
         self.assertIn('exposure', result.stdout)
 
     def test_three_hundred_filters(self):

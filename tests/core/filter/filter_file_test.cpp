@@ -78,7 +78,8 @@ TEST(FilterFile, ErrorsNameFileLineAndWhatToDo) {
   const auto error = [](const std::string& header) { return errorOf([&] { filterOf(header); }); };
   EXPECT_THAT(errorOf([] { static_cast<void>(filterFromText("void main() {}", "soft.fs")); }),
               HasSubstr("soft.fs: no ISF header"));
-  EXPECT_THAT(error("{\n\"INPUTS\": [}\n"), HasSubstr("folder/soft.fs:2: the header is not JSON"));
+  EXPECT_THAT(error("{\n\"INPUTS\": [}\n"),
+              HasSubstr("folder/soft.fs: the header: line 2, column 12: syntax error"));
   EXPECT_THAT(error(R"json({"INPUTS": [{"TYPE": "float"}]})json"), HasSubstr("input 1: \"NAME\""));
   EXPECT_THAT(error(R"json({"INPUTS": [{"NAME": "a", "TYPE": "flaot"}]})json"),
               HasSubstr("\"flaot\", expected event"));

@@ -90,7 +90,8 @@ TEST_F(FilterPipelineTest, LibrarySkipsAndNamesBrokenFilesAndTakesTheFirstOfANam
   EXPECT_EQ(filters.filters().size(), 1U);
   ASSERT_EQ(filters.problems().size(), 1U);
   EXPECT_THAT(filters.problems()[0], HasSubstr("Broken.fs"));
-  EXPECT_THAT(errorOf([&] { static_cast<void>(filters.find("broken")); }), HasSubstr("not JSON"));
+  EXPECT_THAT(errorOf([&] { static_cast<void>(filters.find("broken")); }),
+              HasSubstr("Broken.fs: the header: line 1"));
 }
 
 }  // namespace
