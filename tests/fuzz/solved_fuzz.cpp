@@ -5,7 +5,8 @@
 
 using namespace swaplight;
 
-// The header of a solved set, and its pixels where there are few. (isSolvedSet does what readSolvedHeader begins with.)
+// The header of a solved set, and its pixels where there are few. (isSolvedSet does what readSolvedHeader
+// begins with.)
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const auto file = fuzz::fileOf(data, size);
   fuzz::load([&] {

@@ -1,6 +1,6 @@
 """The k-th call fails, for all k (after SQLite's tests): every write, open, flush and rename of an output, and large
-allocations. Afterwards: one clear line and exit code 3, or all is well; no half file, no temporary; and the next run
-makes the same bytes. $SWAPLIGHT_FAULTS is the library that is preloaded (tests/faults/fail_call.cpp).
+allocations. Afterwards: one clear line and exit code 3, or all is well; no half file, no temporary; a file that was
+there before is the old one or the new one; and the next run makes the same bytes. $SWAPLIGHT_FAULTS is the library that is preloaded (tests/faults/fail_call.cpp).
 
 Of each kind the first call, the last and one between them; with SWAPLIGHT_ALL_FAILURES=1 every one (minutes)."""
 import errno
@@ -58,34 +58,52 @@ class FaultTest(cli.CliTest):
         shutil.rmtree(self.path('out'))
         os.mkdir(self.path('out'))
 
+    def outputs(self):
+        return {name: cli.sha256(self.path('out', name)) for name in os.listdir(self.path('out'))}
+
     def every_call(self, name, *arguments, codes=(3,)):
         """`arguments` write out/NAME."""
-        output = self.path('out', name)
-        self.succeed(*arguments, '-o', output, '-q')
-        wanted = cli.sha256(output)
-        os.remove(output)
-        calls = 0
-        counts = {kind: self.count(kind, [*arguments, '-o', output]) for kind, _ in KINDS}
+        self.every_call_of(f'{arguments[0]} {name}', [*arguments, '-o', self.path('out', name)], name.split('.')[0], codes)
+
+    def every_call_of(self, label, command, said, codes=(3,), before=lambda: None):
+        """Every failing call of a command that writes into out/, where `before` has put what is there already. What
+        fails names `said`."""
+        before()
+        old = self.outputs()
+        self.succeed(*command, '-q')
+        wanted = self.outputs()
+        self.clear()
+        calls, counts = 0, {}
         for kind, error in KINDS:
-            for at in some_of(counts[kind]):
-                with self.subTest(f'{arguments[0]} {name}: {kind} {at} fails with {errno.errorcode[error]}'):
-                    result, failed = self.run_failing(kind, error, at, [*arguments, '-o', output])
+            if kind not in counts:
+                before()
+                counts[kind] = self.count(kind, command)
+            for at in (last := some_of(counts[kind])):
+                with self.subTest(f'{label}: {kind} {at} fails with {errno.errorcode[error]}'):
+                    before()
+                    result, failed = self.run_failing(kind, error, at, command)
                     self.assertIsNotNone(failed, 'there was no such call')
                     calls += 1
-                    self.after(result, output, wanted, codes)
+                    self.after(result, old, wanted, said, codes)
+                    if ALL or at == last[-1]:
+                        self.succeed(*command, '-q')
+                        self.assertEqual(self.outputs(), wanted, 'the next run')
                 self.clear()
         self.assertGreater(calls, 5, 'the failures did not reach the program')
-        print(f'{arguments[0]} {name}: {calls} failing calls of {counts}', flush=True)
+        print(f'{label}: {calls} failing calls of {counts}', flush=True)
 
-    def after(self, result, output, wanted, codes):
-        left = os.listdir(self.path('out'))
+    def after(self, result, old, wanted, said, codes):
+        left = self.outputs()
         if result.returncode == 0:  # a failure that may be passed over, such as flushing the folder
-            self.assertEqual(cli.sha256(output), wanted)
+            self.assertEqual(left, wanted)
             return
         self.assertIn(result.returncode, codes, result.stderr)
         self.assertEqual(result.stderr.count('\n'), 1, result.stderr)
-        self.assertIn(os.path.basename(output).split('.')[0], result.stderr)
-        self.assertEqual(left, [], 'something was left behind')
+        self.assertIn(said, result.stderr)
+        if len(wanted) == 1:
+            self.assertEqual(left, old, 'something was left behind')
+        for name, bytes_left in left.items():  # of a sequence, frames that were done
+            self.assertIn(bytes_left, (old.get(name), wanted.get(name)), f'{name} is half')
 
     def test_solve(self):
         self.every_call('s.exr', 'solve', self.capture.path)
@@ -101,6 +119,51 @@ class FaultTest(cli.CliTest):
 
     def test_a_page(self):
         self.every_call('r.html', 'report', self.solved)
+
+    def test_a_sequence(self):
+        """Frames that are done stay, those that are not are no files."""
+        self.every_call_of('relight f.%04d.exr', ['relight', self.solved, '-F', '1-3', '--key', 'key@1=-2st', '--key',
+                                                  'key@3=+2st', '-o', self.path('out', 'f.%04d.exr')], 'f.', (1, 3))
+
+    def test_over_a_file(self):
+        """A frame that is made again: it is the old one or the new one."""
+        def earlier():
+            shutil.copy(self.path('solved.exr'), self.path('out', 'f.exr'))
+
+        self.every_call_of('relight f.exr again', ['relight', self.solved, '-o', self.path('out', 'f.exr')], 'f.exr',
+                           before=earlier)
+
+    def test_a_session(self):
+        """The studio saves over an earlier session: there stands the earlier one or the new one, and a failure is said."""
+        saved, home = self.path('out', 'mine.swaplight'), self.path('home')
+        environment = {'HOME': home, **{f'XDG_{name}_HOME': '' for name in ('CONFIG', 'DATA', 'STATE')}}
+        with open(self.path('save.txt'), 'w') as file:
+            file.write(f'open {self.solved}\nwait\nlight key +1st\nsave {saved}\nwait\nquit\n')
+        command = ['studio', '--script', self.path('save.txt'), '--screenshot', self.path('end.png'), '--size', '640x480']
+        self.succeed(*command, '-q', env=environment)
+        wanted = self.outputs()
+        calls = 0
+        for kind, error in KINDS if ALL else (('write', errno.ENOSPC), ('rename', errno.EIO)):
+            for at in range(1, self.count(kind, command, **environment) + 1):
+                with self.subTest(f'{kind} {at} fails with {errno.errorcode[error]}'):
+                    shutil.rmtree(home)
+                    with open(saved, 'w') as file:
+                        file.write('the earlier one')
+                    old = self.outputs()
+                    result, failed = self.run_failing(kind, error, at, command, **environment)
+                    self.assertIsNotNone(failed, 'there was no such call')
+                    self.assertEqual(result.returncode, 0, result.stderr)
+                    calls += 1
+                    if self.outputs() != wanted:
+                        self.assertEqual(self.outputs(), old)
+                        with open(os.path.join(home, '.local/state/swaplight/swaplight.log')) as file:
+                            said = [line for line in file if 'mine.swaplight' in line]
+                        self.assertEqual(len(said), 1, said)
+                        self.assertIn('error: ', said[0])
+                    self.succeed(*command, '-q', env=environment)
+                    self.assertEqual(self.outputs(), wanted, 'the next run')
+                self.clear()
+        print(f'a session: {calls} failing calls', flush=True)
 
     def test_memory(self):
         """Large allocations of a solve, one after the other; libraries do not survive that their small ones fail."""

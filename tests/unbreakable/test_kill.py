@@ -7,8 +7,8 @@ from killed_verb import Killer
 class KillTest(cli.CliTest):
     def test_killed_verbs_leave_whole_files(self):
         killer = Killer(self.folder, seed=1)
-        for _ in range(16):
-            killer.kill()
+        for _ in range(5):
+            killer.kill(3)
 
 
 if __name__ == '__main__':
