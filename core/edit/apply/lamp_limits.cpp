@@ -28,6 +28,25 @@ double guessedArea(const PreparedEdit& edit, const LampGain& gain, const EditedL
   return all > 0 ? double(guessed) / all : 0;
 }
 
+// Of a cone's ellipse, what lies in the picture.
+double seenOf(const LightCone& cone, const EditedLights& lights) {
+  constexpr int kSteps = 40;
+  const double halfHeight = .5 * lights.height / lights.width;
+  int seen = 0;
+  int all = 0;
+  for (int j = 0; j < kSteps; ++j)
+    for (int i = 0; i < kSteps; ++i) {
+      const double a = (2. * i + 1) / kSteps - 1;
+      const double b = (2. * j + 1) / kSteps - 1;
+      if (a * a + b * b > 1) continue;
+      const double x = cone.x + cone.cosine * a * cone.radiusA - cone.sine * b * cone.radiusB;
+      const double y = cone.y + cone.sine * a * cone.radiusA + cone.cosine * b * cone.radiusB;
+      ++all;
+      seen += std::abs(x) <= .5 && std::abs(y) <= halfHeight;
+    }
+  return double(seen) / all;
+}
+
 }  // namespace
 
 LampLimits lampLimits(const PreparedEdit& edit, size_t k, const EditedLights& lights) {
@@ -37,6 +56,7 @@ LampLimits lampLimits(const PreparedEdit& edit, size_t k, const EditedLights& li
   limits.guessed = guessedArea(edit, *edit.lamps[k].gain, lights);
   const LampChange change = lampChangeOf(edit.edit->operation);
   limits.shift = std::hypot(change.right, change.up) / pool.width;
+  if (pool.cone) limits.seen = seenOf(*pool.cone, lights);
   return limits;
 }
 
@@ -48,6 +68,10 @@ std::vector<std::string> lampWarnings(const PreparedEdit& edit, const EditedLigh
     if (limits.guessed >= LampLimits::kGuessTold)
       warnings.push_back(fmt::format("\"{}\" is a guess on {:.0f} % of the picture: its lamp never lit that",
                                      light, 100 * limits.guessed));
+    if (limits.seen < LampLimits::kLeastSeen)
+      warnings.push_back(fmt::format(
+          "only {:.0f} % of what \"{}\" lights is in the picture: where its lamp stands is a guess",
+          100 * limits.seen, light));
     constexpr double kRounding = .005;
     if (limits.shift > LampLimits::kFarthest + kRounding)
       warnings.push_back(

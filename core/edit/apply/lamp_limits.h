@@ -16,6 +16,10 @@ struct LampLimits {
   /// shape, are in the wrong place. A lamp that turns in its place throws the same ones.
   double shift = 0;
 
+  /// Of a spot's cone: what lies in the picture, 0..1. What is mostly outside tells little of its lamp.
+  double seen = 1;
+
+  static constexpr double kLeastSeen = 0.5;
   static constexpr double kFarthest = 0.25;   ///< what moves were measured to be good for: docs/edits.md
   static constexpr double kGuessTold = 0.01;  ///< smaller areas are not worth a word
 };

@@ -119,6 +119,9 @@ TEST(LampEdit, SaysWhatNobodyCanKnow) {
               ElementsAre(HasSubstr("\"key\" is a guess on"), HasSubstr("its shadows stay")));
   EXPECT_THAT(warned(TurnOperation{20, 0}), ElementsAre(HasSubstr("is a guess")));
   EXPECT_THAT(warned(SpreadOperation{2}), ElementsAre(HasSubstr("is a guess")));
+  const SolvedSet aside = test::lampSet(kWidth, kHeight, {.6, 0, .8, .3});
+  EXPECT_THAT(applyEdits(aside, stackOf(MoveOperation{.005F, 0, 1}, "key")).capture.warnings,
+              ElementsAre(HasSubstr("is in the picture")));
   // Where the edit does not act nothing is guessed.
   EXPECT_THAT(warned(SpreadOperation{2}, Mask{{RectangleShape{0, 0, 10, 10, 0}, false}}), ElementsAre());
 }
