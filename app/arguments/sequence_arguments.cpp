@@ -116,7 +116,17 @@ void sayFrame(const FrameOutcome& outcome, Terminal& terminal) {
     terminal.say("Frame {} done: {}", outcome.frame, outcome.file.string());
   if (outcome.state == State::Skipped)
     terminal.say("Frame {} is there: {}", outcome.frame, outcome.file.string());
-  if (outcome.state == State::Failed) terminal.say("Frame {} failed: {}", outcome.frame, outcome.error);
+  if (outcome.state == State::Failed) terminal.complain("Frame {} failed: {}", outcome.frame, outcome.error);
+}
+
+int exitCodeOf(const SequenceSummary& summary) {
+  constexpr int kSomeFailed = 1, kBadInput = 2, kMachineCouldNot = 3;
+  const int failed = summary.count(State::Failed);
+  if (failed == 0) return 0;
+  if (failed < static_cast<int>(summary.outcomes.size())) return kSomeFailed;
+  const bool machine = std::any_of(summary.outcomes.begin(), summary.outcomes.end(),
+                                   [](const FrameOutcome& outcome) { return outcome.machine; });
+  return machine ? kMachineCouldNot : kBadInput;
 }
 
 /// No frame may replace what any of them is made of; the first one can be written.
@@ -194,8 +204,7 @@ int SequenceArguments::run(const ColorConfig& config, const LightingArguments& l
       summary.seconds, json["frames_per_second"].get<double>(), 100 * summary.writeShare,
       json["peak_megabytes"].get<double>());
   terminal.result("", json);
-  if (failed == 0) return 0;
-  return failed < static_cast<int>(summary.outcomes.size()) ? 1 : 2;
+  return exitCodeOf(summary);
 }
 
 }  // namespace swaplight

@@ -40,7 +40,12 @@ class Terminal {
   void say(fmt::format_string<Args...> format, Args&&... args) {
     if (!m_options.quiet) line(fmt::format(format, std::forward<Args>(args)...));
   }
-  /// The same, only with -v.
+  /// An error that does not end the verb: a line on standard error, with -q as well.
+  template <typename... Args>
+  void complain(fmt::format_string<Args...> format, Args&&... args) {
+    line(fmt::format(format, std::forward<Args>(args)...));
+  }
+  /// As say(), only with -v.
   template <typename... Args>
   void detail(fmt::format_string<Args...> format, Args&&... args) {
     if (m_options.verbose) line(fmt::format(format, std::forward<Args>(args)...));

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/base/machine_error.h"
 #include "core/file/frame_range.h"
 
 namespace swaplight {
@@ -79,6 +80,7 @@ class SequenceRun {
     } catch (const InputError& error) {
       outcome.state = FrameOutcome::State::Failed;
       outcome.error = error.what();
+      outcome.machine = dynamic_cast<const MachineError*>(&error) != nullptr;
     }
     return outcome;
   }

@@ -36,7 +36,8 @@ struct FrameOutcome {
   int frame = 0;
   std::filesystem::path file;
   State state = State::Written;
-  std::string error;  ///< why it failed
+  std::string error;     ///< why it failed
+  bool machine = false;  ///< because the machine could not: a full disk, no open files
 };
 
 struct SequenceSummary {

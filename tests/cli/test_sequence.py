@@ -108,6 +108,13 @@ class SequenceTest(cli.CliTest):
         self.assertEqual([f['state'] for f in result['frames']], ['written', 'failed'])
         self.sequence('-F', '2', source=source, code=2)
 
+    def test_a_failed_frame_is_said_to_the_quiet(self):
+        os.link(self.solved, self.path('in.0001.exr'))
+        result = cli.run('relight', self.path('in.%04d.exr'), '-F', '1-2', '--workers', 1, '-q', '-o', self.path('out.%04d.exr'))
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr.count('\n'), 1, result.stderr)
+        self.assertIn('in.0002.exr', result.stderr)
+
     def bytes(self):
         return {name: cli.sha256(self.path(name)) for name in self.made()}
 
