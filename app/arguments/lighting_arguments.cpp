@@ -7,6 +7,7 @@
 #include "core/look/look.h"
 #include "core/look/rig_blend.h"
 #include "core/ocio/chosen_config.h"
+#include "core/relight/light_command.h"
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
 #include "core/set/set_color_space.h"
@@ -59,6 +60,11 @@ void LightingArguments::addTo(CLI::App& verb) {
                   std::string("A light's setting; may be repeated. SETTING is a comma-separated list of ") +
                       kSettingGrammar + ". A light that is not named stays unit white")
       ->type_name("NAME=SETTING")
+      ->allow_extra_args(false);
+  verb.add_option("--command", m_commands,
+                  std::string("A line as at a lighting desk, after the settings above; may be repeated: ") +
+                      kLightCommandExamples)
+      ->type_name("LINE")
       ->allow_extra_args(false);
   verb.add_option("--rig", m_rig, "A rig of lights (JSON)")->type_name("FILE");
   verb.add_option("--session", m_session, "Use a session's edits, rig and view and, without SOURCE, its set")
@@ -125,6 +131,8 @@ Rig LightingArguments::rig(const std::optional<Session>& session, const Capture&
     saying("--light " + text,
            [&] { applySetting(findLight(rig, text.substr(0, equals)), text.substr(equals + 1)); });
   }
+  for (const std::string& line : m_commands)
+    saying("--command " + line, [&] { rig = lightCommand(rig, line).rig; });
   if (m_ambient) rig.ambient = *m_ambient;
   return rig;
 }

@@ -60,6 +60,7 @@ class LightingArguments {
 
   std::string m_source;
   std::vector<std::string> m_lights;
+  std::vector<std::string> m_commands;
   std::string m_rig;
   mutable std::shared_ptr<const Json> m_rigFile;
   std::string m_session;

@@ -13,6 +13,7 @@
 #include "core/session/session_file.h"
 #include "core/set/dynamic_range.h"
 #include "core/set/set_color_space.h"
+#include "core/set/solve_verdict.h"
 #include "core/set/solved_file.h"
 
 namespace swaplight {
@@ -106,7 +107,10 @@ Description describeSolvedSet(const fs::path& file) {
   d.line("lights", lightsText(capture));
   d.line("channels", channelsText(spec));
   for (const std::string& warning : capture.warnings) d.line("warning", warning);
-  if (report && !report->message.empty()) d.line("solved", report->message);
+  if (report && !report->message.empty()) {
+    d.line("solved", report->message);
+    d.line("verdict", verdictLine(verdictOf(*report)));
+  }
   d.json = {{"kind", "solved"}, {"file", file.string()}};
   d.json.update(pictureJson(spec, info));
   describeRange(file, info, d);

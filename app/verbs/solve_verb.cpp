@@ -10,6 +10,7 @@
 #include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
 #include "core/set/set_color_space.h"
+#include "core/set/solve_verdict.h"
 #include "core/set/solved_file.h"
 #include "core/solve/solve.h"
 
@@ -61,9 +62,13 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
 
   Json json = jsonFromSolveReport(*set.report);
   json["solved"] = arguments.output;
+  const SolveVerdict verdict = verdictOf(*set.report);
+  json["verdict"] = {{"word", verdictWord(verdict.word)}, {"reasons", verdict.reasons}};
   terminal.say("wrote {}, {} x {} pixels, {} lights", arguments.output, set.width(), set.height(),
                set.lightCount());
-  terminal.result(fmt::format("{} {:.2f} s.\n", set.report->message, set.report->seconds), json);
+  terminal.result(
+      fmt::format("{}\n{} {:.2f} s.\n", verdictLine(verdict), set.report->message, set.report->seconds),
+      json);
   return 0;
 }
 

@@ -52,6 +52,12 @@ class RelightTest(cli.CliTest):
         self.deny('relight', self.solved, '--tone', 'drago', '-F', '1-2', '-o', self.path('a.%04d.png'),
                   naming='flicker')
 
+    def test_lights_are_set_as_at_a_desk(self):
+        self.near(self.frame('--command', 'key + fill @ 50'), .5 * (self.key + self.fill))
+        self.near(self.frame('--light', 'key=off', '--command', '1 on @ 25', '--command', '2 out'), .25 * self.key)
+        self.deny('relight', self.solved, '--command', 'kay @ 50', '-o', self.path('a.exr'),
+                  naming="--command kay @ 50: 'kay' is no light and no setting")
+
     def test_settings_for_one_light_add_up_over_several_options(self):
         self.near(self.frame('--light', 'key=rgb:0/1/0', '--light', 'key=+1st', '--light', 'fill=off'),
                   self.key * [0, 2, 0])

@@ -61,7 +61,9 @@ class SolveTest(cli.CliTest):
         solved = self.path('solved.exr')
         result = self.succeed('solve', capture.path, '-o', solved, '--report', report)
         self.assertGreater(len(result.stdout.strip()), 40, 'a paragraph is expected')
-        message, seconds = re.fullmatch(r'(.*) (\d+\.\d\d) s\.', result.stdout.strip(), re.DOTALL).groups()
+        verdict, rest = result.stdout.strip().split('\n', 1)
+        self.assertEqual(verdict, 'Lights told apart: good.')
+        message, seconds = re.fullmatch(r'(.*) (\d+\.\d\d) s\.', rest, re.DOTALL).groups()
         self.assertLess(float(seconds), 60)
         with open(report) as file:
             self.assertEqual(json.load(file)['message'], message)
@@ -82,6 +84,16 @@ class SolveTest(cli.CliTest):
             mixed = np.einsum('ij,jpc->ipc', mixing, truth)
             factors = (found * mixed).sum((0, 1)) / (mixed ** 2).sum((0, 1))
         return np.sqrt(((found - mixed * factors) ** 2).mean() / (truth ** 2).mean())
+
+    def test_wrong_colors_are_not_called_good(self):
+        """Gels of quite other colours: nothing of the frame looks wrong, until a light is changed."""
+        capture = cli.Capture(self.path('set'), names=('key', 'fill', 'back'))
+        solved = self.path('solved.exr')
+        self.assertEqual(self.succeed_json('solve', capture.path, '-o', solved)['verdict'], {'word': 'good', 'reasons': []})
+        verdict = self.succeed_json('solve', capture.path, '-o', solved, '--colors', '0.26/0.4/0.8,0.8/0.6/0.35,0.5/0.7/0.4')['verdict']
+        self.assertNotEqual(verdict['word'], 'good')
+        self.assertIn('check which light had which gel', ' '.join(verdict['reasons']))
+        self.assertIn(verdict['reasons'][0], self.succeed('info', solved).stdout)
 
     def test_refined_colors_are_nearer_to_the_true_ones(self):
         capture = cli.Capture(self.path('set'), height=60, width=80)

@@ -5,6 +5,7 @@
 #include "core/ocio/color_config.h"
 #include "core/session/broken_recovery.h"
 #include "core/session/open_source.h"
+#include "core/set/solve_verdict.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;
@@ -17,6 +18,13 @@ std::string shortName(const fs::path& file) {
   // Every capture's file is called capture.json; its folder says more.
   return file.filename() == "capture.json" ? file.parent_path().filename().string()
                                            : file.filename().string();
+}
+
+/// A set whose lights are not told apart looks like one that is, until a light is changed.
+void warnOfVerdict(const SolvedSet& set, Messages& messages) {
+  if (!set.report) return;
+  const SolveVerdict verdict = verdictOf(*set.report);
+  if (verdict.word == SolveVerdict::Word::NotApart) messages.warn(verdictLine(verdict));
 }
 
 }  // namespace
@@ -150,6 +158,7 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
     document.edits = fitEdits(document.edits, set->original->width(), set->original->height());
     document.rig = fitRig(document.rig, withNewLights(set->original->capture, document.edits));
     for (const std::string& warning : set->original->capture.warnings) m_messages.warn(warning);
+    if (sourceKind(document.source) == SourceKind::Capture) warnOfVerdict(*set->original, m_messages);
   }
   for (const std::string& warning : pending.session.warnings) m_messages.warn(warning);
   m_colors.follow(document.colorConfig, m_messages);

@@ -202,7 +202,7 @@ void ExportDialog::drawLayers() {
   static constexpr std::array<Choice, 3> kNaming = {{{"one", "Single part"},
                                                      {"multi", "Multi-part, one per light"},
                                                      {"blender", "Blender's light groups"}}};
-  static constexpr std::array<Choice, 6> kCompressions = {{{"zip", "ZIP, 16 lines"},
+  static constexpr std::array<Choice, 6> kCompressions = {{{"zip", "ZIP"},
                                                            {"zips", "ZIPS (one line)"},
                                                            {"piz", "PIZ"},
                                                            {"dwaa", "DWAA (lossy)"},

@@ -102,7 +102,7 @@ void KeysWindow::draw(ActionTable& actions, const Keyboard& keyboard, Messages& 
   ImGui::SetNextWindowSize(
       ImVec2(std::min(px(1120), screen.x - px(40)), std::min(px(860), screen.y - px(60))));
   const bool wasWaiting = !m_waiting.empty();
-  if (ImGui::Begin("Keys", &m_open,
+  if (ImGui::Begin("Keyboard shortcuts", &m_open,
                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                        ImGuiWindowFlags_NoSavedSettings)) {
     ImGui::SetNextItemWidth(px(320));

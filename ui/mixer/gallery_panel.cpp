@@ -91,6 +91,20 @@ void sideCombo(LightsContext& studio, const char* side, size_t* chosen, float wi
   markItem({"gallery.side_", side});
 }
 
+/// From look to look in a time: see ui/desk/cue_player.h.
+void goButtons(const ActionTable& actions, float width) {
+  hint("Crossfade");
+  const float button = px(46);
+  ImGui::PushFont(fonts().small);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(4), 0));
+  ImGui::SameLine(width - 2 * button - px(4));
+  actionTextButton(actions, "cues.back", "BACK", button);
+  ImGui::SameLine(0, px(4));
+  actionTextButton(actions, "cues.go", "GO", button);
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
 /// The T-bar between two looks.
 void crossfade(LightsContext& studio) {
   const std::vector<SavedLook>& looks = studio.document().looks;
@@ -104,7 +118,7 @@ void crossfade(LightsContext& studio) {
   state.sideA = std::min(state.sideA, looks.size() - 1);
   state.sideB = std::min(state.sideB, looks.size() - 1);
   const float width = ImGui::GetContentRegionAvail().x;
-  hint("Crossfade");
+  goButtons(studio.actions, width);
   sideCombo(studio, "A", &state.sideA, width);
   float percent = 100 * state.fader;
   ImGui::SetNextItemWidth(width);
@@ -168,7 +182,7 @@ void GalleryPanel::drawLook(LightsContext& studio, size_t index, float height) {
   const float side = px(kNameHeight);
   const ImVec2 clip = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(clip, ImVec2(clip.x + size.x - 2 * side - px(6), clip.y + side), true);
-  hint(look.name);
+  hint(fmt::format("{}  {}", index + 1, look.name));
   ImGui::PopClipRect();
   ImGui::SetCursorScreenPos(ImVec2(clip.x + size.x - 2 * side - px(2), clip.y));
   const CompareState& compare = studio.view.compare;

@@ -124,6 +124,9 @@ void name(LightsContext& studio, size_t light, const LightSetting& setting, ImVe
     nameField(studio, light, width);
     ImGui::PopStyleVar();
   } else {
+    ImGui::TextDisabled("%zu", light + 1);
+    markItem({"mixer.", setting.light, ".number_of_light"});
+    ImGui::SameLine(0, px(6));
     ImGui::PushFont(fonts().strong);
     ImGui::TextUnformatted(setting.title().c_str());
     ImGui::PopFont();

@@ -78,6 +78,12 @@ std::string levelWords(const Rig& rig, Role role, Role other, const std::string&
   return level;
 }
 
+/// "0.8 st under key", as people say it.
+std::string overKeyWords(float stops) {
+  if (std::abs(stops) < 0.05F) return "as bright as key";
+  return fmt::format("{:.1f} st {} key", std::abs(stops), stops > 0 ? "over" : "under");
+}
+
 /// To be called after the slider's mark and tooltip.
 void wordsBeside(const std::string& words) {
   ImGui::SameLine(0, px(kGap));
@@ -129,7 +135,7 @@ void backLevel(LightsContext& studio) {
     previewRig(studio, "Back level", withStopsOverRole(rig, ratios, Role::Back, Role::Key, stops));
   markItem("three_point.back");
   tooltip("How much brighter the back light is than the key, where both reach. Ctrl-click to type stops.");
-  wordsBeside(levelWords(rig, Role::Back, Role::Key, fmt::format("{:+.1f} st over key", stops)));
+  wordsBeside(levelWords(rig, Role::Back, Role::Key, overKeyWords(stops)));
   ImGui::EndDisabled();
 }
 

@@ -29,6 +29,7 @@ const std::vector<Menu>& menus() {
        {"light.solo",
         "light.solo_alone",
         "light.mute",
+        "desk.type",
         "-",
         "light.rename",
         "light.copy",

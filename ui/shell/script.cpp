@@ -10,6 +10,7 @@
 #include "core/file/atomic_file.h"
 #include "core/relight/setting.h"
 #include "ui/control/light_edit.h"
+#include "ui/desk/studio_command.h"
 #include "ui/kit/layout_probe.h"
 
 namespace swaplight {
@@ -106,6 +107,8 @@ bool Script::run(StudioWindow& studio, const ScriptLine& line) {
     Rig rig = context.document().rig;
     applySetting(rig.lights[index], text);
     editRig(context, argument, rig);
+  } else if (command == "command") {
+    runStudioCommand(studio.lights(), studio.cues(), argument);
   } else if (command == "save") {
     context.session.saveAs(argument);
   } else if (command == "export") {

@@ -7,6 +7,7 @@
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
+#include "ui/shell/solve_report_box.h"
 
 namespace swaplight {
 namespace {
@@ -38,6 +39,10 @@ void drawStatusBar(const SessionController& session, const ShownPicture& shown, 
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, kFaint);
   ImGui::TextUnformatted(setText(session).c_str());
+  if (session.set() && session.set()->original->report) {
+    ImGui::SameLine(0, px(24));
+    drawSolveWord(*session.set()->original->report);
+  }
   const std::string zoom = shown.valid ? fmt::format("{:.0f} %", 100 * shown.window.zoom) : "";
   const float zoomAt = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(zoom.c_str()).x - px(4);
   drawColors(colors, zoomAt - px(24));

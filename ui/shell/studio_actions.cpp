@@ -1,4 +1,5 @@
 #include "ui/camera_look/camera_look_actions.h"
+#include "ui/desk/desk_actions.h"
 #include "ui/edits/edits_actions.h"
 #include "ui/mixer/mixer_actions.h"
 #include "ui/shadows/shadow_actions.h"
@@ -22,6 +23,7 @@ void StudioWindow::addActions() {
   addViewActions(m_actions, m_context, m_chooser);
   addCompareActions(m_actions, m_context);
   addLookActions(m_actions, m_lights);
+  addDeskActions(m_actions, m_lights, m_commandLine, m_cues);
   addCameraLookActions(m_actions, m_context, m_chooser);
   addWindowActions();
 }

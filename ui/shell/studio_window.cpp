@@ -92,6 +92,13 @@ StudioWindow::~StudioWindow() {
   if (m_layout != m_layoutOnDisk) writePanelLayout(m_layout, m_layoutFile);
 }
 
+// At once, not at the end: a studio that dies has its panels again.
+void StudioWindow::keepLayout() {
+  if (m_layout == m_layoutOnDisk || ImGui::IsAnyMouseDown()) return;
+  writePanelLayout(m_layout, m_layoutFile);
+  m_layoutOnDisk = m_layout;
+}
+
 void StudioWindow::whenSaved(const std::function<void()>& then) {
   m_editor.commit();
   if (m_session.saving()) {
@@ -196,9 +203,10 @@ void StudioWindow::update() {
   m_subjects.update(m_messages);
   m_seen.update(m_messages);
   if (m_messages.expire()) m_window.requestFrames();
+  keepLayout();
   const bool marches = m_editing.selection.marching;
   if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_window.requestFrames(1);
-  if (listMoves()) m_window.requestFrames(1);
+  if (listMoves() || m_cues.fading()) m_window.requestFrames(1);
   for (const fs::path& dropped : m_window.takeDropped())
     if (!takeDroppedLook(m_context, dropped)) whenSaved([this, dropped] { open(dropped); });
   if (m_window.closeAsked()) askToQuit();
@@ -267,6 +275,7 @@ void StudioWindow::frame() {
   m_window.nextInput();
   m_editing.selection.marching = false;  // whoever draws its outline says otherwise
   hearKeys();
+  m_cues.update(m_lights);
   markEchoes();
   if (m_setShown != m_session.setRevision()) {
     m_subjects.forget();
@@ -311,11 +320,13 @@ void StudioWindow::frame() {
   drawAboutBox(m_pictures->words(), *m_colors.config(), &m_aboutOpen);
   drawHistoryPanel(m_editor, &m_historyOpen);
   // However it was made, a gesture ends when nothing is held any more: one gesture, one step.
-  if (m_editor.inGesture() && !ImGui::IsAnyItemActive() && !m_mixer.nudging) m_editor.commit();
+  if (m_editor.inGesture() && !ImGui::IsAnyItemActive() && !m_mixer.nudging && !m_cues.fading())
+    m_editor.commit();
   markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");
   markState("title", m_title);
   markState("popups", std::to_string(openPopups()));
   markState("busy", busy() || listMoves() ? "yes" : "no");
+  markState("desk.fading", m_cues.fading() ? "yes" : "no");
   markState("camera_look.drawn", m_seen.words());
   markState("colors", m_colors.config()->title());
   if (const OpenSet* set = m_session.set()) markState("working_space", set->original->colorSpace());

@@ -8,6 +8,8 @@
 #include "ui/control/export_controller.h"
 #include "ui/control/lights_context.h"
 #include "ui/control/viewer_context.h"
+#include "ui/desk/command_line.h"
+#include "ui/desk/cue_player.h"
 #include "ui/dialogs/capture_wizard.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/export_dialog.h"
@@ -61,6 +63,7 @@ class StudioWindow {
   [[nodiscard]] Window& window() { return m_window; }
   [[nodiscard]] ViewerContext& context() { return m_context; }
   [[nodiscard]] const LightsContext& lights() const { return m_lights; }
+  [[nodiscard]] CuePlayer& cues() { return m_cues; }
 
  private:
   void addActions();
@@ -78,6 +81,7 @@ class StudioWindow {
   void askForExport(std::optional<ExportKind> kind = {});
   void askForExportName();
   void drawDialogs();
+  void keepLayout();
   void markEchoes();
   /// Runs the actions whose keys were pressed, or closes what is on top.
   void hearKeys();
@@ -117,6 +121,8 @@ class StudioWindow {
   ShadowController m_shadows;
   ScopesPanel m_scopes;
   GalleryPanel m_gallery;
+  CommandLine m_commandLine;
+  CuePlayer m_cues;
   ViewerContext m_context;
   LightsContext m_lights;
   LampReader m_lamps;

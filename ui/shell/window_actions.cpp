@@ -19,7 +19,7 @@ void StudioWindow::addWindowActions() {
   m_actions.add({"view.look", "Hand tool", "Escape", "Leave the current tool; dragging pans the picture.",
                  [this] { m_tool = nullptr; }, [this] { return m_tool != nullptr; }});
   m_actions.add({"help.keys",
-                 "Keys",
+                 "Keyboard shortcuts",
                  "? F1",
                  "Every action with its shortcut. Shortcuts can be changed.",
                  [this] { m_keys.toggle(); },

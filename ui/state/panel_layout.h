@@ -27,7 +27,8 @@ struct PanelLayout {
   bool gallery = false;
   bool cameraLook = false;
   bool threePoint = false;  ///< in the place of the light's colour
-  bool hidden = false;      ///< everything but the viewer
+  bool commandLine = false;
+  bool hidden = false;  ///< everything but the viewer
   float mixerWidth = 372;
   float scopesHeight = 220;
   ScopeOptions scopeOptions;
@@ -35,7 +36,7 @@ struct PanelLayout {
 };
 
 /// The panels, by their names in the file.
-inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 8> kPanelNames = {
+inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 9> kPanelNames = {
     {{"mixer", &PanelLayout::mixer},
      {"scopes", &PanelLayout::scopes},
      {"tools", &PanelLayout::tools},
@@ -43,7 +44,8 @@ inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 8> kPan
      {"shadows", &PanelLayout::shadows},
      {"gallery", &PanelLayout::gallery},
      {"camera_look", &PanelLayout::cameraLook},
-     {"three_point", &PanelLayout::threePoint}}};
+     {"three_point", &PanelLayout::threePoint},
+     {"command_line", &PanelLayout::commandLine}}};
 
 /// Defaults where the file is not there or cannot be read.
 [[nodiscard]] PanelLayout readPanelLayout(const std::filesystem::path& file);

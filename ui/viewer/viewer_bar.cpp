@@ -227,7 +227,7 @@ void drawViewerBar(ViewerContext& studio) {
          "Viewer exposure, never exported. Drag, or hold E and drag in the picture. Right-click resets.");
   number("##gamma", &settings.gamma, 62, 0.005F, 0.1F, 10, "\u03b3 %.2f", 1,
          "Viewer gamma, never exported. Right-click resets.");
-  actionTextButton(studio.actions, "view.false_color", "False", px(54));
+  actionTextButton(studio.actions, "view.false_color", "False colour", px(96));
   ImGui::SameLine(0, px(kGap));
   zebraButton(studio);
   const float room = ImGui::GetContentRegionAvail().x - px(6);

@@ -1,0 +1,83 @@
+#include "core/set/solve_verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace swaplight {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Word = SolveVerdict::Word;
+
+SolveReport reportWith(double error) {
+  SolveReport report;
+  report.pixels = 1000;
+  report.sigmaMedian = error;
+  return report;
+}
+
+TEST(SolveVerdict, FollowsFromTheErrorOfTheMedianPixel) {
+  EXPECT_EQ(verdictOf(reportWith(0)).word, Word::Good);
+  EXPECT_EQ(verdictOf(reportWith(0.11)).word, Word::Good);
+  EXPECT_EQ(verdictOf(reportWith(0.2)).word, Word::Fair);
+  EXPECT_EQ(verdictOf(reportWith(0.5)).word, Word::NotApart);
+  EXPECT_EQ(verdictOf(reportWith(INFINITY)).word, Word::NotApart);
+}
+
+TEST(SolveVerdict, AGoodOneGivesNoReasons) {
+  SolveReport report = reportWith(0.02);
+  report.colorDisagreement = 0.08;
+  report.clipped = 500;
+  EXPECT_THAT(verdictOf(report).reasons, IsEmpty());
+  EXPECT_EQ(verdictLine(verdictOf(report)), "Lights told apart: good.");
+}
+
+TEST(SolveVerdict, ColoursThatTheLightContradictsAreNotGood) {
+  SolveReport report = reportWith(0.02);
+  report.conditioning.amplification = {1.2, 1.5, 1.2};
+  for (const auto& [uncertainty, word] :
+       {std::pair(0.15F, Word::Good), {0.3F, Word::Fair}, {0.6F, Word::NotApart}}) {
+    report.colorUncertainty = uncertainty;
+    EXPECT_EQ(verdictOf(report).word, word) << uncertainty;
+  }
+  report.colorUncertainty = 0.12F;
+  report.colorDisagreement = 0.36;  // two photographs of real gels under quite other colours than were told
+  EXPECT_EQ(verdictOf(report).word, Word::NotApart);
+}
+
+TEST(SolveVerdict, LampsPhotographedOneByOneNeedNoMatteSurface) {
+  SolveReport report = reportWith(0.02);
+  report.conditioning.amplification = {1, 1, 1};
+  report.colorUncertainty = 0.6F;
+  report.colorDisagreement = 0.6;
+  EXPECT_EQ(verdictOf(report).word, Word::Good);
+}
+
+TEST(SolveVerdict, SaysWhyAndWhatToDo) {
+  SolveReport report = reportWith(0.6);
+  report.colorDisagreement = 0.502;
+  report.colorUncertainty = 1.2F;
+  report.clipped = 200;
+  EXPECT_THAT(verdictLine(verdictOf(report)), testing::AllOf(HasSubstr("Lights not apart: "),
+                                                             HasSubstr("leave 50 % of the light unexplained"),
+                                                             HasSubstr("20 % of the pixels are clipped")));
+  report = reportWith(0.2);
+  EXPECT_EQ(verdictLine(verdictOf(report)),
+            "Lights told apart: fair: the photographs are noisy: expose more.");
+  report.conditioning.matteAmplification = 4;
+  EXPECT_THAT(verdictOf(report).reasons, testing::ElementsAre(HasSubstr("amplifies noise 4.0 times")));
+  report.conditioning.advice = {"key and fill have the same colour in every photograph"};
+  EXPECT_THAT(verdictOf(report).reasons, testing::ElementsAre(HasSubstr("key and fill have the same")));
+}
+
+TEST(SolveVerdict, KnowsNothingOfAReportWithoutPixels) {
+  const SolveVerdict verdict = verdictOf({});
+  EXPECT_EQ(verdict.word, Word::Fair);
+  EXPECT_FALSE(verdict.reasons.empty());
+}
+
+}  // namespace
+}  // namespace swaplight

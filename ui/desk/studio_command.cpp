@@ -1,0 +1,126 @@
+#include "ui/desk/studio_command.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/error.h"
+#include "core/look/look.h"
+#include "core/look/rig_blend.h"
+#include "core/relight/light_command.h"
+#include "ui/control/light_edit.h"
+#include "ui/control/look_edit.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kMostEnds = 12;
+
+std::string trimmedLine(const std::string& line) {
+  const size_t from = line.find_first_not_of(" \t"), to = line.find_last_not_of(" \t");
+  return from == std::string::npos ? "" : line.substr(from, to - from + 1);
+}
+
+std::string lowered(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// What stands after a first word; nothing where the line begins otherwise.
+std::optional<std::string> after(const std::string& line, const std::string& word) {
+  const bool begins =
+      lowered(line).starts_with(word) && (line.size() == word.size() || line[word.size()] == ' ');
+  return begins ? std::optional(trimmedLine(line.substr(word.size()))) : std::nullopt;
+}
+
+/// A look of the gallery by its place, from 1.
+const SavedLook* lookOfNumber(const std::vector<SavedLook>& looks, const std::string& text) {
+  const bool digits =
+      !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
+  if (!digits) return nullptr;
+  const size_t number = std::stoul(text);
+  if (number < 1 || number > looks.size())
+    throw InputError("there is no look {}: the gallery has {}", text, looks.size());
+  return &looks[number - 1];
+}
+
+std::string runLook(const LightsContext& studio, const std::string& text) {
+  if (text.empty()) throw InputError("after look write its number or name, as look 2 or look moonlight:60%");
+  const LookRequest request = lookRequestFromText(text);
+  const std::vector<SavedLook>& looks = studio.document().looks;
+  const SavedLook* saved = lookOfNumber(looks, request.name);
+  if (!saved) saved = findSavedLook(looks, request.name);
+  const Rig before = studio.document().rig;
+  const std::string name = saved ? saved->name : findLook(request.name).name;
+  const Rig lit = saved ? saved->rig : applyLook(before, findLook(request.name), lightRatios(studio));
+  editRig(studio, name, blendRigs(before, lit, request.amount));
+  return name;
+}
+
+std::string runAction(const LightsContext& studio, const Action& action) {
+  if (!studio.actions.run(action.id)) throw InputError("{}: cannot be done now", action.name);
+  return action.name;
+}
+
+std::vector<size_t> chosenLights(const LightsContext& studio) {
+  return lightsFor(studio, shownLight(studio));
+}
+
+void choose(const LightsContext& studio, const std::vector<size_t>& lights) {
+  studio.view.selectedLight = static_cast<int>(lights.front());
+  studio.view.selectedLights.clear();
+  if (lights.size() > 1) studio.view.selectedLights.insert(lights.begin(), lights.end());
+}
+
+std::string runOnLights(const LightsContext& studio, const std::string& line) {
+  const Rig& rig = studio.document().rig;
+  if (rig.lights.empty()) throw InputError("open a set first: there are no lights");
+  const LightCommand command = lightCommand(rig, line, chosenLights(studio));
+  choose(studio, command.lights);
+  if (command.changes) editRig(studio, line, command.rig);
+  std::vector<std::string> names;
+  for (const size_t i : command.lights) names.push_back(rig.lights[i].title());
+  return fmt::format("{}{}", fmt::join(names, ", "), command.changes ? "" : " selected");
+}
+
+void addEnd(StudioCommandEnds& ends, const std::string& beginning, const std::string& word) {
+  if (lowered(word).starts_with(lowered(beginning)) && ends.words.size() < kMostEnds)
+    ends.words.push_back(word);
+}
+
+StudioCommandEnds lookEnds(const LightsContext& studio, const std::string& line,
+                           const std::string& beginning) {
+  StudioCommandEnds ends{line.size() - beginning.size(), {}};
+  for (const SavedLook& look : studio.document().looks) addEnd(ends, beginning, look.name);
+  for (const Look& look : presetLooks()) addEnd(ends, beginning, look.name);
+  return ends;
+}
+
+}  // namespace
+
+std::string runStudioCommand(const LightsContext& studio, CuePlayer& cues, const std::string& line) {
+  const std::string command = trimmedLine(line);
+  if (const auto where = after(command, "go")) return cues.go(studio, *where);
+  if (const auto look = after(command, "look")) return runLook(studio, *look);
+  for (const char* word : {"undo", "redo"})
+    if (lowered(command) == word) return runAction(studio, *studio.actions.find(std::string("edit.") + word));
+  if (const Action* action = studio.actions.find(command)) return runAction(studio, *action);
+  return runOnLights(studio, command);
+}
+
+StudioCommandEnds studioCommandEnds(const LightsContext& studio, const std::string& line) {
+  if (const auto look = after(line, "look"); look && line.size() > 4) return lookEnds(studio, line, *look);
+  LightCommandEnds lights = lightCommandEnds(studio.document().rig, line);
+  if (lights.words.size() > kMostEnds) lights.words.resize(kMostEnds);
+  StudioCommandEnds ends{lights.from, std::move(lights.words)};
+  if (ends.from != 0 || line.empty()) return ends;
+  for (const char* word : {"go", "look", "undo", "redo"}) addEnd(ends, line, word);
+  if (ends.words.empty())  // an action's id is the rarest of all that begins so
+    for (const Action& action : studio.actions.actions()) addEnd(ends, line, action.id);
+  return ends;
+}
+
+}  // namespace swaplight
