@@ -8,7 +8,9 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kDecodedBytes = size_t{32} << 20;
+// Of a band. Two bands are memory that no other picture has touched: more costs more than handing over more
+// often.
+constexpr size_t kDecodedBytes = size_t{4} << 20;
 constexpr size_t kLargestBand = size_t{256} << 20;
 
 /// The types to ask for: as stored where we unpack them ourselves, else float; `asked` is what OpenImageIO is
