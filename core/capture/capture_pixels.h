@@ -6,6 +6,7 @@
 
 #include "core/base/progress.h"
 #include "core/capture/capture.h"
+#include "core/capture/jpeg_error.h"
 #include "core/image/image.h"
 #include "core/image/io/carried_data.h"
 
@@ -27,6 +28,9 @@ struct CapturePixels {
   /// True where the files were encoded (sRGB, a gamma, a camera log): the step in linear light then grows
   /// with the signal.
   bool encoded = false;
+  /// What the JPEG coding of all shots has left: the variance of linear light around it (jpeg_error.h). Empty
+  /// for other files, and for such that were JPEGs once.
+  std::vector<ValueVariance> codingError = {};
   /// What the first shot's file holds beside its colour; may be nothing.
   std::shared_ptr<const CarriedData> carried;
   std::vector<std::string> warnings;  ///< such as pixels that are not finite, with their number

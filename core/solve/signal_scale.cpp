@@ -69,6 +69,8 @@ CapturePixels scaledSignal(const CapturePixels& pixels, float scale) {
   for (const float clip : pixels.clipLevel) scaled.clipLevel.push_back(clip * scale);
   for (const float step : pixels.quantum) scaled.quantum.push_back(step * scale);
   scaled.encoded = pixels.encoded;
+  for (const ValueVariance& at : pixels.codingError)
+    scaled.codingError.push_back({at.value * scale, at.variance * scale * scale});
   scaled.carried = pixels.carried;
   scaled.warnings = pixels.warnings;
   return scaled;

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "core/base/quantile.h"
-#include "core/solve/calibration/variance_fit.h"
 #include "core/solve/estimators/matte_fit.h"
 #include "core/solve/estimators/run_scratch.h"
 #include "core/solve/model/pixel_sample.h"
+#include "core/solve/model/variance_fit.h"
 
 namespace swaplight {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "core/base/quantile.h"
 #include "core/solve/calibration/block_misfit.h"
-#include "core/solve/calibration/variance_fit.h"
 #include "core/solve/estimators/matte_fit.h"
+#include "core/solve/model/variance_fit.h"
 
 namespace swaplight {
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/quantile.h"
+#include "core/solve/model/variance_fit.h"
 
 namespace swaplight {
 namespace {
@@ -68,6 +69,17 @@ float meanOf(const Image& image) {
   return count ? float(sum / double(count)) : 0;
 }
 
+void addCodingError(const CapturePixels& pixels, NoiseModel& model) {
+  if (pixels.codingError.empty()) return;
+  std::vector<VariancePoint> points;
+  for (const auto& [value, variance] : pixels.codingError)
+    points.push_back({double(value), std::max(double(variance), 1e-12)});
+  const std::array<double, 3> x = fitVariance(points);
+  model.constant += float(x[0]);
+  model.linear += float(x[1]);
+  model.square += float(x[2]);
+}
+
 }  // namespace
 
 SensorNoise estimateSensorNoise(const CapturePixels& pixels) {
@@ -119,6 +131,7 @@ NoiseModel noiseModel(const SensorNoise& sensor, const CapturePixels& pixels, fl
   } else {
     model.constant += quantisation;
   }
+  addCodingError(pixels, model);
   if (pixels.ambient) {
     // It is subtracted: its photons are noise of every shot, and its picture has noise of its own.
     const float photons = model.linear * meanOf(*pixels.ambient);

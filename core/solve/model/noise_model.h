@@ -27,8 +27,8 @@ struct NoiseModel {
 [[nodiscard]] SensorNoise estimateSensorNoise(const CapturePixels& pixels);
 
 /// The noise of a capture's shots once a constant ambient picture has been subtracted (the mean level stands
-/// for all of it): `sensor`, with the quantisation of its files. `colorUncertainty` is the
-/// relative standard error of a light's colour.
+/// for all of it): `sensor`, with the quantisation and the JPEG coding of its files. `colorUncertainty` is
+/// the relative standard error of a light's colour.
 [[nodiscard]] NoiseModel noiseModel(const SensorNoise& sensor, const CapturePixels& pixels,
                                     float colorUncertainty);
 

@@ -191,6 +191,7 @@ CapturePixels movedShots(const CapturePixels& pixels, const std::vector<ShotShif
   moved.clipLevel = pixels.clipLevel;
   moved.quantum = pixels.quantum;
   moved.encoded = pixels.encoded;
+  moved.codingError = pixels.codingError;
   moved.warnings = pixels.warnings;
   if (pixels.ambient) moved.ambient = pixels.ambient->clone();
   for (size_t k = 0; k < pixels.shots.size(); ++k) {

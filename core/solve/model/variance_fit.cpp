@@ -1,4 +1,4 @@
-#include "core/solve/calibration/variance_fit.h"
+#include "core/solve/model/variance_fit.h"
 
 #include <vector>
 
