@@ -182,7 +182,7 @@ std::string declarations(const Filter& filter, const std::vector<std::string>& i
       "#version 410 core\n"
       "uniform int PASSINDEX;\nuniform vec2 RENDERSIZE;\nuniform float TIME;\nuniform float TIMEDELTA;\n"
       "uniform vec4 DATE;\nuniform int FRAMEINDEX;\nuniform vec2 isf_origin;\nuniform vec4 isf_target;\n"
-      "uniform vec2 isf_bounds;\n";
+      "uniform vec2 isf_bounds;\nuniform float isf_notANumber;\n";
   for (const FilterInput& input : filter.inputs)
     if (std::string(glslType(input.type)) != "sampler2D")
       text += fmt::format("uniform {} {};\n", glslType(input.type), glslName(input.name));
@@ -217,8 +217,9 @@ constexpr const char* kFragmentEnd =
     "\nvoid main() {\n"
     "  isf_FragColor = vec4(0.0);\n"
     "  isf_userMain();\n"
-    "  isf_FragColor = clamp(mix(isf_FragColor, vec4(0.0), isnan(isf_FragColor)), isf_bounds.x, "
-    "isf_bounds.y);\n"
+    "  bvec4 isf_broken = isnan(isf_FragColor);\n"
+    "  isf_FragColor = mix(clamp(isf_FragColor, isf_bounds.x, isf_bounds.y), vec4(isf_notANumber), "
+    "isf_broken);\n"
     "}\n";
 
 // A quad of four corners, so that what an author computes at them is interpolated as in other programs.

@@ -12,7 +12,8 @@ namespace swaplight {
 /// Uniforms: ISF's own (PASSINDEX, RENDERSIZE, TIME, TIMEDELTA, DATE, FRAMEINDEX) and every input by its
 /// name. `isf_origin` (vec2) is the pixel of the pass at which its left bottom corner lies: a tile's place.
 /// Every image X has `isf_window_X` (vec4): the pixel of X at which its texture begins, and the size of all
-/// of X. `isf_bounds` (vec2): what results are clamped to. What is not a number becomes 0.
+/// of X. `isf_bounds` (vec2): what results are clamped to. What is not a number becomes
+/// `isf_notANumber` (float, 0 unless it is set).
 struct GlslTranslation {
   std::string vertex, fragment;
   std::vector<std::string> images;  ///< samplers: inputImage, inputs, targets, imports, the overview

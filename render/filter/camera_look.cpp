@@ -43,7 +43,7 @@ FilteredImage CameraLook::apply(FilteredImage frame, const std::function<void(Im
   options.displayFromScene = displayFromScene;
   options.time = {frameNumber, m_options.framesPerSecond};
   options.tileSide = m_options.tileSide;
-  options.mostSecondsPerTile = m_options.mostSecondsPerTile;
+  options.limitsPerTile.mostSeconds = m_options.mostSecondsPerTile;
   size_t broken = 0;
   if (m_options.leftOut)
     options.leftOut = [&](const std::string& line) {

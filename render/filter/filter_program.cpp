@@ -59,7 +59,7 @@ struct FilterProgram::Drawing {
   std::span<const FilterValue> values;
   const FilterPictures& pictures;
   const FilterTime& time;
-  double mostSeconds;
+  const FilterLimits& limits;
   Clock::time_point begin = Clock::now();
   std::map<std::string, FilterTexture> targets = {};
   FilterTexture nothing = FilterTexture(FilterWindow::whole(1, 1));
@@ -153,6 +153,7 @@ void FilterProgram::drawPass(int index, const FilterTexture& target, Drawing& dr
   set("FRAMEINDEX", drawing.time.frame);
   set("isf_origin", glm::vec2(window.x, window.y));
   set("isf_target", glm::vec4(window.x, window.y, window.width, window.height));
+  set("isf_notANumber", drawing.limits.notANumber);
   set("isf_bounds",
       display ? glm::vec2(0, 1) : glm::vec2(-FilterTexture::kBrightest, FilterTexture::kBrightest));
   drawStrips(target, drawing);
@@ -174,20 +175,20 @@ void FilterProgram::drawStrips(const FilterTexture& target, Drawing& drawing) co
     y += rows;
     if (m_filter->builtIn) continue;
     finishGl();
-    if (secondsSince(drawing.begin) > drawing.mostSeconds)
+    if (secondsSince(drawing.begin) > drawing.limits.mostSeconds)
       throw InputError(
           "{}: takes longer than {:.3g} s for {} x {} pixels, and was stopped; look for a loop that does not "
           "end, "
           "or allow it more time",
-          m_filter->file.string(), drawing.mostSeconds, window.width, window.height);
+          m_filter->file.string(), drawing.limits.mostSeconds, window.width, window.height);
     if (secondsSince(begin) < kStripSeconds) rows *= 2;
   }
 }
 
 FilterTexture FilterProgram::draw(const FilterTexture& input, std::span<const FilterValue> values,
                                   const FilterPictures& pictures, const FilterTime& time,
-                                  double mostSeconds) const {
-  Drawing drawing{input, values, pictures, time, mostSeconds};
+                                  const FilterLimits& limits) const {
+  Drawing drawing{input, values, pictures, time, limits};
   drawing.nothing.clear();
   const int last = static_cast<int>(m_filter->passes.size()) - 1;
   for (int i = 0; i < last; ++i) {

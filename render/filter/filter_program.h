@@ -19,6 +19,12 @@ struct FilterTime {
   bool operator==(const FilterTime&) const = default;
 };
 
+/// What a filter is held to.
+struct FilterLimits {
+  double mostSeconds = 20;  ///< for a filter that is not the program's own
+  float notANumber = 0;     ///< stands where a filter computes no number; another value makes those visible
+};
+
 /// Pictures that a filter reads, by the names that its shader gives them.
 using FilterPictures = std::map<std::string, std::shared_ptr<const FilterTexture>>;
 
@@ -35,10 +41,10 @@ class FilterProgram {
   [[nodiscard]] int halo(std::span<const FilterValue> values, int wholeWidth, int wholeHeight) const;
 
   /// Draws the part of the frame that `input` is, all passes of it. `values` as filter().inputs. Throws
-  /// InputError where it takes longer than `mostSeconds`, and ResourceError where graphics memory is short.
+  /// InputError where it takes longer than it may, and ResourceError where graphics memory is short.
   [[nodiscard]] FilterTexture draw(const FilterTexture& input, std::span<const FilterValue> values,
                                    const FilterPictures& pictures, const FilterTime& time,
-                                   double mostSeconds) const;
+                                   const FilterLimits& limits) const;
 
  private:
   struct Drawing;

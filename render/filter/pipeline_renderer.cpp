@@ -195,7 +195,7 @@ void PipelineRenderer::drawRun(Image& image, std::span<const ResolvedStage> stag
     for (size_t i = 0; i < stages.size(); ++i)
       texture = ofStage(i, [&] {
         return program(stages[i].filter)
-            .draw(texture, stages[i].values, pictures[i], options.time, options.mostSecondsPerTile);
+            .draw(texture, stages[i].values, pictures[i], options.time, options.limitsPerTile);
       });
     texture.download(parts[p], inPlace ? image.span() : result.span());
   }

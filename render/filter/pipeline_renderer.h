@@ -25,8 +25,8 @@ struct PipelineOptions {
   /// Scene-linear light to display code values 0..1, in place, on R G B. Called at most once a frame.
   std::function<void(ImageSpan)> displayFromScene;
   FilterTime time;
-  int tileSide = 4096;             ///< larger frames are drawn in parts where the filters allow it
-  double mostSecondsPerTile = 20;  ///< for one filter that is not the program's own
+  int tileSide = 4096;  ///< larger frames are drawn in parts where the filters allow it
+  FilterLimits limitsPerTile;
   /// Told, in a line, of each filter that cannot be drawn, which is then left out. Empty: that is an error.
   std::function<void(const std::string&)> leftOut = {};
 };

@@ -9,6 +9,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "display",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "6 * max(1, floor($sigma * $WIDTH / 5760 + 0.5))",
     "SAMPLING": "nearest",
     "UNIT": {"sigma": "px of 1920", "range": "of white"},

@@ -12,6 +12,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "any",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "ceil(3 * $sigma * $WIDTH / 1920) + 2",
     "UNIT": {"sigma": "px of 1920"},
     "TOOLTIP": {"sigma": "Standard deviation"}

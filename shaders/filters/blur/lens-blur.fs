@@ -9,6 +9,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "ceil($radius * $WIDTH / 1920) + 2",
     "UNIT": {"radius": "px of 1920"},
     "TOOLTIP": {"blades": "Below 3: round"}

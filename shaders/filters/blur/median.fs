@@ -7,6 +7,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "any",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 1,
     "SAMPLING": "nearest"
   }

@@ -9,6 +9,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "any",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "ceil($way * $WIDTH / 3840) + 2",
     "UNIT": {"way": "px of 1920", "angle": "degrees"},
     "TOOLTIP": {"way": "How far the picture moves while the shutter is open"}

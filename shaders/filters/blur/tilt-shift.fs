@@ -11,6 +11,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "ceil($radius * $WIDTH / 1920) + 2",
     "UNIT": {"center": "of the height", "band": "of the width", "radius": "px of 1920", "angle": "degrees"},
     "TOOLTIP": {"center": "From below", "band": "Height of what is sharp"}

@@ -13,6 +13,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "display",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "ceil(3 * $radius * $WIDTH / 1920) + 3",
     "UNIT": {"radius": "px of 1920"},
     "TOOLTIP": {"radius": "Standard deviation"}

@@ -9,6 +9,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "any",
+    "WHERE": ["shot", "light", "frame"],
     "SAMPLING": "nearest",
     "TOOLTIP": {"leftRight": "As in a mirror", "upDown": "Upside down"}
   }

@@ -9,6 +9,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "display",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest",
     "OVERVIEW": "overview",

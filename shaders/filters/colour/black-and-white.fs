@@ -9,6 +9,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "display",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest",
     "TOOLTIP": {"glass": "The filter before the lens: red darkens skies"}

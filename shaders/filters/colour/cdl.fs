@@ -11,6 +11,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest",
     "TOOLTIP": {"slope": "A factor a channel", "offset": "Added a channel: 0.5 adds nothing", "power": "Half of the exponent a channel: 0.5 changes nothing", "saturation": "1 changes nothing"}

@@ -10,6 +10,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest",
     "TOOLTIP": {"red": "How much of red, green and blue the red is made of", "green": "The same for green", "blue": "The same for blue"}

@@ -9,6 +9,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest",
     "TOOLTIP": {"contrast": "1 changes nothing", "pivot": "The light that stays: 0.18 is middle grey"}
@@ -18,5 +19,6 @@ void main() {
   vec4 c = IMG_THIS_PIXEL(inputImage);
   // A power of light is a factor on stops. Negative light stays as it is.
   vec3 graded = pivot * pow(max(c.rgb, 0.0) / pivot, vec3(contrast));
+  graded = min(graded, max(c.rgb, 65504.0));  // what files hold
   gl_FragColor = vec4(graded + min(c.rgb, 0.0), c.a);
 }

@@ -12,6 +12,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "display",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest",
     "TOOLTIP": {"black": "What 0 becomes", "shadows": "What 0.25 becomes", "middle": "What 0.5 becomes", "highlights": "What 0.75 becomes", "white": "What 1 becomes"}

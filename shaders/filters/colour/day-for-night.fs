@@ -9,6 +9,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest",
     "UNIT": {"stops": "stops"},

@@ -11,6 +11,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "display",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 1,
     "SAMPLING": "nearest",
     "OVERVIEW": "overview",

@@ -8,6 +8,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest",
     "TOOLTIP": {"saturation": "0 is black and white, 1 changes nothing"}

@@ -11,6 +11,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest",
     "UNIT": {"balance": "stops"},

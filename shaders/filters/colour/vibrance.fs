@@ -8,6 +8,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest",
     "TOOLTIP": {"vibrance": "0 changes nothing"}

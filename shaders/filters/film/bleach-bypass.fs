@@ -10,6 +10,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "SAMPLING": "nearest"
   }
@@ -22,6 +23,7 @@ void main() {
   float y = luma(light);
   // The silver's density is added to the dyes': a multiplication of light, about middle grey.
   vec3 silver = light * pow(max(y, 1e-6) / 0.18, contrast);
+  silver = min(silver, max(light, 65504.0));  // what files hold
   silver = mix(vec3(luma(silver)), silver, saturation);
   gl_FragColor = vec4(mix(c.rgb, silver, amount), c.a);
 }

@@ -8,6 +8,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "any",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "ceil(abs($amount) * $WIDTH / 960) + 2",
     "UNIT": {"amount": "px of 1920"},
     "TOOLTIP": {"amount": "At the left and right edge"}

@@ -12,6 +12,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 0,
     "TOOLTIP": {"depth": "Black is near, white is far", "density": "1: at the far end 37 % of the picture is left", "light": "How bright the haze is; 1 is white", "far": "White is near in the depth picture"}
   }

@@ -13,6 +13,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "ceil(3 * $radius * $WIDTH / 1920) + 2",
     "UNIT": {"radius": "px of 1920"},
     "TOOLTIP": {"amount": "The part of the light that the mist scatters", "radius": "Standard deviation"}

@@ -12,6 +12,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "ceil($way * $WIDTH / 1920) + 2",
     "UNIT": {"way": "px of 1920", "angle": "degrees"},
     "TOOLTIP": {"amount": "The part of the bright light that goes into rays", "threshold": "Light above this; 1 is white", "way": "Length of a ray", "rays": "2 is a streak, 4 a cross"}

@@ -10,6 +10,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "any",
+    "WHERE": ["shot", "light", "frame"],
     "TOOLTIP": {"k1": "Above 0: barrel", "fill": "Enlarged until nothing is black"}
   }
 }*/

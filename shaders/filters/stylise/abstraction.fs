@@ -24,6 +24,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "display",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "ceil((6 * $sigma + 4 * $lineWidth) * $WIDTH / 640) + 20",
     "SAMPLING": "nearest",
     "UNIT": {"sigma": "px of 640", "range": "L*a*b*", "bins": "steps"},

@@ -9,6 +9,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "display",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 17,
     "SAMPLING": "nearest",
     "UNIT": {"radius": "px of 1920"},

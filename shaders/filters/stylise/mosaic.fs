@@ -9,6 +9,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "any",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "ceil($WIDTH / $tiles) + 2",
     "SAMPLING": "nearest",
     "UNIT": {"tiles": "tiles"},

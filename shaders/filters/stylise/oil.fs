@@ -8,6 +8,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "display",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": 9,
     "SAMPLING": "nearest",
     "UNIT": {"radius": "px of 1920"}

@@ -15,6 +15,7 @@
   ],
   "SWAPLIGHT": {
     "SPACE": "display",
+    "WHERE": ["shot", "light", "frame"],
     "HALO": "7 + ceil(16 * $WIDTH / 1920) + 6",
     "SAMPLING": "nearest",
     "UNIT": {"radius": "px of 1920"},
