@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/view/window_pixels.h"
 #include "render/filter/filter_engine.h"
+#include "ui/camera/lit_frame.h"
 
 namespace swaplight {
 namespace {
@@ -19,10 +20,6 @@ constexpr std::array<float, 3> kDraftScales = {1, 0.51F, 0.26F};
 constexpr float kFirstDraft = 0.26F;
 constexpr int kTileSide = 1024;  ///< between tiles a picture that nobody waits for any more is given up
 constexpr double kMostSeconds = 5;
-
-int scaled(int side, float scale) {
-  return std::max(1, static_cast<int>(std::lround(scale * static_cast<float>(side))));
-}
 
 /// A picture of another size, interpolated.
 Image resized(const Image& image, int width, int height) {
@@ -55,6 +52,7 @@ struct LookPreview::Engine {
 struct LookPreview::Drawing {
   SeenRequest request;
   float scale = 1;
+  int width = 0, height = 0;  ///< of the frame
   std::vector<ResolvedStage> stages;
   std::vector<std::string> leftOut;
   std::shared_ptr<Engine> engine;
@@ -76,11 +74,18 @@ std::optional<LayeredPicture> LookPreview::picture(Side side, const SeenRequest&
   place.asked = request;
   place.settled = settled;
   advance(place);
-  const Drawn& drawn = place.pictures.at(place.front);
+  const std::shared_ptr<const SeenPicture> seen = shown(side, request);
+  if (!seen) return std::nullopt;
+  return LayeredPicture{{{&*seen->pyramid, Rgb(1)}}, seen->colorSpace};
+}
+
+std::shared_ptr<const SeenPicture> LookPreview::shown(Side side, const SeenRequest& request) const {
+  const Place& place = m_places.at(static_cast<size_t>(side));
+  const std::shared_ptr<SeenPicture>& front = place.pictures.at(place.front);
   const ViewPictures& pictures = request.live->pictures();
-  const bool fits = drawn.image.width() == pictures.width() && drawn.image.height() == pictures.height();
-  if (place.shownScale <= 0 || !fits || place.failed == request) return std::nullopt;
-  return LayeredPicture{{{&*drawn.pyramid, Rgb(1)}}, drawn.colorSpace};
+  const bool fits = front->image.width() == pictures.width() && front->image.height() == pictures.height();
+  if (place.shownScale <= 0 || !fits || place.failed == request) return nullptr;
+  return front;
 }
 
 void LookPreview::update(Messages& messages) {
@@ -125,7 +130,8 @@ void LookPreview::start(Place& place, float scale) {
 }
 
 LookPreview::Drawing LookPreview::drawingOf(const SeenRequest& request, float scale) {
-  Drawing drawing{request, scale, {}, {}, m_engine};
+  const ViewPictures& pictures = request.live->pictures();
+  Drawing drawing{request, scale, pictures.width(), pictures.height(), {}, {}, m_engine};
   for (const FilterStage& stage : request.look.stages) {
     if (!stage.on) continue;
     try {
@@ -140,26 +146,13 @@ LookPreview::Drawing LookPreview::drawingOf(const SeenRequest& request, float sc
 
 LookPreview::Drawn LookPreview::draw(const Drawing& drawing, const Progress& progress) {
   const SeenRequest& request = drawing.request;
-  int width = 0, height = 0;
-  Image light;
-  std::string space;
-  {
-    const LiveSet::Reading reading = request.live->read();
-    width = reading.pictures().width();
-    height = reading.pictures().height();
-    space = reading.set().colorSpace();
-    light = Image(ImageSpec::rgb(scaled(width, drawing.scale), scaled(height, drawing.scale)));
-    const double zoom =
-        std::max(static_cast<double>(light.width()) / width, static_cast<double>(light.height()) / height);
-    windowLinear(reading.pictures().layers({}, request.factors, request.ambient),
-                 {0, 0, zoom, light.width(), light.height()}, light.span());
-  }
-  light.setColorSpace(space);
+  Image light = litFrame(request, drawing.scale);
+  const std::string space = light.spec().colorSpace;
   Drawn drawn;
   drawn.leftOut = drawing.leftOut;
   PipelineOptions options;
   options.tileSide = kTileSide;
-  options.mostSecondsPerTile = kMostSeconds;
+  options.limitsPerTile.mostSeconds = kMostSeconds;
   options.leftOut = [&](const std::string& line) { drawn.leftOut.push_back(line); };
   options.displayFromScene = [&](ImageSpan image) {
     request.config->applyView(image, space, namedDisplay(*request.config, request.display));
@@ -169,7 +162,8 @@ LookPreview::Drawn LookPreview::draw(const Drawing& drawing, const Progress& pro
   FilteredImage seen =
       engine.apply({std::move(light), FilterSpace::SceneLinear}, drawing.stages, options, progress);
   drawn.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  drawn.image = drawing.scale < 1 ? resized(seen.image, width, height) : std::move(seen.image);
+  drawn.image =
+      drawing.scale < 1 ? resized(seen.image, drawing.width, drawing.height) : std::move(seen.image);
   drawn.pyramid.emplace(drawn.image.view());
   drawn.colorSpace = seen.space == FilterSpace::Display ? "" : space;
   return drawn;
@@ -195,8 +189,13 @@ void LookPreview::adopt(Place& place, Drawn drawn, Messages& messages) {
   for (const std::string& line : drawn.leftOut)
     if (m_said.insert(line).second) messages.warn("Left out of the camera look: " + line);
   place.front = 1 - place.front;
-  Drawn& front = place.pictures.at(place.front);
-  front = std::move(drawn);
+  SeenPicture& front = *place.pictures.at(place.front);
+  {
+    const std::unique_lock lock(front.mutex);
+    front.image = std::move(drawn.image);
+    front.pyramid = std::move(drawn.pyramid);
+    front.colorSpace = drawn.colorSpace;
+  }
   m_renderer.changed(*front.pyramid, {0, 0, front.image.width(), front.image.height()});
   place.shown = place.making;
   place.shownScale = place.makingScale;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <shared_mutex>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,15 @@
 namespace swaplight {
 
 class FilterEngine;
+
+/// A frame under a camera look, at full size. What it holds changes in the window's thread, with `mutex`
+/// locked: other threads lock it to read.
+struct SeenPicture {
+  mutable std::shared_mutex mutex;
+  Image image;
+  std::optional<Pyramid> pyramid;  ///< of the image
+  std::string colorSpace;          ///< of light; empty: codes for a display
+};
 
 /// The frame under the document's camera look, for the viewer: drawn in a thread with an OpenGL context of
 /// its own, so that no filter holds the window up. While something is dragged it is drawn small enough to
@@ -38,6 +48,11 @@ class LookPreview {
   /// What there is of it: the last picture that was drawn for this set, which may still be of an earlier
   /// request; nothing before the first one, or where it cannot be drawn. `settled`: nothing is being dragged.
   std::optional<LayeredPicture> picture(Side side, const SeenRequest& request, bool settled);
+  /// The picture that picture() last gave for this request, or of an earlier one; nullptr where it gives
+  /// none.
+  [[nodiscard]] std::shared_ptr<const SeenPicture> shown(Side side, const SeenRequest& request) const;
+  /// Counts up with every picture that is drawn.
+  [[nodiscard]] int count() const { return m_count; }
   /// To be called often: takes what was drawn.
   void update(Messages& messages);
   /// Another set is open.
@@ -47,6 +62,8 @@ class LookPreview {
 
   /// The filters that there are; read when first asked for.
   FilterLibrary& library();
+  /// A file of the library has changed.
+  void readLibraryAgain() { m_library.reset(); }
   [[nodiscard]] bool libraryRead() const { return m_library.has_value(); }
   /// Why a filter of the last picture was left out, a line each.
   [[nodiscard]] const std::vector<std::string>& leftOut() const { return m_leftOut; }
@@ -68,7 +85,9 @@ class LookPreview {
   struct Place {
     SeenRequest asked, making, shown, failed;
     float makingScale = 1, shownScale = 0;  ///< 0: nothing is shown
-    std::array<Drawn, 2> pictures;          ///< pictures are told apart by their addresses: they stay
+    /// Pictures are told apart by their addresses: they stay.
+    std::array<std::shared_ptr<SeenPicture>, 2> pictures{std::make_shared<SeenPicture>(),
+                                                         std::make_shared<SeenPicture>()};
     size_t front = 0;
     bool settled = true;
     Clock::time_point askedAt, makingSince;  ///< when this request was first asked for

@@ -1,6 +1,12 @@
 #include "ui/control/scopes_controller.h"
 
+#include <algorithm>
+#include <array>
+#include <shared_mutex>
+
+#include "core/ocio/luminance.h"
 #include "core/relight/rig.h"
+#include "ui/camera/seen_frame.h"
 #include "ui/jobs/take_or_report.h"
 
 namespace swaplight {
@@ -8,6 +14,12 @@ namespace {
 
 constexpr int kPixels = 400000;
 constexpr int kPixelsInGesture = 60000;
+
+/// Another set may have been opened since.
+PictureRegion within(const PictureRegion& region, const Image& image) {
+  return {region.x, region.y, std::min(region.width, image.width() - region.x),
+          std::min(region.height, image.height() - region.y)};
+}
 
 }  // namespace
 
@@ -31,7 +43,42 @@ ScopesController::Request ScopesController::wanted(const OpenSet& set) const {
   request.pixels = m_parts.lights.editor.inGesture() ? kPixelsInGesture : kPixels;
   request.set = m_parts.session.setRevision();
   request.edits = m_parts.edits.revision();
+  if (options.of != ScopeOptions::Of::Light && !m_parts.viewer.plain) addSeen(request, set);
   return request;
+}
+
+void ScopesController::addSeen(Request& request, const OpenSet& set) const {
+  const Document& document = m_parts.lights.document();
+  const auto seen = seenRequest(request.config, set.live, request.edits, document, document.rig);
+  if (!seen) return;
+  // Asked for here, too: the viewer may show another picture.
+  static_cast<void>(m_parts.seen.picture(LookPreview::Side::A, *seen, !m_parts.lights.editor.inGesture()));
+  request.seen = m_parts.seen.shown(LookPreview::Side::A, *seen);
+  request.seenCount = m_parts.seen.count();
+}
+
+/// What counts them in a thread.
+std::function<ScopePictures()> ScopesController::counting(const Request& request, const OpenSet& set) {
+  const auto table = m_parts.table.table(request.config, set.solved().colorSpace(), request.display);
+  const glm::mat3 toXyz = m_parts.table.xyzFromRgb();
+  const Rgb weights = m_parts.table.luminanceWeights();
+  if (!request.seen)
+    return [live = set.live, request, table, toXyz, weights] {
+      const LiveSet::Reading reading = live->read();
+      const auto layers = reading.pictures().layers({}, request.factors, request.ambient);
+      return scopePictures(scopeSample(layers, request.region, *table, request.pixels), toXyz, weights);
+    };
+  const glm::mat3 xyzOfCodes = xyzFromLinear(*request.config, "lin_rec709");
+  return [request, table, toXyz, weights, xyzOfCodes] {
+    const SeenPicture& seen = *request.seen;
+    const std::shared_lock lock(seen.mutex);
+    const PictureRegion region = within(request.region, seen.image);
+    if (seen.colorSpace.empty())
+      return scopePictures(scopeSampleOfCodes(seen.image.view(), region, request.pixels), xyzOfCodes,
+                           kRec709Luminance);
+    const std::array<ViewLayer, 1> layers{ViewLayer{&*seen.pyramid, Rgb(1)}};
+    return scopePictures(scopeSample(layers, region, *table, request.pixels), toXyz, weights);
+  };
 }
 
 void ScopesController::update() {
@@ -43,17 +90,8 @@ void ScopesController::update() {
   if (m_job.running() || !set) return;
   Request request = wanted(*set);
   if (m_counted == request) return;
-  m_counted = request;
-  const auto table = m_parts.table.table(request.config, set->solved().colorSpace(), request.display);
-  m_job.start(
-      [live = set->live, request = std::move(request), table, toXyz = m_parts.table.xyzFromRgb(),
-       weights = m_parts.table.luminanceWeights()](const Progress&) {
-        const LiveSet::Reading seen = live->read();
-        const ScopeSample sample = scopeSample(seen.pictures().layers({}, request.factors, request.ambient),
-                                               request.region, *table, request.pixels);
-        return scopePictures(sample, toXyz, weights);
-      },
-      m_wake);
+  m_counted = std::move(request);
+  m_job.start([count = counting(m_counted.value(), *set)](const Progress&) { return count(); }, m_wake);
 }
 
 }  // namespace swaplight

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/view/scopes/scope_pictures.h"
+#include "ui/camera/look_preview.h"
 #include "ui/control/color_choice.h"
 #include "ui/control/edit_controller.h"
 #include "ui/control/light_edit.h"
@@ -17,7 +18,8 @@
 
 namespace swaplight {
 
-/// Counts the scopes of what is lit now, in a thread; while a gesture goes on, of fewer pixels.
+/// Counts the scopes of what is lit now, under its camera look, in a thread; while a gesture goes on, of
+/// fewer pixels. Of one light they are before the look, which is of the whole picture.
 class ScopesController {
  public:
   /// What it follows, and what it tells. All outlive it.
@@ -27,6 +29,7 @@ class ScopesController {
     const EditController& edits;
     const ScopeOptions& options;
     const ViewerState& viewer;
+    LookPreview& seen;
     const ColorChoice& colors;
     ViewTable& table;
     Messages& messages;
@@ -52,9 +55,13 @@ class ScopesController {
     int pixels = 0;
     uint64_t set = 0;
     uint64_t edits = 0;
+    std::shared_ptr<const SeenPicture> seen;  ///< under the camera look; nothing: without one
+    int seenCount = 0;                        ///< another number: `seen` holds another picture
     bool operator==(const Request&) const = default;
   };
   [[nodiscard]] Request wanted(const OpenSet& set) const;
+  void addSeen(Request& request, const OpenSet& set) const;
+  [[nodiscard]] std::function<ScopePictures()> counting(const Request& request, const OpenSet& set);
 
   Parts m_parts;
   std::function<void()> m_wake;

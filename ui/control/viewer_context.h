@@ -2,6 +2,7 @@
 
 #include "render/viewport_renderer.h"
 #include "ui/camera/look_preview.h"
+#include "ui/camera/look_thumbnails.h"
 #include "ui/control/editing_context.h"
 #include "ui/control/subject_pictures.h"
 #include "ui/pictures/view_table.h"
@@ -18,6 +19,7 @@ struct ViewerContext : EditingContext {
   SubjectPictures& subjects;
   ViewTable& table;
   LookPreview& seen;  ///< the picture under the camera look
+  LookThumbnails& thumbnails;
   CameraLookState& cameraLook;
 };
 

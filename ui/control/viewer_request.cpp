@@ -7,27 +7,23 @@
 
 #include "core/relight/rig.h"
 #include "core/view/subject_image.h"
+#include "ui/camera/seen_frame.h"
 
 namespace swaplight {
 namespace {
 
-bool isDrawn(const FilterPipeline& look) {
-  return std::any_of(look.stages.begin(), look.stages.end(),
-                     [](const FilterStage& stage) { return stage.on; });
+std::optional<SeenRequest> requestOf(const ViewerContext& studio, const Rig& rig) {
+  if (showsPlain(studio)) return std::nullopt;
+  return seenRequest(studio.colors.config(), studio.set()->live, studio.edits.revision(), studio.document(),
+                     rig);
 }
 
 /// The lit picture under the camera look; nothing where there is none, or none yet.
 std::optional<LayeredPicture> seenPicture(const ViewerContext& studio, LookPreview::Side side,
                                           const Rig& rig) {
-  const Document& document = studio.document();
-  if (!isDrawn(document.cameraLook) || showsPlain(studio)) return std::nullopt;
-  const OpenSet& set = *studio.set();
-  return studio.seen.picture(
-      side,
-      {studio.colors.config(), set.live, studio.edits.revision(),
-       rigFactors(*studio.colors.config(), rig, set.solved().colorSpace()), rig.ambient, document.cameraLook,
-       displayWithin(*studio.colors.config(), document.display)},
-      !studio.editor.inGesture());
+  const auto request = requestOf(studio, rig);
+  if (!request) return std::nullopt;
+  return studio.seen.picture(side, *request, !studio.editor.inGesture());
 }
 
 /// Display codes that a map is made of are shown as they are; pictures go through the view.
@@ -68,6 +64,12 @@ ViewerPictures viewerPictures(const ViewerContext& studio) {
                                 : defaultRig(studio.set()->solved().capture);
   pictures.b = sidePicture(studio, LookPreview::Side::B, compare.subject, other);
   return pictures;
+}
+
+std::shared_ptr<const SeenPicture> seenNow(const ViewerContext& studio) {
+  if (!studio.set() || studio.view.subject.kind != ViewSubject::Kind::Relit) return nullptr;
+  const auto request = requestOf(studio, studio.document().rig);
+  return request ? studio.seen.shown(LookPreview::Side::A, *request) : nullptr;
 }
 
 bool showsPlain(const ViewerContext& studio) {

@@ -31,4 +31,8 @@ struct ViewerPictures {
 /// What A is compared with, in words.
 [[nodiscard]] std::string sideBWords(const ViewerContext& studio);
 
+/// The relit picture as the viewer shows it, under the camera look; nullptr where it is shown without one, or
+/// another picture is shown.
+[[nodiscard]] std::shared_ptr<const SeenPicture> seenNow(const ViewerContext& studio);
+
 }  // namespace swaplight

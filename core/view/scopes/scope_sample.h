@@ -29,4 +29,9 @@ struct ScopeSample {
 [[nodiscard]] ScopeSample scopeSample(std::span<const ViewLayer> layers, const PictureRegion& region,
                                       const DisplayTable& table, int maxPixels = 400000);
 
+/// The same of a picture that is display codes 0..1 already; their light is what sRGB's curve makes of them,
+/// in Rec.709 primaries.
+[[nodiscard]] ScopeSample scopeSampleOfCodes(ImageView codes, const PictureRegion& region,
+                                             int maxPixels = 400000);
+
 }  // namespace swaplight

@@ -50,6 +50,17 @@ TEST(ScopeSample, OfARegionHoldsOnlyIt) {
   EXPECT_EQ(codeHistogram(sample).counts[0][191], 80U);
 }
 
+TEST(ScopeSample, OfCodesShowsThemAsTheyAreAndTheirLight) {
+  Image image = filled(40, 30, Rgb(0.1F));
+  for (int y = 10; y < 20; ++y) std::fill_n(image.span().row(1, y) + 5, 8, 0.75F);
+  const ScopeSample sample = scopeSampleOfCodes(image.view(), {5, 10, 8, 10});
+  ASSERT_EQ(sample.width(), 8);
+  ASSERT_EQ(sample.height(), 10);
+  EXPECT_EQ(codeHistogram(sample).counts[1][191], 80U);
+  EXPECT_NEAR(sample.linear.view().at(1, 3, 4), 0.5225F, 1e-4);  // IEC 61966-2-1 of 0.75
+  EXPECT_EQ(scopeSampleOfCodes(image.view(), {0, 0, 40, 30}, 40 * 7).height(), 7);
+}
+
 TEST(Scopes, AWaveformShowsARampAsADiagonal) {
   Image image(ImageSpec::rgb(256, 10));
   for (int c = 0; c < 3; ++c)

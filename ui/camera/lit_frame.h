@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/image/image.h"
+#include "ui/camera/seen_request.h"
+
+namespace swaplight {
+
+/// The set's frame as the request's lights light it, before any camera look: scene-linear, in the set's
+/// colour space, `scale` times its size (at most 1). From any thread.
+[[nodiscard]] Image litFrame(const SeenRequest& request, float scale);
+
+}  // namespace swaplight
