@@ -10,30 +10,12 @@
 #include "core/set/set_color_space.h"
 #include "ui/control/viewer_request.h"
 #include "ui/kit/action_widgets.h"
-#include "ui/kit/layout_probe.h"
-#include "ui/kit/theme.h"
-#include "ui/kit/widgets.h"
+#include "ui/viewer/bar_tools.h"
 
 namespace swaplight {
 namespace {
 
 using Kind = ViewSubject::Kind;
-
-constexpr float kGap = 5;
-
-/// A button that opens a list; draws the list by `lines`.
-template <typename Lines>
-void listButton(const char* id, const std::string& shown, float width, const char* tip, const Lines& lines) {
-  ImGui::SetNextItemWidth(px(width));
-  const bool open = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLargest);
-  if (open) {
-    lines();
-    ImGui::EndCombo();
-  }
-  markItem({"bar.", id + 2});
-  if (!open) tooltip(tip);
-  ImGui::SameLine(0, px(kGap));
-}
 
 bool subjectLine(ViewerContext& studio, const ViewSubject& subject, bool current) {
   const std::string words = subjectWords(studio, subject);
@@ -51,37 +33,6 @@ void compareList(ViewerContext& studio) {
   for (const char* id :
        {"compare.off", "compare.wipe", "compare.split", "compare.difference", "compare.toggle"})
     actionMenuItem(studio.actions, id);
-}
-
-void channelList(ViewerContext& studio) {
-  for (const char* id : {"channel.all", "channel.red", "channel.green", "channel.blue", "channel.luminance"})
-    actionMenuItem(studio.actions, id);
-}
-
-void number(const char* id, float* value, float width, float speed, float low, float high, const char* format,
-            float neutral, const char* tip) {
-  const bool changed = *value != neutral;
-  if (changed) ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
-  ImGui::SetNextItemWidth(px(width));
-  ImGui::DragFloat(id, value, speed, low, high, format, ImGuiSliderFlags_AlwaysClamp);
-  if (changed) ImGui::PopStyleColor();
-  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) *value = neutral;
-  markItem({"bar.", id + 2});
-  tooltip(tip);
-  ImGui::SameLine(0, px(kGap));
-}
-
-void zebraButton(ViewerContext& studio) {
-  actionTextButton(studio.actions, "view.zebra", "Zebra", px(58));
-  if (ImGui::BeginPopupContextItem("##zebra levels")) {
-    Zebra& zebra = studio.view.settings.zebra;
-    ImGui::SetNextItemWidth(px(200));
-    ImGui::SliderFloat("bright", &zebra.high, 0, 1, "%.2f");
-    ImGui::SetNextItemWidth(px(200));
-    ImGui::SliderFloat("dark", &zebra.low, 0, 1, "%.2f");
-    ImGui::EndPopup();
-  }
-  ImGui::SameLine(0, px(kGap));
 }
 
 /// The display and the view that are in use, by name.
@@ -206,13 +157,13 @@ void drawDisplayMenu(ViewerContext& studio) {
 void drawViewerBar(ViewerContext& studio) {
   const float height = ImGui::GetFrameHeight() + px(8);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ViewSettings& settings = studio.view.settings;
   ImGui::SetCursorScreenPos(ImVec2(at.x + px(6), at.y + px(4)));
-  // In a narrow viewer the lists' words are cut short, so that the view stays in sight.
+  // In a narrow viewer the lists' words are cut short, and what is used least goes into a list of its own, so
+  // that the view stays in sight.
   const bool comparing = studio.view.compare.isOn();
+  const float have = ImGui::GetContentRegionAvail().x / px(1) - 6;
   const float wanted = comparing ? 790 : 660;
-  const float lacking = std::max(wanted - ImGui::GetContentRegionAvail().x / px(1), 0.0F);
-  const float cut = std::min(lacking / (comparing ? 2 : 1), 54.0F);
+  const float cut = std::clamp((wanted - have) / (comparing ? 2 : 1), 0.0F, 54.0F);
   listButton("##subject", subjectWords(studio, studio.view.subject), 144 - cut, "Picture shown in the viewer",
              [&] { drawSubjectMenu(studio, false); });
   listButton("##compare", compareWords(studio.view.compare.mode), 76, "Compare with B",
@@ -220,21 +171,10 @@ void drawViewerBar(ViewerContext& studio) {
   if (comparing)
     listButton("##side_b", sideBWords(studio), 124 - cut, "Picture B",
                [&] { drawSubjectMenu(studio, true); });
-  constexpr std::array<const char*, 5> channels = {"RGB", "R", "G", "B", "L"};
-  listButton("##channel", channels[static_cast<size_t>(settings.channel)], 70, "Channel",
-             [&] { channelList(studio); });
-  number("##exposure", &settings.exposureStops, 82, 0.02F, -20, 20, "%+.2f st", 0,
-         "Viewer exposure, never exported. Drag, or hold E and drag in the picture. Right-click resets.");
-  number("##gamma", &settings.gamma, 62, 0.005F, 0.1F, 10, "\u03b3 %.2f", 1,
-         "Viewer gamma, never exported. Right-click resets.");
-  actionTextButton(studio.actions, "view.false_color", "False colour", px(96));
-  ImGui::SameLine(0, px(kGap));
-  zebraButton(studio);
+  drawBarTools(studio);
   const float room = ImGui::GetContentRegionAvail().x - px(6);
-  if (room > px(60))
-    listButton("##view", displayWords(shownThrough(studio)), std::min(room / px(1), 190.0F),
-               "Display and view, also used for PNG, TIFF and JPEG exports",
-               [&] { drawDisplayMenu(studio); });
+  listButton("##view", displayWords(shownThrough(studio)), std::clamp(room / px(1), 60.0F, 190.0F),
+             "Display and view, also used for PNG, TIFF and JPEG exports", [&] { drawDisplayMenu(studio); });
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
 }
 

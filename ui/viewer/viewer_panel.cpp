@@ -15,6 +15,7 @@
 #include "ui/viewer/viewer_bar.h"
 #include "ui/viewer/viewer_mouse.h"
 #include "ui/viewer/viewer_overlay.h"
+#include "ui/viewer/which_light.h"
 
 namespace swaplight {
 namespace {
