@@ -23,6 +23,12 @@ Stages::iterator placeOf(Stages& stages, size_t index) {
   return stages.begin() + static_cast<ptrdiff_t>(std::min(index, stages.size()));
 }
 
+constexpr float kNeutralReview = 1;
+
+bool isReview(const FilterStage& stage) {
+  return stage.filter == kReviewFilter;
+}
+
 std::string nameAt(const DocumentEditor& editor, size_t index) {
   return stageName(editor.document().cameraLook.stages.at(index));
 }
@@ -81,6 +87,35 @@ void setFilterParameter(DocumentEditor& editor, size_t index, const FilterInput&
     editor.preview(step, std::move(next));
   else
     editor.edit(step, std::move(next));
+}
+
+float reviewValue(const Document& document, const std::string& name) {
+  const Stages& stages = document.cameraLook.stages;
+  const auto review = std::find_if(stages.rbegin(), stages.rend(), isReview);
+  if (review == stages.rend()) return kNeutralReview;
+  const auto value = review->parameters.find(name);
+  const auto* number = value == review->parameters.end() ? nullptr : std::get_if<float>(&value->second);
+  return number ? *number : kNeutralReview;
+}
+
+void setReview(DocumentEditor& editor, const std::string& name, float value, bool live) {
+  Document next = editor.document();
+  Stages& stages = next.cameraLook.stages;
+  auto review = std::find_if(stages.rbegin(), stages.rend(), isReview);
+  if (review == stages.rend()) {
+    stages.push_back({kReviewFilter, true, {}, {}});
+    review = stages.rbegin();
+  }
+  if (next.cameraLook.name.empty()) next.cameraLook.name = "Camera look";
+  review->on = true;
+  if (value == kNeutralReview)
+    review->parameters.erase(name);
+  else
+    review->parameters[name] = value;
+  if (live)
+    editor.preview("Review: " + name, std::move(next));
+  else
+    editor.edit("Review: " + name, std::move(next));
 }
 
 void useCameraLook(DocumentEditor& editor, FilterPipeline look) {

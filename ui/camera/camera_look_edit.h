@@ -24,6 +24,11 @@ void switchFilter(DocumentEditor& editor, size_t index, bool on);
 /// One parameter; `live`: while a slider is held, as part of one step. A default is not written.
 void setFilterParameter(DocumentEditor& editor, size_t index, const FilterInput& input,
                         const FilterValue& value, bool live);
+/// The four of the filter "review" that photo programs have: brightness, contrast, saturation, sharpness; 1
+/// changes nothing. They work on the last such filter of the look, which is added where there is none.
+inline constexpr const char* kReviewFilter = "review";
+[[nodiscard]] float reviewValue(const Document& document, const std::string& name);
+void setReview(DocumentEditor& editor, const std::string& name, float value, bool live);
 /// Another look in the place of the document's.
 void useCameraLook(DocumentEditor& editor, FilterPipeline look);
 void removeCameraLook(DocumentEditor& editor);

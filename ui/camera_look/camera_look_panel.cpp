@@ -7,6 +7,7 @@
 #include "ui/camera_look/filter_list.h"
 #include "ui/camera_look/filter_parameters.h"
 #include "ui/camera_look/filter_shelf.h"
+#include "ui/camera_look/review_sliders.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
@@ -60,6 +61,7 @@ void drawCameraLookPanel(ViewerContext& studio, FileChooser& chooser) {
   drawFilterList(studio);
   if (state.chosen >= 0 && state.chosen < static_cast<int>(studio.document().cameraLook.stages.size()))
     drawFilterParameters(studio, static_cast<size_t>(state.chosen), chooser);
+  drawReviewSliders(studio);
   ImGui::Separator();
   drawFilterShelf(studio);
   markState("camera_look", std::to_string(studio.document().cameraLook.stages.size()));

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
+#include "core/filter/kept_filter.h"
 #include "ui/camera/camera_look_edit.h"
+#include "ui/camera_look/thumbnail.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
@@ -14,14 +17,20 @@
 namespace swaplight {
 namespace {
 
-constexpr float kStageHeight = 30;
-constexpr const char* kDraggedStage = "swaplight stage";
+constexpr float kStageHeight = 36;
+constexpr float kStageThumbnail = 58;
 
 /// Why the filter is left out of the picture; empty where it is drawn.
 std::string problemOf(const ViewerContext& studio, const FilterStage& stage) {
   for (const std::string& line : studio.seen.leftOut())
     if (stage.on && line.find(stage.filter) != std::string::npos) return line;
   return {};
+}
+
+/// The look as far as a filter of it, and no further: what the picture is after that filter.
+FilterPipeline upTo(FilterPipeline look, size_t index) {
+  look.stages.resize(index + 1);
+  return look;
 }
 
 void stageMenu(ViewerContext& studio, size_t index) {
@@ -32,7 +41,9 @@ void stageMenu(ViewerContext& studio, size_t index) {
     return clicked;
   };
   int& chosen = studio.cameraLook.chosen;
-  if (line("Duplicate", "camera_look.duplicate")) {
+  if (line("Keep these settings in the library", "camera_look.keep")) {
+    keepStage(studio, index);
+  } else if (line("Duplicate", "camera_look.duplicate")) {
     duplicateFilter(studio.editor, index);
     chosen = static_cast<int>(index) + 1;
   } else if (line("Up", "camera_look.up", index > 0)) {
@@ -75,11 +86,14 @@ bool drawStage(ViewerContext& studio, size_t index) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(at, high, chosen ? kCardChosen : kCard, px(5));
   if (chosen) draw->AddRect(at, high, kAccent, px(5), 0, px(1));
-  const float eye = px(34), close = px(28);
+  const float eye = px(34), close = px(28), thumbnail = px(kStageThumbnail);
   ImGui::SetCursorPos(ImVec2(start.x + eye, start.y));
   if (ImGui::InvisibleButton("##stage", ImVec2(size.x - eye - close, size.y)))
     studio.cameraLook.chosen = chosen ? -1 : static_cast<int>(index);
   markItem(mark);
+  if (ImGui::IsItemVisible() && stage.on)
+    drawThumbnail(studio, fmt::format("stage {}", index), upTo(studio.document().cameraLook, index),
+                  ImVec2(high.x - close - thumbnail, at.y + px(2)), ImVec2(high.x - close, high.y - px(2)));
   const std::string problem = problemOf(studio, stage);
   if (!problem.empty()) tooltip(("Left out: " + problem).c_str());
   if (ImGui::BeginDragDropSource()) {
@@ -102,7 +116,7 @@ bool drawStage(ViewerContext& studio, size_t index) {
     switchFilter(studio.editor, index, !stage.on);
   markItem({mark, ".on"});
   ImGui::SetCursorPos(ImVec2(start.x + px(38), start.y + (size.y - ImGui::GetTextLineHeight()) / 2));
-  ImGui::PushClipRect(at, ImVec2(high.x - close, high.y), true);
+  ImGui::PushClipRect(at, ImVec2(high.x - close - thumbnail, high.y), true);
   const ImU32 color = !problem.empty() ? kMute : stage.on ? kText : kFaint;
   ImGui::PushStyleColor(ImGuiCol_Text, color);
   ImGui::TextUnformatted(stageName(stage).c_str());
@@ -122,6 +136,17 @@ bool drawStage(ViewerContext& studio, size_t index) {
 
 void addToLook(ViewerContext& studio, const std::string& filter, std::optional<size_t> at) {
   studio.cameraLook.chosen = static_cast<int>(addFilter(studio.editor, filter, at));
+}
+
+void keepStage(ViewerContext& studio, size_t index) try {
+  const FilterPipeline& look = studio.document().cameraLook;
+  const ResolvedStage stage =
+      resolveStage(studio.seen.library(), look.stages.at(index), look.folder, look.name);
+  const std::filesystem::path file = keepFilter(stage, personalFilterFolders().front().path);
+  studio.seen.readLibraryAgain();
+  studio.messages.info("The library has " + file.stem().string() + " now: " + file.string());
+} catch (const InputError& error) {
+  studio.messages.error(error.what());
 }
 
 void drawFilterList(ViewerContext& studio) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "ui/camera_look/filter_list.h"
+#include "ui/camera_look/thumbnail.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
@@ -15,6 +16,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kLeastHeight = 150;
+constexpr float kThumbnailWidth = 64, kThumbnailHeight = 36;
 
 using Filters = std::vector<std::shared_ptr<const Filter>>;
 
@@ -29,14 +31,33 @@ std::string tipOf(const Filter& filter) {
 }
 
 void drawFilter(ViewerContext& studio, const Filter& filter) {
-  if (ImGui::Selectable(filter.name.c_str())) addToLook(studio, filter.name);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = px(kThumbnailHeight), width = px(kThumbnailWidth);
+  if (ImGui::Selectable(("##" + filter.name).c_str(), false, 0, ImVec2(0, height)))
+    addToLook(studio, filter.name);
+  const bool seen = ImGui::IsItemVisible();
   markItem({"filter.", filter.name});
+  if (seen) {
+    drawThumbnail(studio, "filter " + filter.name, {"", {{filter.name, true, {}, {}}}, {}, {}}, at,
+                  ImVec2(at.x + width, at.y + height));
+    const float line = (height - ImGui::GetTextLineHeight()) / 2;
+    ImGui::GetWindowDrawList()->AddText(ImVec2(at.x + width + px(8), at.y + line), kText,
+                                        filter.name.c_str());
+  }
   tooltip(tipOf(filter).c_str());
   if (ImGui::BeginDragDropSource()) {
     ImGui::SetDragDropPayload(kDraggedFilter, filter.name.c_str(), filter.name.size() + 1);
     ImGui::TextUnformatted(filter.name.c_str());
     ImGui::EndDragDropSource();
   }
+}
+
+/// A filter of the look that is dropped on the library comes back with its parameters as defaults.
+void dropStageHere(ViewerContext& studio) {
+  if (!ImGui::BeginDragDropTarget()) return;
+  if (const ImGuiPayload* stage = ImGui::AcceptDragDropPayload(kDraggedStage))
+    keepStage(studio, *static_cast<const size_t*>(stage->Data));
+  ImGui::EndDragDropTarget();
 }
 
 std::string textOf(const Filter& filter) {
@@ -76,6 +97,7 @@ void drawFilterShelf(ViewerContext& studio) {
     if (found.empty()) hint("No filter has these words.");
   }
   ImGui::EndChild();
+  dropStageHere(studio);
 }
 
 }  // namespace swaplight

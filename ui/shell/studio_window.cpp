@@ -7,6 +7,7 @@
 #include "core/file/user_folders.h"
 #include "core/session/open_source.h"
 #include "ui/actions/key_file.h"
+#include "ui/camera/seen_frame.h"
 #include "ui/camera_look/camera_look_actions.h"
 #include "ui/control/viewer_request.h"
 #include "ui/dialogs/about_box.h"
@@ -40,6 +41,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
       m_exports([&window] { window.wake(); }),
       m_subjects([&window] { window.wake(); }),
       m_seen(*m_pictures, [&window] { window.wake(); }),
+      m_thumbnails([&window] { window.wake(); }),
       m_edits({m_editor, m_session, m_subjects, *m_pictures, m_messages}, [&window] { window.wake(); }),
       m_shadows({{m_editor, m_view}, m_session, m_edits, *m_pictures, m_editing.shadow, m_messages},
                 [&window] { window.wake(); }),
@@ -48,6 +50,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
                 m_edits,
                 m_layout.scopeOptions,
                 m_viewer,
+                m_seen,
                 m_colors,
                 m_table,
                 m_messages},
@@ -70,6 +73,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
                 m_subjects,
                 m_table,
                 m_seen,
+                m_thumbnails,
                 m_cameraLook},
       m_lights{{m_editor, m_view}, m_session, m_messages, m_colors, m_layout, m_mixer, m_looks, m_table,
                m_actions},
@@ -202,6 +206,7 @@ void StudioWindow::update() {
   m_wizard.update(m_messages);
   m_subjects.update(m_messages);
   m_seen.update(m_messages);
+  drawThumbnails();
   if (m_messages.expire()) m_window.requestFrames();
   keepLayout();
   const bool marches = m_editing.selection.marching;
@@ -215,6 +220,16 @@ void StudioWindow::update() {
   m_window.setTitle(title);
   m_title = title;
   m_window.requestFrames();
+}
+
+/// Of what the last frame showed; while nothing is held, and the viewer's own picture is there.
+void StudioWindow::drawThumbnails() {
+  const OpenSet* set = m_session.set();
+  if (!set || !m_layout.cameraLook) return;
+  SeenRequest frame = frameRequest(m_colors.config(), set->live, m_edits.revision(), m_editor.document(),
+                                   m_editor.document().rig);
+  frame.look = {};
+  m_thumbnails.update(frame, !m_editor.inGesture() && !busy(), m_seen.library());
 }
 
 double StudioWindow::restSeconds() const {
@@ -280,6 +295,7 @@ void StudioWindow::frame() {
   if (m_setShown != m_session.setRevision()) {
     m_subjects.forget();
     m_seen.forget();
+    m_thumbnails.forget();
     m_cameraLook = {};
     m_viewer = {};
     m_looks = {};
@@ -294,6 +310,7 @@ void StudioWindow::frame() {
   m_colors.follow(m_editor.document().colorConfig, m_messages);
   m_pictures->setConfig(m_colors.config());
   m_window.beginFrame();
+  m_thumbnails.beginFrame();
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -328,6 +345,7 @@ void StudioWindow::frame() {
   markState("busy", busy() || listMoves() ? "yes" : "no");
   markState("desk.fading", m_cues.fading() ? "yes" : "no");
   markState("camera_look.drawn", m_seen.words());
+  markState("camera_look.thumbnails", std::to_string(m_thumbnails.pending()));
   markState("colors", m_colors.config()->title());
   if (const OpenSet* set = m_session.set()) markState("working_space", set->original->colorSpace());
   endLayoutFrame();

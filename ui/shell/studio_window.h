@@ -82,6 +82,7 @@ class StudioWindow {
   void askForExportName();
   void drawDialogs();
   void keepLayout();
+  void drawThumbnails();
   void markEchoes();
   /// Runs the actions whose keys were pressed, or closes what is on top.
   void hearKeys();
@@ -112,6 +113,7 @@ class StudioWindow {
   ViewerState m_viewer;
   SubjectPictures m_subjects;
   LookPreview m_seen;
+  LookThumbnails m_thumbnails;
   CameraLookState m_cameraLook;
   uint64_t m_subjectsShown = 0;
   ViewTable m_table;
