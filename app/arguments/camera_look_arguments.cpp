@@ -1,5 +1,9 @@
 #include "app/arguments/camera_look_arguments.h"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 #include "app/program/number_range.h"
 #include "core/base/error.h"
 
@@ -28,6 +32,17 @@ std::shared_ptr<CameraLook> readyLook(const FilterPipeline& pipeline, const std:
   if (!strict)
     options.leftOut = [&terminal](const std::string& line) { terminal.say("warning: left out: {}", line); };
   return std::make_shared<CameraLook>(pipeline, library, where, options);
+}
+
+void checkPlace(const CameraLook& look, const std::string& place) {
+  for (const ResolvedStage& stage : look.stages()) {
+    const std::vector<std::string>& where = stage.filter->where;
+    if (std::find(where.begin(), where.end(), place) == where.end())
+      throw InputError(
+          "{}: this filter is for the {}, not for a {}; leave it out, or add \"{}\" to WHERE in {}",
+          stage.filter->name, fmt::join(where, ", "), place, place,
+          stage.filter->builtIn ? "a copy of its file" : stage.filter->file.string());
+  }
 }
 
 int codeWithLook(int code, const CameraLook* look) {

@@ -30,6 +30,9 @@ struct FilterRequest {
                                                     bool strict, CameraLookOptions options,
                                                     Terminal& terminal);
 
+/// Throws InputError where a filter of the look is not for this place: "shot", "light" or "frame".
+void checkPlace(const CameraLook& look, const std::string& place);
+
 /// 1 where a filter was left out, else `code`.
 [[nodiscard]] int codeWithLook(int code, const CameraLook* look);
 

@@ -1,9 +1,11 @@
 #include <algorithm>
 
+#include "app/arguments/camera_look_arguments.h"
 #include "app/arguments/solve_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
+#include "core/export/filtered_set.h"
 #include "core/file/json_file.h"
 #include "core/file/same_file.h"
 #include "core/intake/replaced_colors.h"
@@ -25,6 +27,7 @@ struct SolveCommand {
   std::string colors;
   SolvedFileOptions file;
   SolveArguments solve;
+  FilterRequest shotLook;
 };
 
 /// Those that have not been said already.
@@ -39,6 +42,16 @@ std::vector<std::string> warningsOfSolve(const SolveReport& report,
   return fresh;
 }
 
+/// What the photographs are seen through before they are solved; null: nothing.
+std::shared_ptr<CameraLook> shotLook(const SolveCommand& arguments, Terminal& terminal) {
+  if (arguments.shotLook.empty()) return nullptr;
+  const bool typed = arguments.shotLook.look.empty();
+  auto look = readyLook(arguments.shotLook.pipeline(), typed ? "--shot-filter" : arguments.shotLook.look,
+                        typed, {}, terminal);
+  checkPlace(*look, "shot");
+  return look;
+}
+
 int run(const SolveCommand& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolve();
   const std::shared_ptr<const ColorConfig> config = programConfig();
@@ -51,8 +64,11 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   checkOutput(arguments.output, inputs);
   if (!arguments.report.empty()) checkOutput(arguments.report, inputs);
 
+  const std::shared_ptr<CameraLook> look = shotLook(arguments, terminal);
+
   const Progress progress = terminal.progress();
-  const CapturePixels pixels = loadCapturePixels(*config, capture, progress.part(0, 0.2f));
+  CapturePixels pixels = loadCapturePixels(*config, capture, progress.part(0, look ? 0.1f : 0.2f));
+  if (look) filterShots(*config, pixels, *look, progress.part(0.1f, 0.2f));
   sayWarnings(pixels.warnings, terminal);
   SolvedSet set = solve(capture, pixels, options, progress.part(0.2f, 0.8f));
   sayWarnings(warningsOfSolve(*set.report, {capture.warnings, pixels.warnings}), terminal);
@@ -69,7 +85,7 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   terminal.result(
       fmt::format("{}\n{} {:.2f} s.\n", verdictLine(verdict), set.report->message, set.report->seconds),
       json);
-  return 0;
+  return codeWithLook(0, look.get());
 }
 
 }  // namespace
@@ -93,6 +109,15 @@ void addSolveVerb(Program& program) {
   verb.add_flag("--float", a->file.floatPictures, "Contributions as 32-bit float instead of half");
   verb.add_flag("--half", a->file.halfSum,
                 "R G B, their sum, as half instead of 32-bit float: a smaller file");
+  verb.add_option("--shot-look", a->shotLook.look,
+                  "Solve the photographs as a camera look makes them: by name or FILE.swaplook")
+      ->type_name("NAME");
+  verb.add_option(
+          "--shot-filter", a->shotLook.filters,
+          "A filter on every photograph before it is solved, with its parameters; again for the next one")
+      ->type_name("NAME,param=value")
+      ->expected(1)
+      ->take_all();
   a->solve.addTo(verb);
 }
 

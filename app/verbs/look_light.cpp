@@ -1,0 +1,46 @@
+#include "app/verbs/look_actions.h"
+#include "core/base/error.h"
+#include "core/base/json.h"
+#include "core/export/filtered_set.h"
+#include "core/file/same_file.h"
+#include "core/ocio/chosen_config.h"
+#include "core/set/solved_file.h"
+
+namespace swaplight {
+namespace {
+
+size_t lightOfSet(const SolvedSet& set, const std::string& name) {
+  const int index = set.capture.lightIndex(name);
+  if (index >= 0) return static_cast<size_t>(index);
+  std::string names;
+  for (const Light& light : set.capture.lights) names += (names.empty() ? "" : ", ") + light.name;
+  throw InputError("look light: there is no light \"{}\"; the set has {}", name, names);
+}
+
+}  // namespace
+
+int filterLightOfSet(const LookArguments& arguments, Terminal& terminal) {
+  if (arguments.names.size() != 1 || arguments.output.empty())
+    throw InputError("look light: name one solved set, and where the changed one goes (-o SOLVED.exr)");
+  if (arguments.light.empty()) throw InputError("look light: say which light (--light NAME)");
+  if (arguments.request.empty())
+    throw InputError("look light: name a look (--look NAME) or filters (--filter NAME)");
+  const std::string& file = arguments.names[0];
+  checkOutput(arguments.output, std::vector<std::filesystem::path>{file, arguments.request.look});
+  const std::shared_ptr<const ColorConfig> config = programConfig();
+  const bool typed = arguments.request.look.empty();
+  const std::shared_ptr<CameraLook> look =
+      readyLook(arguments.request.pipeline(), typed ? "--filter" : arguments.request.look, typed,
+                {arguments.time.framesPerSecond, arguments.tileSide, arguments.mostSeconds}, terminal);
+  checkPlace(*look, "light");
+  const Progress progress = terminal.progress();
+  SolvedSet set = readSolvedSet(file, progress.part(0, 0.3F));
+  filterLight(*config, set, lightOfSet(set, arguments.light), *look, progress.part(0.3F, 0.7F));
+  writeSolvedSet(set, arguments.output, {}, progress.part(0.7F, 1));
+  terminal.say("wrote {}, {} x {} pixels", arguments.output, set.width(), set.height());
+  terminal.result("",
+                  {{"solved", arguments.output}, {"light", arguments.light}, {"left_out", look->leftOut()}});
+  return codeWithLook(0, look.get());
+}
+
+}  // namespace swaplight
