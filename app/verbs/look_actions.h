@@ -17,12 +17,14 @@ struct LookArguments {
   std::vector<std::string> names;  ///< of filters, looks or a frame, as the action has it
   FilterRequest request;
   std::string output, save, name;
+  std::string light;  ///< the name of one of a set
   FrameOptions frame;
   FilterTime time;
   int tileSide = 4096;
   int width = 240;  ///< of thumbnails, in pixels
   double mostSeconds = 20;
   bool alpha = false;
+  bool stages = false;  ///< a thumbnail after every filter of a look
 };
 
 // An action each. They return the exit code and throw InputError.
@@ -31,6 +33,8 @@ int listFilters(const LookArguments& arguments, Terminal& terminal);
 int showFilter(const LookArguments& arguments, Terminal& terminal);
 int lintFilters(const LookArguments& arguments, Terminal& terminal);
 int applyFilters(const LookArguments& arguments, Terminal& terminal);
+int keepFilterAs(const LookArguments& arguments, Terminal& terminal);
+int filterLightOfSet(const LookArguments& arguments, Terminal& terminal);
 int drawThumbnails(const LookArguments& arguments, Terminal& terminal);
 
 }  // namespace swaplight

@@ -12,8 +12,10 @@ int run(const LookArguments& arguments, Terminal& terminal) {
   if (arguments.action == "show") return showFilter(arguments, terminal);
   if (arguments.action == "lint") return lintFilters(arguments, terminal);
   if (arguments.action == "apply") return applyFilters(arguments, terminal);
+  if (arguments.action == "keep") return keepFilterAs(arguments, terminal);
+  if (arguments.action == "light") return filterLightOfSet(arguments, terminal);
   if (arguments.action == "thumbnails") return drawThumbnails(arguments, terminal);
-  throw InputError("look {}: expected list, show, lint, apply or thumbnails", arguments.action);
+  throw InputError("look {}: expected list, show, lint, apply, keep, light or thumbnails", arguments.action);
 }
 
 }  // namespace
@@ -23,15 +25,18 @@ void addLookVerb(Program& program) {
   CLI::App& verb =
       program.addVerb("look", "Camera shaders: list, show and check filters, and apply them to a frame",
                       [a](Terminal& terminal) { return run(*a, terminal); });
-  verb.add_option("ACTION", a->action, "list, show NAME, lint FILES, apply FRAME, or thumbnails FRAME")
+  verb.add_option("ACTION", a->action,
+                  "list, show NAME, lint FILES, apply FRAME, keep NAME,param=value, light SOLVED, or "
+                  "thumbnails FRAME [LOOKS]")
       ->required();
   verb.add_option("NAME", a->names,
                   "list: words to look for; show: a filter or .swaplook; "
-                  "lint: files or folders; apply: the frame");
-  verb.add_option("--look", a->request.look, "apply: a camera look, by name or file")->type_name("NAME");
+                  "lint: files or folders; apply: the frame; thumbnails: the frame, and camera looks");
+  verb.add_option("--look", a->request.look, "apply, light: a camera look, by name or file")
+      ->type_name("NAME");
   // One value an option: a filter is not to swallow the frame.
   verb.add_option("--filter", a->request.filters,
-                  "apply: a filter, with its parameters; again for the next one")
+                  "apply, light: a filter, with its parameters; again for the next one")
       ->type_name("NAME,param=value")
       ->expected(1)
       ->take_all();
@@ -39,9 +44,12 @@ void addLookVerb(Program& program) {
           "-o,--output", a->output,
           "apply: the frame: EXR and HDR in light, PNG, TIFF and JPEG for a display; thumbnails: a folder")
       ->type_name("FRAME");
+  verb.add_option("--light", a->light, "light: the light whose contribution is filtered")->type_name("NAME");
   verb.add_option("--save", a->save, "apply: also write the filters as a camera look")
       ->type_name("FILE.swaplook");
-  verb.add_option("--name", a->name, "apply --save: the look's name (default: the file's)")
+  verb.add_option(
+          "--name", a->name,
+          "apply --save: the look's name (default: the file's); keep: the filter's (default: my-NAME)")
       ->type_name("TEXT");
   addDisplayOptions(verb, a->frame.display);
   verb.add_option("--type", a->frame.write.pixelType,
@@ -63,6 +71,7 @@ void addLookVerb(Program& program) {
   verb.add_option("--seconds", a->mostSeconds, "The longest that a filter may take for a part (default: 20)")
       ->check(NumberRange(0.1, 1e5))
       ->type_name("X");
+  verb.add_flag("--stages", a->stages, "thumbnails: one more after every filter of a camera look");
   verb.add_flag("--alpha", a->alpha, "apply: write alpha too (a matte)");
 }
 

@@ -9,7 +9,7 @@
 #include "core/base/json.h"
 #include "core/file/atomic_file.h"
 #include "core/file/json_fields.h"
-#include "core/file/json_file.h"
+#include "core/filter/filter_header.h"
 #include "core/filter/size_expression.h"
 
 namespace swaplight {
@@ -19,36 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr size_t kLargestFile = 4 << 20;
 constexpr size_t kMostInputs = 256, kMostPasses = 64;
-
-/// The header's text, and where it ends: the comment that the file begins with.
-struct Header {
-  size_t begin = 0, end = 0;  ///< between "/*" and "*/"
-};
-
-Header headerOf(const std::string& text, const std::string& name) {
-  const size_t open = text.find("/*");
-  const size_t brace = open == std::string::npos ? open : text.find_first_not_of(" \t\r\n", open + 2);
-  if (brace == std::string::npos || text[brace] != '{')
-    throw InputError(
-        "{}: no ISF header; a filter begins with /*{{ \"INPUTS\": [{{\"NAME\": \"inputImage\", \"TYPE\": "
-        "\"image\"}}] }}*/",
-        name);
-  const size_t close = text.find("*/", brace);
-  if (close == std::string::npos) throw InputError("{}: the header's comment has no end: add }}*/", name);
-  return {brace, close};
-}
-
-int lineAt(const std::string& text, size_t offset) {
-  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<ptrdiff_t>(offset), '\n'));
-}
-
-/// Behind as many line ends as the file has before it, so that the line of which an error speaks is the
-/// file's.
-Json jsonOfHeader(const std::string& text, const Header& header, const std::string& name) {
-  const auto linesBefore = static_cast<size_t>(lineAt(text, header.begin) - 1);
-  return parseJson(std::string(linesBefore, '\n') + text.substr(header.begin, header.end - header.begin),
-                   name + ": the header");
-}
 
 /// A name that GLSL takes.
 bool isIdentifier(const std::string& name) {
@@ -312,16 +282,16 @@ void readHeader(Filter& filter, const Json& json, const std::string& name) {
 
 Filter filterFromText(const std::string& text, const fs::path& file) {
   const std::string name = file.string();
-  const Header header = headerOf(text, name);
+  const FilterHeader header = headerOf(text, name);
   Filter filter;
   filter.file = file;
   filter.name = file.stem().string();
-  readHeader(filter, jsonOfHeader(text, header, name), name);
+  readHeader(filter, header.json, name);
   checkNames(filter, name);
   checkExpressions(filter, name);
   addNotes(filter);
   filter.source = text.substr(header.end + 2);
-  filter.sourceLine = lineAt(text, header.end);
+  filter.sourceLine = lineOf(text, header.end);
   return filter;
 }
 

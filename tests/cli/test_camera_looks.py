@@ -61,6 +61,21 @@ class Library(CameraLookTest):
         self.write('data/ISF/My Soft.fs', SOFT)
         self.assertEqual(self.succeed_json('look', 'list', 'my-soft')['filters'][0]['name'], 'My Soft')
 
+    def test_a_changed_filter_is_kept_in_the_library(self):
+        made = self.succeed_json('look', 'keep', 'split-tone,amount=0.9,shadows=0:0:1')
+        self.assertEqual(made['filter'], 'my-split-tone')
+        kept = {p['name']: p for p in self.succeed_json('look', 'show', 'my-split-tone')['parameters']}
+        self.assertAlmostEqual(kept['amount']['default'], .9, delta=1e-6)
+        self.assertEqual(kept['shadows']['default'], [0, 0, 1, 1])
+        own = {p['name']: p for p in self.succeed_json('look', 'show', 'split-tone')['parameters']}
+        self.assertEqual(kept['amount']['max'], own['amount']['max'])
+        self.assertEqual(own['amount']['default'], .5)
+        np.testing.assert_array_equal(self.apply('my-split-tone'), self.apply('split-tone,amount=0.9,shadows=0:0:1'))
+        self.assertEqual(self.succeed_json('look', 'keep', 'my-split-tone,amount=0')['filter'], 'my-split-tone-2')
+        self.deny('look', 'keep', 'sepia', '--name', 'my-split-tone', naming='already')
+        self.deny('look', 'keep', 'sepia', '--name', '../x', naming='name of a file')
+        self.deny('look', 'keep', 'sepia,amount=7', naming='expected 0 to 1')
+
     def test_a_broken_file_is_skipped_and_named(self):
         broken = self.write('data/swaplight/filters/Broken.fs', '/*{ "INPUTS": [ }*/')
         result = self.succeed('look', 'list')
@@ -173,6 +188,16 @@ class Apply(CameraLookTest):
         for name in self.succeed_json('look', 'list')['camera_looks']:
             self.succeed('look', 'apply', self.frame, '--look', name, '-o', self.path('o.png'))
 
+    def test_a_picture_after_every_filter_of_a_look(self):
+        out = self.path('stages')
+        self.succeed('look', 'thumbnails', self.frame, 'Pencil edges', '--stages', '-o', out, '--width', 64)
+        names = ['1 grayscale', '2 sobel', '3 negative']
+        self.assertEqual(sorted(os.listdir(out)), sorted([f'look Pencil edges {n}.png' for n in names] + ['look Pencil edges.png']))
+        pictures = [read_rgb(os.path.join(out, f'look Pencil edges {n}.png')) for n in names]
+        self.assertLess(np.ptp(pictures[0], axis=-1).max(), 2 / 255)
+        np.testing.assert_allclose(pictures[2], 1 - pictures[1], atol=1.01 / 255)
+        np.testing.assert_array_equal(read_rgb(os.path.join(out, 'look Pencil edges.png')), pictures[2])
+
     def test_isf_of_several_passes_with_a_vertex_shader(self):
         self.write('two.fs', '''/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}],
           "PASSES": [{"TARGET": "small", "WIDTH": "$WIDTH / 4", "HEIGHT": "max(1, floor($HEIGHT / 4.0))"}, {}]}*/
@@ -233,6 +258,14 @@ class Refused(CameraLookTest):
         slow = self.write('slow.fs', SOFT.replace('gl_FragColor', 'float x = amount;\n  while (x > 0.0) x += sin(x) * 1e-6;\n'
                                                                   '  gl_FragColor = x *').replace('* =', '* '))
         self.refuse(slow, naming=['slow.fs', 'takes longer than 0.1 s'], options=['--seconds', '0.1'])
+
+    def test_lint_finds_what_computes_no_number(self):
+        root = self.write('root.fs', '''/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"},
+          {"NAME": "power", "TYPE": "float", "DEFAULT": 1, "MIN": 0.5, "MAX": 2}],
+          "SWAPLIGHT": {"SPACE": "scene_linear", "HALO": 0}}*/
+          void main() { vec4 c = IMG_THIS_PIXEL(inputImage);
+            gl_FragColor = vec4(power < 0.6 ? sqrt(c.rgb) : c.rgb, c.a); }''')
+        self.assertIn('gives no finite number where the light is -1, with power=0.5', self.deny_lint(root))
 
     def test_lint_finds_a_halo_that_is_too_small(self):
         short = self.write('short.fs', '''/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}], "SWAPLIGHT": {"HALO": 1}}*/

@@ -2,6 +2,7 @@
 import json
 import os
 import subprocess
+import time
 import unittest
 
 import numpy as np
@@ -140,6 +141,23 @@ class CameraLook(StudioTest):
             studio.key('ctrl+z')
         self.assertEqual(self.filters()[0], ['negative', 'threshold', 'sepia'])
 
+    def test_a_changed_filter_is_dragged_back_to_the_library(self):
+        studio = self.open_look()
+        self.add('sepia')
+        studio.drag(studio.point('look.amount', .9), studio.point('look.amount', .5))
+        amount = self.filters()[1]['filters'][0]['parameters']['amount']
+        studio.drag(studio.point('camera_look.0', .3), studio.point('filter.sepia', .5))
+        studio.settle()
+        studio.item('filter.my-sepia')
+        studio.screenshot('camera_look_kept')
+        studio.click('camera_look.0.remove')
+        self.add('my-sepia')
+        self.assertEqual(self.filters()[0], ['my-sepia'])
+        kept = self.path('.local/share/swaplight/filters/my-sepia.fs')
+        with open(kept) as file:
+            header = json.loads(file.read().split('*/')[0][2:])
+        self.assertAlmostEqual(header['INPUTS'][1]['DEFAULT'], amount, delta=1e-5)
+
     def test_a_look_that_comes_along_and_one_with_a_broken_filter(self):
         studio = self.open_look()
         plain = studio.picture('camera_look_none')
@@ -184,6 +202,88 @@ class CameraLook(StudioTest):
         drop_files(self.display.name, 'Swaplight', [own], 500, 300)
         studio.item('message.0')
         self.assertEqual(studio.state('camera_look'), '2')
+
+    def thumbnails(self):
+        """A screenshot when every thumbnail that is shown is drawn."""
+        for _ in range(300):
+            self.studio.settle()
+            if self.studio.state('camera_look.thumbnails') == '0':
+                return self.studio.screenshot('camera_look_thumbnails')
+            time.sleep(.1)
+        self.fail('thumbnails do not come to an end')
+
+    def test_filters_and_stages_show_this_frame(self):
+        studio = self.open_look()
+        self.add('grayscale')
+        self.add('exposure')
+        studio.click('camera_look.search')
+        studio.key('ctrl+a')
+        studio.type('e')
+        shot = self.thumbnails()
+        thumbnails = {}
+        for name in ('sepia', 'negative', 'threshold'):
+            studio.click('camera_look.search')
+            studio.key('ctrl+a')
+            studio.type(name)
+            shot = self.thumbnails()
+            x0, y0, x1, y1 = map(int, studio.item('filter.' + name))
+            thumbnails[name] = shot[y0 + 4:y1 - 4, x0 + 8:x0 + 56].astype(int)
+        self.assertGreater(np.ptp(thumbnails['sepia'], axis=-1).mean(), 10, 'brown, of the frame and not of the look')
+        self.assertGreater(thumbnails['sepia'].std(), 10, 'a picture')
+        self.assertGreater(np.abs(thumbnails['negative'].mean() - thumbnails['sepia'].mean()), 20)
+        x0, y0, x1, y1 = map(int, studio.item('camera_look.0'))
+        stage = shot[y0 + 6:y1 - 6, x1 - 50:x1 - 8].astype(int)
+        self.assertLess(np.ptp(stage, axis=-1).max(), 4, 'after the first filter: grey')
+        self.assertGreater(stage.std(), 8)
+
+    def test_review_sliders_work_on_what_is_seen(self):
+        studio = self.open_look()
+        plain = self.seen('camera_look_review_none').mean()
+        studio.click('camera_look.review')
+        studio.drag(studio.point('review.brightness', 1 / 3), studio.point('review.brightness', .6))
+        studio.drag(studio.point('review.saturation', 1 / 3), studio.point('review.saturation', .01))
+        seen = self.seen('camera_look_review')
+        self.assertGreater(seen.mean(), 1.15 * plain)
+        self.assertLess(np.ptp(seen, axis=-1).max(), 4, 'no colour is left')
+        names, look = self.filters()
+        self.assertEqual(names, ['review'])
+        self.assertEqual(set(look['filters'][0]['parameters']), {'brightness', 'saturation'})
+        studio.click('review.saturation.reset')
+        self.assertEqual(set(self.filters()[1]['filters'][0]['parameters']), {'brightness'})
+        studio.key('ctrl+z')
+        studio.key('ctrl+z')
+        studio.key('ctrl+z')
+        self.assertAlmostEqual(self.seen('camera_look_review_undone').mean(), plain, delta=.5)
+
+    def test_the_bar_keeps_the_view_and_scopes_and_probe_see_the_look(self):
+        studio = self.open_look()
+        x0, _, x1, _ = studio.item('bar.view')
+        self.assertGreater(x1 - x0, 50)
+        self.assertLessEqual(x1, studio.item('viewer')[2] + 1)
+        studio.click('bar.more')
+        studio.screenshot('camera_look_bar_more')
+        self.assertTrue(studio.has('bar.gamma'))
+        studio.key('Escape')
+        studio.key('F6')
+        studio.settle()
+        x0, y0, x1, y1 = map(int, studio.item('scope.vectorscope'))
+        def colours():
+            studio.settle()
+            time.sleep(.5)
+            studio.settle()
+            scope = studio.screenshot('camera_look_scopes')[y0:y1, x0:x1].max(-1)
+            x, y, reach = (x1 - x0) // 2, (y1 - y0) // 2, (x1 - x0) // 6
+            return (scope[y - reach:y + reach, x + 5:x + reach] > 60).sum()  # towards blue, where nothing else is drawn
+        before = colours()
+        self.assertGreater(before, 20)
+        self.add('grayscale')
+        self.assertLess(colours(), .1 * before, 'grey lies in the middle')
+        studio.key('p')
+        studio.move(*studio.point('viewer.picture', .4, .4))
+        studio.settle()
+        code = list(map(int, studio.state('probe').split()[2:]))
+        self.assertLess(max(code) - min(code), 2, 'the probe tells what is seen')
+        self.assertGreater(max(code), 5)
 
     def test_five_filters_follow_a_dragged_slider(self):
         """Figures for docs/studio.md, printed; here only that drafts are drawn and the last picture is exact."""
