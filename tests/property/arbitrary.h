@@ -133,7 +133,7 @@ inline MaskShape anyShape(int deep = 1) {
 }
 
 inline Operation anyOperation() {
-  switch (anyInt(0, 6)) {
+  switch (anyInt(0, 8)) {
     case 0:
       return FillOperation{anyFloat(0, 100)};
     case 1:
@@ -146,6 +146,15 @@ inline Operation anyOperation() {
       return BlurOperation{anyInt(1, 256)};
     case 5:
       return SharpenOperation{anyInt(1, 256), anyFloat(0, 100)};
+    case 7:
+      return UnknownGelOperation{anyFloat(0, 1), UnknownGelOperation::Lamps(anyInt(0, 1))};
+    case 6:
+      return RecolorOperation{RecolorOperation::Kind(anyInt(0, 1)),
+                              anyFloat(-180, 180),
+                              anyFloat(0, 4),
+                              anyFloat(0, 16),
+                              anyRgb(4),
+                              anyRgb(4)};
     default:
       return ShadowOperation{ShadowOperation::Kind(anyInt(0, 4)), anyFloat(0, 1), anyInt(1, 256), anyRgb(4)};
   }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/edit/mask/surface_color.h"
 #include "core/shadow/detect/detect_shadows.h"
 #include "ui/jobs/take_or_report.h"
 
@@ -256,9 +257,13 @@ void EditController::update(const PixelRect& visible) {
 void EditController::refresh(LiveSet::Writing& writing, const std::vector<PixelRect>& changed) {
   if (changed.empty()) return;
   writing.pixelsChanged(changed);
-  for (const Pyramid& picture : m_room.live->pictures().contributions())
-    for (const PixelRect& rect : changed)
+  const ViewPictures& pictures = m_room.live->pictures();
+  for (const PixelRect& rect : changed) {
+    for (const Pyramid& picture : pictures.contributions())
       m_parts.renderer.changed(picture, {rect.x, rect.y, rect.width, rect.height});
+    if (pictures.ambient())
+      m_parts.renderer.changed(*pictures.ambient(), {rect.x, rect.y, rect.width, rect.height});
+  }
   if (m_parts.subjects.editsChanged()) m_parts.renderer.forget();
   ++m_revision;
 }
@@ -282,6 +287,18 @@ std::shared_ptr<const MaskRaster> EditController::raster(const MaskShape& shape)
     return nullptr;
   }
   return isDrawn(shape) ? m_room.edited->context().raster(shape) : nullptr;
+}
+
+Rgb EditController::surfaceColor(const Mask& mask) {
+  if (!m_room.edited) prepare();
+  if (!m_set || !m_room.edited) {
+    if (!m_set || !mask.empty()) return Rgb(1);
+    MaskContext context(*m_set);
+    return swaplight::surfaceColor(*m_set, PreparedMask(mask, context));
+  }
+  for (const MaskShape& shape : mask)
+    if (!isDrawn(shape)) return Rgb(1);
+  return swaplight::surfaceColor(m_room.edited->result(), PreparedMask(mask, m_room.edited->context()));
 }
 
 bool EditController::shadowsCurrent() const {

@@ -57,6 +57,8 @@ class EditController {
   [[nodiscard]] std::shared_ptr<const PreparedEdit> prepared(const Edit& edit) const {
     return m_room.edited ? m_room.edited->prepared(&edit) : nullptr;
   }
+  /// The mean colour, as shown at unit white, of what a mask lets through; 1 while it is being drawn.
+  [[nodiscard]] Rgb surfaceColor(const Mask& mask);
   /// Whether shadows() are for the document's thresholds.
   [[nodiscard]] bool shadowsCurrent() const;
   [[nodiscard]] bool findingShadows() const { return m_finding.running(); }

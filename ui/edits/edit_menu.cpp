@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "core/edit/apply/gel_mixing.h"
 #include "core/edit/mask/selection.h"
 #include "ui/control/light_edit.h"
 #include "ui/edits/edit_list.h"
@@ -22,6 +23,17 @@ Edit newEdit(const EditingContext& studio, const std::string& what, const Operat
   edit.energy = energy;
   edit.operation = operation;
   edit.mask = maskWithin({}, studio.document().selection);
+  if (auto* recolor = std::get_if<RecolorOperation>(&edit.operation)) {
+    edit.name = what;
+    edit.lights.clear();
+    recolor->from = recolor->to = studio.edits.surfaceColor(edit.mask);
+  }
+  if (auto* gel = std::get_if<UnknownGelOperation>(&edit.operation)) {
+    edit.name = what;
+    edit.lights.clear();
+    edit.mask.clear();  // a gel has one colour
+    *gel = solvedGel(*studio.set()->original).value_or(*gel);
+  }
   // With three lights somebody has to say which two change places.
   if (swapsTwoLights(operation) && studio.document().rig.lights.size() == 2) edit.lights.clear();
   return edit;
@@ -58,6 +70,7 @@ void drawAddEdit(EditingContext& studio, float width) {
   if (!ImGui::BeginPopup("##add edit")) return;
   forEachOperation([&]<typename T>(const T& operation) {
     if (!T::info.inMenu) return;
+    if (std::is_same_v<T, UnknownGelOperation> && !solvedGel(*studio.set()->original)) return;
     if (ImGui::MenuItem(T::info.title))
       append(studio, T::info.title, newEdit(studio, T::info.title, operation, EnergyMode::Redistribute));
     markItem({"add.", T::info.name});

@@ -11,6 +11,7 @@
 
 #include "core/color/srgb.h"
 #include "core/edit/apply/edited_set.h"
+#include "core/edit/apply/gel_mixing.h"
 #include "core/edit/apply/lamp_limits.h"
 #include "core/edit/fields/field.h"
 #include "core/edit/stack/beta_histogram.h"
@@ -206,8 +207,8 @@ template <typename Owner>
 bool control(const Parameters& /*of*/, const Field<Owner, Rgb>& field, Rgb& color) {
   label(field.label);
   Rgb codes = srgbFromLinear(color);
-  const bool changed =
-      ImGui::ColorEdit3("##colour", &codes.x, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+  const bool changed = ImGui::ColorEdit3((std::string("##") + field.key).c_str(), &codes.x,
+                                         ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
   if (changed) color = linearFromSrgb(codes);
   markItem({"parameters.", field.key});
   tooltip(field.tip);
@@ -265,6 +266,25 @@ void fields(const Parameters& of, T operation) {
                                                                           : "1 \u2212 \u03b2 of each light.");
 }
 
+/// Which end is which, and what it is now.
+void unknownGel(const EditingContext& studio, UnknownGelOperation operation) {
+  const SolvedSet& set = *studio.set()->original;
+  if (!solvedGel(set)) return;
+  const auto at = [&](float position) {
+    operation.position = position;
+    return gelMixing(set, operation).color;
+  };
+  const Rgb now = at(operation.position), nearest = at(0), farthest = at(1);
+  const auto warmth = [](const Rgb& color) { return color.r / std::max(color.b, 1e-6F); };
+  const bool warmer = warmth(farthest) > warmth(nearest);
+  colorChip("##gel", srgbFromLinear(now / std::max({now.r, now.g, now.b, 1e-6F})),
+            ImVec2(ImGui::GetFrameHeight(), ImGui::GetFrameHeight()), "The gel's colour");
+  ImGui::SameLine(0, px(8));
+  hint(fmt::format("{} \u2026 {} lamp: the photographs fit equally well.", warmer ? "Cooler" : "Warmer",
+                   warmer ? "warmer" : "cooler"));
+  markState("parameters.gel", fmt::format("{:.3f}/{:.3f}/{:.3f}", now.r, now.g, now.b));
+}
+
 }  // namespace
 
 void drawEditParameters(EditingContext& studio, size_t index, bool all) {
@@ -278,7 +298,10 @@ void drawEditParameters(EditingContext& studio, size_t index, bool all) {
     parameters.preview("opacity", std::move(next));
   }
   if (!all) return ImGui::PopID();
-  lights(parameters);
+  if (!actsOnAllLights(edit->operation)) lights(parameters);
+  if (std::holds_alternative<RecolorOperation>(edit->operation))
+    hint("A surface's colour: under all lights alike.");
+  if (const auto* gel = std::get_if<UnknownGelOperation>(&edit->operation)) unknownGel(studio, *gel);
   if (actsOnBeta(edit->operation)) energyMode(parameters);
   std::visit([&](const auto& operation) { fields(parameters, operation); }, edit->operation);
   drawEditPlace(studio, index);

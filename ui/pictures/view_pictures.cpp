@@ -13,6 +13,8 @@ ViewPictures::ViewPictures(std::shared_ptr<const SolvedSet> set) : m_set(std::mo
 void ViewPictures::refresh(const std::vector<PixelRect>& changed) {
   for (Pyramid& contribution : m_contributions)
     for (const PixelRect& rect : changed) contribution.refresh(rect.x, rect.y, rect.width, rect.height);
+  for (const PixelRect& rect : changed)
+    if (m_ambient) m_ambient->refresh(rect.x, rect.y, rect.width, rect.height);
 }
 
 void ViewPictures::lightsChanged() {

@@ -25,6 +25,8 @@ class ViewPictures {
   /// To be called when the set has other lights: pictures that lie where they lay are kept.
   void lightsChanged();
   [[nodiscard]] const std::vector<Pyramid>& contributions() const { return m_contributions; }
+  /// nullptr where there is none.
+  [[nodiscard]] const Pyramid* ambient() const { return m_ambient ? &*m_ambient : nullptr; }
 
   /// What has to be added up to show a subject; `factors` are the rig's; a light that it lacks
   /// is dark.

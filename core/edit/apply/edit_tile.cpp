@@ -1,18 +1,28 @@
 #include "core/edit/apply/edit_tile.h"
 
 #include <algorithm>
+#include <array>
 #include <opencv2/imgproc.hpp>
 
 #include "core/edit/apply/edit_rows.h"
+#include "core/edit/apply/reflectance_row.h"
 #include "core/edit/pool/lamp_gain.h"
 
 namespace swaplight {
+namespace {
+
+size_t planesOf(int lights, bool ambient) {
+  return static_cast<size_t>(lights) * 3 + (ambient ? 7 : 4);
+}
+
+}  // namespace
 
 EditTile::EditTile(const SolvedSet& set, int lights, const PixelRect& area)
     : m_lights(lights),
+      m_ambient(set.ambient.has_value()),
       m_area(area),
       m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)),
-      m_data(m_plane * (static_cast<size_t>(lights) * 3 + 4)) {
+      m_data(m_plane * planesOf(lights, m_ambient)) {
   const auto planes = static_cast<size_t>(m_lights);
   float* white = m_data.data() + planes * 3 * m_plane;
   for (int i = 0; i < set.lightCount(); ++i)
@@ -28,6 +38,13 @@ EditTile::EditTile(const SolvedSet& set, int lights, const PixelRect& area)
     const float grey = white[p] + white[m_plane + p] + white[2 * m_plane + p];
     inverse[p] = grey > 0 ? 1 / grey : 0;
   }
+  if (m_ambient) copyAmbient(*set.ambient);
+}
+
+void EditTile::copyAmbient(const Image& ambient) {
+  for (int c = 0; c < 3; ++c)
+    for (int y = m_area.y; y < m_area.bottom(); ++y)
+      std::copy_n(ambient.view().row(c, y) + m_area.x, m_area.width, writableRow(m_lights + 1, 1 + c, y));
 }
 
 EditTile::EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRect& area)
@@ -37,15 +54,17 @@ EditTile::EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRec
       for (int y = area.y; y < area.bottom(); ++y)
         std::copy_n(edited.contributions[static_cast<size_t>(i)].view().row(c, y) + area.x, area.width,
                     writableRow(i, c, y));
+  if (m_ambient) copyAmbient(*edited.ambient);
 }
 
 EditTile::EditTile(const EditTile& whole, const PixelRect& area)
     : m_lights(whole.m_lights),
+      m_ambient(whole.m_ambient),
       m_area(area),
       m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)),
-      m_data(m_plane * (static_cast<size_t>(whole.m_lights) * 3 + 4)) {
+      m_data(m_plane * planesOf(m_lights, m_ambient)) {
   float* out = m_data.data();
-  for (int plane = 0; plane < m_lights * 3 + 4; ++plane)
+  for (int plane = 0; plane < static_cast<int>(planesOf(m_lights, m_ambient)); ++plane)
     for (int y = area.y; y < area.bottom(); ++y) {
       const float* in = whole.row(plane / 3, plane % 3, y) + (area.x - whole.m_area.x);
       out = std::copy_n(in, area.width, out);
@@ -55,6 +74,10 @@ EditTile::EditTile(const EditTile& whole, const PixelRect& area)
 const float* EditTile::row(int light, int channel, int y) const {
   return m_data.data() + static_cast<size_t>(light * 3 + channel) * m_plane +
          static_cast<size_t>(y - m_area.y) * static_cast<size_t>(m_area.width);
+}
+
+const float* EditTile::ambientRow(int channel, int y) const {
+  return m_ambient ? row(m_lights + 1, 1 + channel, y) : nullptr;
 }
 
 float* EditTile::writableRow(int light, int channel, int y) {
@@ -195,6 +218,48 @@ void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, cons
     for (const int i : edit.lights) {
       const auto k = static_cast<size_t>(i);
       addRow(rows[k], white, scratch.beta[k].data(), scratch.target[k].data(), span.mask, span.count);
+    }
+  });
+}
+
+void EditTile::applyOperation(const UnknownGelOperation& /*operation*/, const PreparedEdit& edit,
+                              const PixelRect& area) {
+  forEachSpan(edit, area, [&](const Span& span) {
+    GelRows rows{};
+    const auto rowOf = [&](int light, int c) { return writableRow(light, c, span.y) + (span.x - m_area.x); };
+    for (int c = 0; c < 3; ++c) {
+      for (int j = 0; j < 2; ++j) rows.light[j][c] = rowOf(edit.gel.lights[j], c);
+      rows.white[c] = rowOf(m_lights, c);
+    }
+    rows.inverseGrey = rowOf(m_lights + 1, 0);
+    changeGelRow(edit.gel, span.mask, span.count, rows);
+  });
+}
+
+template <SurfaceOperation T>
+void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area) {
+  std::array<std::vector<float>, 3> after;
+  for (std::vector<float>& channel : after) channel.resize(static_cast<size_t>(area.width));
+  const float* const afterRows[3] = {after[0].data(), after[1].data(), after[2].data()};
+  forEachSpan(edit, area, [&](const Span& span) {
+    const int skip = span.x - m_area.x;
+    const auto rowOf = [&](int light, int c) { return writableRow(light, c, span.y) + skip; };
+    float* white[3] = {rowOf(m_lights, 0), rowOf(m_lights, 1), rowOf(m_lights, 2)};
+    float* inverse = rowOf(m_lights + 1, 0);
+    for (int i = 0; i < span.count; ++i) {
+      const Rgb light(white[0][i], white[1][i], white[2][i]);
+      const Rgb next = light + span.mask[i] * (operation.recolored(light) - light);
+      for (int c = 0; c < 3; ++c) after[static_cast<size_t>(c)][static_cast<size_t>(i)] = next[c];
+    }
+    for (int j = 0; j < m_lights; ++j)
+      changeReflectanceRow(white, afterRows, inverse, span.count, {{rowOf(j, 0), rowOf(j, 1), rowOf(j, 2)}});
+    if (m_ambient)
+      changeReflectanceRow(white, afterRows, inverse, span.count,
+                           {{rowOf(m_lights + 1, 1), rowOf(m_lights + 1, 2), rowOf(m_lights + 1, 3)}});
+    for (int i = 0; i < span.count; ++i) {
+      float grey = 0;
+      for (int c = 0; c < 3; ++c) grey += white[c][i] = afterRows[c][i];
+      inverse[i] = grey > 0 ? 1 / grey : 0;
     }
   });
 }

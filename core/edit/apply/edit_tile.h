@@ -17,7 +17,7 @@ class EditTile {
   /// light.
   EditTile(const SolvedSet& set, int lights, const PixelRect& area);
 
-  /// The same with contributions that have been edited already.
+  /// The same with contributions that have been edited already, and the set at unit white as it was solved.
   EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRect& area);
 
   /// A part of another.
@@ -31,11 +31,14 @@ class EditTile {
   [[nodiscard]] size_t bytes() const { return m_data.size() * sizeof(float); }
   /// A contribution's row: x from area().x on.
   [[nodiscard]] const float* row(int light, int channel, int y) const;
+  /// The ambient light's, of a set that has it; else nullptr.
+  [[nodiscard]] const float* ambientRow(int channel, int y) const;
 
  private:
   [[nodiscard]] float* writableRow(int light, int channel, int y);
   [[nodiscard]] const float* whiteRow(int channel, int y) const;
   [[nodiscard]] const float* inverseGreyRow(int y) const;
+  void copyAmbient(const Image& ambient);
   void betaRow(int light, int y, int x, int count, float* out) const;
   /// Beta of a light over the whole area, blurred.
   [[nodiscard]] std::vector<float> blurredBeta(int light, int radius) const;
@@ -49,15 +52,19 @@ class EditTile {
   void forEachSpan(const PreparedEdit& edit, const PixelRect& area, const Body& body);
   void swapLights(const PreparedEdit& edit, const PixelRect& area);
   void applyOperation(const ShadowOperation& operation, const PreparedEdit& edit, const PixelRect& area);
+  void applyOperation(const UnknownGelOperation& operation, const PreparedEdit& edit, const PixelRect& area);
   template <LampOperation T>
   void applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area);
   template <BetaOperation T>
   void applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area);
+  template <SurfaceOperation T>
+  void applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area);
 
   int m_lights;
+  bool m_ambient;
   PixelRect m_area;
   size_t m_plane;             // pixels of a plane
-  std::vector<float> m_data;  // light by light R G B, then white R G B, then 1 / grey of white
+  std::vector<float> m_data;  // light by light R G B, then white R G B, 1 / grey of white, ambient R G B
 };
 
 }  // namespace swaplight

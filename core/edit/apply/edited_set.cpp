@@ -71,6 +71,8 @@ void writeBack(const EditTile& tile, const PixelRect& part, SolvedSet& result) {
   const int skip = part.x - tile.area().x;
   std::vector<float> total(static_cast<size_t>(part.width));
   for (int y = part.y; y < part.bottom(); ++y) {
+    for (int c = 0; result.ambient && c < 3; ++c)
+      std::copy_n(tile.ambientRow(c, y) + skip, part.width, result.ambient->span().row(c, y) + part.x);
     std::fill(total.begin(), total.end(), 0.f);
     for (int i = 0; i < lights; ++i) {
       float* grey = result.beta.span().row(i, y) + part.x;
@@ -245,8 +247,11 @@ EditTile EditedSet::evaluate(const PixelRect& area, size_t edits) const {
 
 EditTile EditedSet::belowCheckpoint(const PixelRect& band) const {
   const int tile = band.y / kTileSize * columns() + band.x / kTileSize;
-  // Nothing has been computed here since: the result is what is below.
-  if (m_checkpoint.startedAtTheEnd() && m_staleBelow[static_cast<size_t>(tile)].empty())
+  const bool otherWhite =
+      std::any_of(m_prepared.begin(), m_prepared.begin() + static_cast<ptrdiff_t>(m_checkpoint.editsBelow()),
+                  [](const Prepared& p) { return p->isActive() && actsOnAllLights(p->edit->operation); });
+  // Nothing has been computed here since: the result is what is below, if the set at unit white is as solved.
+  if (!otherWhite && m_checkpoint.startedAtTheEnd() && m_staleBelow[static_cast<size_t>(tile)].empty())
     return {*m_set, m_result, band};
   return {evaluate(band, m_checkpoint.editsBelow()), band};
 }

@@ -76,6 +76,9 @@ void checkBeta(const Edit& edit, const EditedLights& lights, const BetaMaps& bet
 
 PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& lights, MaskContext& context,
                          BetaFiles& files, const PreparedEdit* earlier) {
+  if (actsOnAllLights(edit->operation) && !edit->lights.empty())
+    throw InputError("edit \"{}\" ({}) names lights, but acts on all of them: leave out its lights.",
+                     edit->name, operationName(edit->operation));
   PreparedEdit prepared;
   prepared.lights = chosenLights(*edit, lights);
   const int zone = zoneOf(edit->operation, lights.width);
@@ -90,6 +93,8 @@ PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& l
               shadowChanges(operation, *edit, prepared.lights, lights, context.shadows(), earlier);
         if constexpr (LampOperation<T>)
           prepared.lamps = lampEdits(operation.lampChange(), prepared.lights, context, earlier);
+        if constexpr (std::is_same_v<T, UnknownGelOperation>)
+          prepared.gel = gelMixing(context.set(), operation);
         if constexpr (requires { operation.tabulate(); }) prepared.table = operation.tabulate();
       },
       edit->operation);

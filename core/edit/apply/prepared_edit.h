@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/edit/apply/gel_mixing.h"
 #include "core/edit/apply/lamp_edit.h"
 #include "core/edit/apply/shadow_change.h"
 #include "core/edit/mask/prepared_mask.h"
@@ -29,6 +30,7 @@ struct PreparedEdit {
   std::shared_ptr<const BetaMaps> beta;  ///< of the chosen lights, for BetaMapOperation
   std::vector<ShadowChange> shadows;     ///< one a chosen light, for ShadowOperation
   std::vector<LampEdit> lamps;           ///< one a chosen light, for edits of lamps
+  GelMixing gel;                         ///< for UnknownGelOperation
 
   /// Does it do anything?
   [[nodiscard]] bool isActive() const { return edit->on && edit->opacity > 0; }

@@ -32,6 +32,16 @@ bool actsOnBeta(const Operation& operation) {
   return std::visit([]<typename T>(const T&) { return BetaOperation<T>; }, operation);
 }
 
+bool actsOnAllLights(const Operation& operation) {
+  return std::visit(
+      []<typename T>(const T&) {
+        return SurfaceOperation<T> || requires {
+          T::kOfAllLights;
+        };
+      },
+      operation);
+}
+
 bool swapsTwoLights(const Operation& operation) {
   return std::visit(
       [](const auto& o) {

@@ -11,10 +11,12 @@
 #include "core/edit/operations/gain_operation.h"
 #include "core/edit/operations/invert_operation.h"
 #include "core/edit/operations/move_operation.h"
+#include "core/edit/operations/recolor_operation.h"
 #include "core/edit/operations/shadow_operation.h"
 #include "core/edit/operations/sharpen_operation.h"
 #include "core/edit/operations/spread_operation.h"
 #include "core/edit/operations/turn_operation.h"
+#include "core/edit/operations/unknown_gel_operation.h"
 
 namespace swaplight {
 
@@ -25,6 +27,7 @@ namespace swaplight {
 //   static constexpr auto fields()                its values: files, checks and the studio's controls
 //   void targetRow(const BetaRow&, float*) const  what it wants beta to be; what is below 0 becomes 0
 //   or LampChange lampChange() const              what it does to the light's lamp
+//   or Rgb recolored(const Rgb&) const            what it makes of a surface's colour, under all lights
 //
 // and, where it needs them,
 //
@@ -40,14 +43,16 @@ namespace swaplight {
 //
 //   static constexpr bool kSwapsTwoLights   of two lights: they change places
 //
+//   static constexpr bool kOfAllLights      there is nothing to choose
+//
 // and it is listed here. Whatever handles edits visits the list, so that one that is not handled does not
 // compile.
 
 using Operation = std::variant<FillOperation, GainOperation, CurveOperation, InvertOperation, BlurOperation,
                                SharpenOperation, BetaMapOperation, ShadowOperation, MoveOperation,
-                               TurnOperation, SpreadOperation>;
+                               TurnOperation, SpreadOperation, RecolorOperation, UnknownGelOperation>;
 
-/// Says what it wants beta to be. All edits but those of shadows and lamps.
+/// Says what it wants beta to be. All edits but those of shadows, lamps, surfaces and unknown gels.
 template <typename T>
 concept BetaOperation = requires(const T& operation, const BetaRow& row, float* target) {
   operation.targetRow(row, target);
@@ -77,6 +82,12 @@ concept DraggedOperation = requires(T& operation, const LampModel& lamp, const P
       operation);
 }
 
+/// Says what it makes of a surface's colour: acts on the contributions of all lights and on ambient light.
+template <typename T>
+concept SurfaceOperation = requires(const T& operation, const Rgb& light) {
+  { operation.recolored(light) } -> std::same_as<Rgb>;
+};
+
 template <typename T>
 concept LightOperation = std::equality_comparable<T> && std::default_initializable<T> && requires {
   { T::info } -> std::same_as<const OperationInfo&>;
@@ -104,8 +115,12 @@ void forEachOperation(const Visit& visit) {
 [[nodiscard]] std::string operationSummary(const Operation& operation);
 /// How many pixels around it a pixel looks; 0 for most.
 [[nodiscard]] int operationReach(const Operation& operation);
-/// Whether it acts on beta, so that other lights may share: all but those of shadows and lamps.
+/// Whether it acts on beta, so that other lights may share: all but those of shadows, lamps,
+/// surfaces and unknown gels.
 [[nodiscard]] bool actsOnBeta(const Operation& operation);
+/// Whether it acts on all lights: there is none to choose. Those of surfaces and unknown gels, which also
+/// change the set at unit white.
+[[nodiscard]] bool actsOnAllLights(const Operation& operation);
 /// Whether two lights with it change places.
 [[nodiscard]] bool swapsTwoLights(const Operation& operation);
 

@@ -24,7 +24,7 @@ struct Edit {
   bool on = true;
   float opacity = 1;                             ///< 0..1
   std::vector<std::string> lights;               ///< names; empty: all
-  EnergyMode energy = EnergyMode::Redistribute;  ///< those of shadows and lamps always add
+  EnergyMode energy = EnergyMode::Redistribute;  ///< of edits that act on beta
   Operation operation;
   Mask mask;
   bool operator==(const Edit&) const = default;
