@@ -7,11 +7,14 @@
 #include "core/base/json.h"
 #include "core/shadow/detect/each_light.h"
 #include "core/shadow/detect/penumbra.h"
+#include "core/shadow/detect/shadow_cut.h"
 #include "core/shadow/detect/shadow_evidence.h"
 #include "core/shadow/detect/shadow_fill.h"
 #include "core/shadow/detect/shadow_regions.h"
 #include "core/shadow/detect/shadow_sides.h"
 #include "core/shadow/detect/shadow_threshold.h"
+#include "core/shadow/numeric/shadow_pictures.h"
+#include "core/shadow/odds/umbra_odds.h"
 
 namespace swaplight {
 namespace {
@@ -78,10 +81,20 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
     all[i].threshold = std::exp(thresholds[i] - lit);
   });
   const std::vector<cv::Mat> bright = brightParts(evidence, thresholds);
+  const SmallSet small =
+      smallSetOf(evidence.contributions, sizeWithin(evidence.known.size(), tuning.odds.longest));
   std::vector<cv::Mat> divided(count);
+  std::vector<cv::Mat> told(count);
   forEachLight(count, progress.part(.4f, .5f), kFinding, [&](size_t i) {
+    const ShadowEvidence& light = evidence.lights[i];
     const ShadowSides sides = shadowSides(evidence, bright, i, tuning);
-    divided[i] = visibilityOf(evidence.lights[i], sides, evidence.known, thresholds[i], smallest, tuning);
+    // A threshold that is given is the user's word: nothing weighs against it.
+    const bool weighed = light.shines && !options.thresholdOf(set.capture.lights[i].name);
+    const ShadowDivision division =
+        divideShadow(shrunk(light.level, sides.apart.size()), thresholds[i], sides,
+                     weighed ? umbraOdds(small, i, tuning.odds) : LightOdds{}, tuning.cut);
+    divided[i] = visibilityOf(light, division.shadow, evidence.known, smallest, tuning.regions);
+    told[i] = toldPixels(division, evidence.known);
   });
   std::vector<RefinedVisibility> refined(count);
   std::vector<cv::Mat> visibilities(count);
@@ -94,7 +107,7 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
     // After filling: what a surface that turns away still sees is dim of itself, and lacks nothing.
     cv::max(filled.visibility, refined[i].reached, filled.visibility);
     removeSmallShadows(filled.visibility, smallest, tuning.regions);
-    all[i].labels = labelShadows(filled.visibility, evidence.known, tuning.regions);
+    all[i].labels = labelShadows(filled.visibility, told[i], tuning.regions);
     all[i].visibility = imageOf(filled.visibility, {"Y"}, 1);
     all[i].direct = imageOf(filled.direct, {"R", "G", "B"}, evidence.white);
     all[i].direct.setColorSpace(set.colorSpace());

@@ -1,6 +1,6 @@
 #include "core/shadow/detect/other_lights.h"
 
-#include "core/shadow/detect/shadow_pictures.h"
+#include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {
 

@@ -3,26 +3,22 @@
 #include <cmath>
 
 #include "core/shadow/numeric/cut_graph.h"
+#include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {
+namespace {
 
-cv::Mat cutShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
-                  const ShadowCutTuning& tuning) {
-  const cv::Size size = sides.apart.size();
-  if (size.area() == 1) return level < threshold;  // nothing beside it
+// The cheapest cut: 255 where a pixel is parted from the light. `lit`: what it costs not to be lit.
+cv::Mat leastCut(const cv::Mat& lit, const cv::Mat& apart, float partingCost, float leastParting) {
+  const cv::Size size = apart.size();
   CutGraph graph(size.area(), 2 * size.area());
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
       const int pixel = y * size.width + x;
-      const float above = level.at<float>(y, x) - threshold;
-      float lit = tuning.levelCost * (above - tuning.middle);
-      if (above > tuning.surelyLit) lit = tuning.sure;
-      if (above < -tuning.surelyShadow) lit = -tuning.sure;
-      lit -= tuning.sideCost * sides.toShadow.at<float>(y, x);
-      graph.setPull(pixel, lit);
+      graph.setPull(pixel, lit.at<float>(y, x));
       const auto link = [&](int x2, int y2) {
-        const float apart = .5f * (sides.apart.at<float>(y, x) + sides.apart.at<float>(y2, x2));
-        graph.link(pixel, y2 * size.width + x2, tuning.partingCost * std::exp(-apart) + tuning.leastParting);
+        const float between = .5f * (apart.at<float>(y, x) + apart.at<float>(y2, x2));
+        graph.link(pixel, y2 * size.width + x2, partingCost * std::exp(-between) + leastParting);
       };
       if (x > 0) link(x - 1, y);
       if (y > 0) link(x, y - 1);
@@ -33,6 +29,52 @@ cv::Mat cutShadow(const cv::Mat& level, float threshold, const ShadowSides& side
     for (int x = 0; x < size.width; ++x)
       shadow.at<uchar>(y, x) = graph.onSourceSide(y * size.width + x) ? 0 : 255;
   return shadow;
+}
+
+}  // namespace
+
+cv::Mat cutShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
+                  const ShadowCutTuning& tuning) {
+  const cv::Size size = sides.apart.size();
+  if (size.area() == 1) return level < threshold;  // nothing beside it
+  cv::Mat lit(size, CV_32F);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const float above = level.at<float>(y, x) - threshold;
+      float& here = lit.at<float>(y, x);
+      here = tuning.levelCost * (above - tuning.middle);
+      if (above > tuning.surelyLit) here = tuning.sure;
+      if (above < -tuning.surelyShadow) here = -tuning.sure;
+      here -= tuning.sideCost * sides.toShadow.at<float>(y, x);
+    }
+  return leastCut(lit, sides.apart, tuning.partingCost, tuning.leastParting);
+}
+
+cv::Mat cutShadow(const LightOdds& odds, const cv::Mat& apart, const ShadowCutTuning& tuning) {
+  const cv::Mat lit = .5 * (odds.lit - odds.umbra);
+  if (apart.total() == 1) return lit < 0;
+  return leastCut(lit, apart, tuning.oddsPartingCost, tuning.leastParting);
+}
+
+ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
+                            const LightOdds& odds, const ShadowCutTuning& tuning) {
+  ShadowDivision division{cutShadow(level, threshold, sides, tuning), cv::Mat::zeros(level.size(), CV_8U)};
+  if (odds.umbra.empty()) return division;
+  const cv::Mat byOdds = cutShadow(odds, sides.apart, tuning);
+  const auto wide = [&](cv::Mat parts) {
+    cv::morphologyEx(parts, parts, cv::MORPH_OPEN, disk(tuning.border * referenceUnit(parts)));
+    return parts;
+  };
+  const cv::Mat unsupported = wide(division.shadow & byOdds & (odds.umbra < tuning.bearingUmbra));
+  const cv::Mat contested = wide(division.shadow != byOdds);
+  const cv::Mat shadow = contested & byOdds & (odds.umbra > tuning.strongUmbra);
+  const cv::Mat lit = contested & ~byOdds & (odds.lit > tuning.strongLit);
+  const cv::Mat asByLevel = byOdds & (odds.umbra < tuning.weakUmbra);
+  const cv::Mat untold = contested & ~(shadow | lit | asByLevel);
+  division.shadow.setTo(255, shadow);
+  division.shadow.setTo(0, lit | untold);
+  division.untold = untold | unsupported;
+  return division;
 }
 
 }  // namespace swaplight

@@ -3,6 +3,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/shadow/detect/shadow_sides.h"
+#include "core/shadow/odds/umbra_network.h"
 
 namespace swaplight {
 
@@ -12,5 +13,26 @@ namespace swaplight {
 /// `level`: of ShadowEvidence, at that size.
 [[nodiscard]] cv::Mat cutShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
                                 const ShadowCutTuning& tuning = {});
+
+/// The same by odds of umbra and of lit, and what may be a border: `apart` of ShadowSides.
+[[nodiscard]] cv::Mat cutShadow(const LightOdds& odds, const cv::Mat& apart,
+                                const ShadowCutTuning& tuning = {});
+
+/// One light's picture divided into shadow and light.
+struct ShadowDivision {
+  cv::Mat shadow;  ///< 8-bit: 255 in shadow, 0 where it is lit: where it cannot be told, what is to be taken
+                   ///< for it
+  cv::Mat untold;  ///< 8-bit: 255 where it cannot be told which
+};
+
+/// Both cuts made one. A level tells to the pixel where a shadow ends, but of a whole surface whether it is
+/// dim or in shadow it knows nothing; the odds know something, and nothing to the pixel. So where the cuts
+/// part by no more than the width of a border the level's is taken. Where they part by more, strong odds are;
+/// odds too weak to speak for a shadow in what the level has lit leave it lit; and in between it cannot be
+/// told, and counts as lit: a shadow that is not removed is less wrong than light that is. Nor can it be told
+/// where only the level speaks for a shadow, though the odds would rather have it than not. Odds of empty
+/// pictures say nothing.
+[[nodiscard]] ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
+                                          const LightOdds& odds, const ShadowCutTuning& tuning = {});
 
 }  // namespace swaplight

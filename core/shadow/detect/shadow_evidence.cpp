@@ -4,10 +4,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/quantile.h"
 #include "core/shadow/detect/each_light.h"
-#include "core/shadow/detect/shadow_pictures.h"
-#include "core/shadow/numeric/poisson.h"
+#include "core/shadow/numeric/shadow_pictures.h"
+#include "core/shadow/odds/shared_reflectance.h"
 
 namespace swaplight {
 namespace {
@@ -42,32 +41,6 @@ cv::Mat logarithm(const cv::Mat& x, float floor) {
   cv::Mat out = x + floor;
   cv::log(out, out);
   return out;
-}
-
-// Towards the right and the lower neighbour.
-void gradients(const cv::Mat& x, cv::Mat& gx, cv::Mat& gy) {
-  gx = cv::Mat::zeros(x.size(), CV_32F);
-  gy = cv::Mat::zeros(x.size(), CV_32F);
-  if (x.cols > 1) gx.colRange(0, x.cols - 1) = x.colRange(1, x.cols) - x.colRange(0, x.cols - 1);
-  if (x.rows > 1) gy.rowRange(0, x.rows - 1) = x.rowRange(1, x.rows) - x.rowRange(0, x.rows - 1);
-}
-
-// What several gradients have in common at each pixel.
-cv::Mat sharedGradient(const std::vector<cv::Mat>& g) {
-  cv::Mat shared(g.front().size(), CV_32F, cv::Scalar(0));
-  std::vector<float> values(g.size());
-  for (int y = 0; y < shared.rows; ++y)
-    for (int x = 0; x < shared.cols; ++x) {
-      for (size_t i = 0; i < g.size(); ++i) values[i] = g[i].at<float>(y, x);
-      float& out = shared.at<float>(y, x);
-      if (g.size() == 2) {
-        const bool sameSign = values[0] * values[1] > 0;
-        out = sameSign ? (std::abs(values[0]) < std::abs(values[1]) ? values[0] : values[1]) : 0;
-      } else if (g.size() > 2) {
-        out = static_cast<float>(interpolatedQuantile(std::span(values), .5));
-      }
-    }
-  return shared;
 }
 
 // A shadow's edge changes one light alone: the part of the light's slope that the others' slope does not
@@ -137,12 +110,8 @@ SetEvidence gatherShadowEvidence(const SolvedSet& set, const Progress& progress,
   logs.reserve(greys.size());
   for (const cv::Mat& grey : greys) logs.push_back(logarithm(grey, floor));
 
-  // Reflectance: what the lights share.
-  std::vector<cv::Mat> across(count);
-  std::vector<cv::Mat> down(count);
-  for (size_t i = 0; i < count; ++i) gradients(logs[i], across[i], down[i]);
   progress.update(.5f, kWhat);
-  const cv::Mat reflectance = integrateGradients(sharedGradient(across), sharedGradient(down));
+  const cv::Mat reflectance = sharedReflectance(logs);
 
   all.lights.resize(count);
   forEachLight(count, progress.part(.7f, 1), kWhat, [&](size_t i) {

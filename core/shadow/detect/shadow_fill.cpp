@@ -6,8 +6,8 @@
 #include "core/base/parallel.h"
 #include "core/shadow/detect/fading_light.h"
 #include "core/shadow/detect/other_lights.h"
-#include "core/shadow/detect/shadow_pictures.h"
 #include "core/shadow/numeric/poisson.h"
+#include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/shadow/detect/guided_mean.h"
-#include "core/shadow/detect/shadow_pictures.h"
+#include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {
 namespace {

@@ -5,9 +5,12 @@
 #include <numbers>
 
 #include "core/image/shrunk_image.h"
+#include "core/shadow/detect/shadow_cut.h"
 #include "core/shadow/detect/shadow_evidence.h"
 #include "core/shadow/detect/shadow_regions.h"
 #include "core/shadow/detect/shadow_threshold.h"
+#include "core/shadow/numeric/shadow_pictures.h"
+#include "core/shadow/odds/umbra_odds.h"
 
 namespace swaplight {
 namespace {
@@ -15,7 +18,7 @@ namespace {
 constexpr double kPixels = 1.2e6;
 
 // What the search for shadows looks at, smaller by a whole factor.
-SolvedSet shrunk(const SolvedSet& set, int factor, const Progress& progress) {
+SolvedSet smallerSet(const SolvedSet& set, int factor, const Progress& progress) {
   SolvedSet small;
   small.capture = set.capture;
   const int width = std::max(1, set.width() / factor);
@@ -59,7 +62,7 @@ ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress) {
   const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kPixels))));
   const Progress gathering = progress.part(.1f, 1);
   auto evidence = std::make_shared<SetEvidence>(
-      factor > 1 ? gatherShadowEvidence(shrunk(set, factor, progress), gathering)
+      factor > 1 ? gatherShadowEvidence(smallerSet(set, factor, progress), gathering)
                  : gatherShadowEvidence(set, gathering));
   m_scale = static_cast<float>(set.width()) / static_cast<float>(evidence->known.cols);
   std::vector<float> thresholds;
@@ -72,8 +75,13 @@ ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress) {
     previewed.threshold = std::exp(thresholds.back() - lit);
   }
   const std::vector<cv::Mat> bright = brightParts(*evidence, thresholds);
-  for (size_t i = 0; i < m_lights.size(); ++i)
+  const SmallSet small =
+      smallSetOf(evidence->contributions, sizeWithin(evidence->known.size(), UmbraOddsTuning{}.longest));
+  for (size_t i = 0; i < m_lights.size(); ++i) {
     m_lights[i].sides = std::make_shared<const ShadowSides>(shadowSides(*evidence, bright, i));
+    m_lights[i].odds =
+        std::make_shared<const LightOdds>(evidence->lights[i].shines ? umbraOdds(small, i) : LightOdds{});
+  }
   evidence->contributions.clear();
   for (ShadowEvidence& light : evidence->lights)
     for (cv::Mat* used : {&light.slope, &light.edge, &light.ratio}) used->release();
@@ -85,9 +93,12 @@ PreviewedShadows ShadowPreview::shadows(size_t light, const std::optional<float>
   const cv::Mat& known = m_evidence->known;
   const int smallest = smallestShadow({}, known);
   const float level = m_lights[light].lit + std::log(given);
-  const cv::Mat visibility =
-      visibilityOf(m_evidence->lights[light], *m_lights[light].sides, known, level, smallest);
-  return {labelShadows(visibility, known), known.cols, m_scale};
+  const PreviewedLight& previewed = m_lights[light];
+  const cv::Mat& levels = m_evidence->lights[light].level;
+  const ShadowDivision division = divideShadow(shrunk(levels, previewed.sides->apart.size()), level,
+                                               *previewed.sides, threshold ? LightOdds{} : *previewed.odds);
+  const cv::Mat visibility = visibilityOf(m_evidence->lights[light], division.shadow, known, smallest);
+  return {labelShadows(visibility, toldPixels(division, known)), known.cols, m_scale};
 }
 
 float stopsFromThreshold(float threshold) {

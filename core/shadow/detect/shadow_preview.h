@@ -14,6 +14,7 @@ namespace swaplight {
 
 struct SetEvidence;
 struct ShadowSides;
+struct LightOdds;
 
 /// How bright a light shows, pixel by pixel, reflectance mostly taken out: the shares of the pixels in even
 /// steps from kLowestStops to kHighestStops over well-lit pixels. The ends hold what lies beyond.
@@ -52,6 +53,7 @@ class ShadowPreview {
     float lit = 0;  // log level of well-lit pixels
     float threshold = 0;
     std::shared_ptr<const ShadowSides> sides;
+    std::shared_ptr<const LightOdds> odds;
   };
   std::shared_ptr<const SetEvidence> m_evidence;
   std::vector<PreviewedLight> m_lights;

@@ -5,8 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/ximgproc/edge_filter.hpp>
 
-#include "core/shadow/detect/shadow_cut.h"
-#include "core/shadow/detect/shadow_pictures.h"
+#include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {
 namespace {
@@ -64,11 +63,9 @@ void removeSmallShadows(cv::Mat& visibility, int smallest, const ShadowRegionsTu
   visibility.setTo(0, gaps & ~largeGaps);
 }
 
-cv::Mat visibilityOf(const ShadowEvidence& light, const ShadowSides& sides, const cv::Mat& known,
-                     float threshold, int smallest, const ShadowTuning& tuning) {
-  // Divide.
+cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& shadow, const cv::Mat& known, int smallest,
+                     const ShadowRegionsTuning& tuning) {
   const cv::Size full = light.level.size();
-  const cv::Mat shadow = cutShadow(shrunk(light.level, sides.apart.size()), threshold, sides, tuning.cut);
   cv::Mat cut;
   cv::resize(shadow, cut, full, 0, 0, cv::INTER_NEAREST);
   cv::Mat markers(full, CV_32S, cv::Scalar(0));
@@ -85,13 +82,16 @@ cv::Mat visibilityOf(const ShadowEvidence& light, const ShadowSides& sides, cons
 
   // Soften.
   cv::Mat visibility;
-  const int radius = std::max(4, static_cast<int>(tuning.regions.softening * referenceUnit(lit)));
-  cv::ximgproc::guidedFilter(light.level * tuning.regions.guideScale, lit, visibility, radius,
-                             tuning.regions.guideEpsilon);
+  const int radius = std::max(4, static_cast<int>(tuning.softening * referenceUnit(lit)));
+  cv::ximgproc::guidedFilter(light.level * tuning.guideScale, lit, visibility, radius, tuning.guideEpsilon);
   cv::min(visibility, 1, visibility);
   cv::max(visibility, 0, visibility);
-  removeSmallShadows(visibility, smallest, tuning.regions);
+  removeSmallShadows(visibility, smallest, tuning);
   return visibility;
+}
+
+cv::Mat toldPixels(const ShadowDivision& division, const cv::Mat& known) {
+  return known & (grown(asFloat(division.untold), known.size()) < .5);
 }
 
 std::vector<ShadowLabel> labelShadows(const cv::Mat& visibility, const cv::Mat& known,

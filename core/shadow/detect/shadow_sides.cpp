@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "core/shadow/detect/other_lights.h"
-#include "core/shadow/detect/shadow_pictures.h"
+#include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {
 namespace {
 
-constexpr int kLongest = 480;  // pixels
 // In reference units (see referenceUnit).
 constexpr std::array kSideDistances = {2.f, 3.f, 4.f};  // from an edge: where its sides are marked
 
@@ -69,7 +68,7 @@ std::vector<cv::Mat> brightParts(const SetEvidence& set, const std::vector<float
 ShadowSides shadowSides(const SetEvidence& set, const std::vector<cv::Mat>& bright, size_t light,
                         const ShadowTuning& tuning) {
   const cv::Size full = set.known.size();
-  const cv::Size size = sizeWithin(full, kLongest);
+  const cv::Size size = sizeWithin(full, tuning.odds.longest);
 
   // The light's ratio to the others, where they tell something.
   const OtherLights others = otherLights(set, bright, light, 1, tuning.others);

@@ -7,8 +7,8 @@
 
 namespace swaplight {
 
-/// What edges say about which side of a shadow's border a pixel is on: float pictures, no side longer than
-/// 480 pixels.
+/// What edges say about which side of a shadow's border a pixel is on: float pictures of the size
+/// of LightOdds.
 struct ShadowSides {
   cv::Mat toShadow;  ///< above 0: just beyond an edge, on its dark side; below 0: just before one
   cv::Mat apart;     ///< 0 or more: how much here looks like a border, to neighbours of one kind or another

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/shadow/detect/shadow_pictures.h"
+#include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {
 namespace {

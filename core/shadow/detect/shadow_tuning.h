@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/shadow/detect/penumbra_tuning.h"
+#include "core/shadow/odds/umbra_tuning.h"
 
 namespace swaplight {
 
@@ -122,6 +123,12 @@ struct ShadowCutTuning {
   float sideCost = .3F;       ///< of a side that edges speak against
   float partingCost = 4;      ///< of neighbours on either side where there is no border
   float leastParting = .02F;  ///< the same where there is one
+  float oddsPartingCost = 2;  ///< log-odds of one pixel: as partingCost, in the cut by odds
+  float border = 3;           ///< units: where two cuts part by less than twice this, they mean one border
+  float strongUmbra = 3;      ///< log-odds of umbra that are believed against the level
+  float weakUmbra = 1.2F;     ///< ... that are not; in between it cannot be told
+  float bearingUmbra = .3F;   ///< ... that bear out a shadow of the level's
+  float strongLit = 1;        ///< log-odds of lit that are believed
 
   static constexpr auto fields() {
     using T = ShadowCutTuning;
@@ -132,7 +139,13 @@ struct ShadowCutTuning {
                       std::pair{"middle", &T::middle},
                       std::pair{"side_cost", &T::sideCost},
                       std::pair{"parting_cost", &T::partingCost},
-                      std::pair{"least_parting", &T::leastParting}};
+                      std::pair{"least_parting", &T::leastParting},
+                      std::pair{"odds_parting_cost", &T::oddsPartingCost},
+                      std::pair{"border", &T::border},
+                      std::pair{"strong_umbra", &T::strongUmbra},
+                      std::pair{"weak_umbra", &T::weakUmbra},
+                      std::pair{"bearing_umbra", &T::bearingUmbra},
+                      std::pair{"strong_lit", &T::strongLit}};
   }
 };
 
@@ -158,6 +171,7 @@ struct ShadowTuning {
   OtherLightsTuning others;
   ShadowThresholdTuning threshold;
   ShadowSidesTuning sides;
+  UmbraOddsTuning odds;
   ShadowCutTuning cut;
   ShadowRegionsTuning regions;
   FadingLightTuning fading;
@@ -171,6 +185,7 @@ struct ShadowTuning {
                       std::pair{"others", &T::others},
                       std::pair{"threshold", &T::threshold},
                       std::pair{"sides", &T::sides},
+                      std::pair{"odds", &T::odds},
                       std::pair{"cut", &T::cut},
                       std::pair{"regions", &T::regions},
                       std::pair{"fading", &T::fading},

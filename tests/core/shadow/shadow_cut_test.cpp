@@ -70,7 +70,8 @@ TEST(ShadowCut, ReachesThePicturesRim) {
   const SetEvidence evidence = turningSurface(.05F);
   const ShadowEvidence& key = evidence.lights[0];
   const float threshold = key.level.at<float>(60, 10) - .3F;
-  const cv::Mat visibility = visibilityOf(key, sidesOf(evidence), evidence.known, threshold, 16);
+  const cv::Mat shadow = cutShadow(key.level, threshold, sidesOf(evidence));
+  const cv::Mat visibility = visibilityOf(key, shadow, evidence.known, 16);
   for (int x = 0; x < kEnd - 12; ++x) {
     EXPECT_LT(visibility.at<float>(0, x), .1F) << x;
     EXPECT_LT(visibility.at<float>(kHeight - 1, x), .1F) << x;
@@ -95,6 +96,52 @@ TEST(ShadowCut, ADimPartThatNoEdgeDividesGoesWithTheRest) {
   // With an edge around it, it is a shadow.
   cv::rectangle(apart, cv::Rect(19, 9, 14, 14), cv::Scalar(20), 2);
   EXPECT_GT(cv::countNonZero(cutShadow(level, 0, {none, apart})), 60);
+}
+
+// A light that falls to a dim half: by the level in shadow, by the odds as given.
+ShadowDivision divisionOfDimHalf(float umbra, float lit, int halfEnd = 60, int oddsEnd = 0) {
+  const cv::Size size(120, 80);
+  cv::Mat level(size, CV_32F, cv::Scalar(2));
+  level.colRange(0, halfEnd).setTo(-2);
+  LightOdds odds{cv::Mat(size, CV_32F, cv::Scalar(umbra)), cv::Mat(size, CV_32F, cv::Scalar(lit))};
+  odds.umbra.colRange(0, oddsEnd).setTo(6);
+  odds.lit.colRange(0, oddsEnd).setTo(-6);
+  const cv::Mat nothing = cv::Mat::zeros(size, CV_32F);
+  return divideShadow(level, 0, {nothing, nothing}, odds);
+}
+
+TEST(DivideShadow, StrongOddsSayOfAWholeSurfaceThatItIsLit) {
+  const ShadowDivision division = divisionOfDimHalf(-6, 6);
+  EXPECT_EQ(cv::countNonZero(division.shadow), 0);
+  EXPECT_EQ(cv::countNonZero(division.untold), 0);
+}
+
+TEST(DivideShadow, WeakOddsAgainstTheLevelAreNoAnswer) {
+  const ShadowDivision division = divisionOfDimHalf(-.6F, .5F);
+  EXPECT_EQ(cv::countNonZero(division.untold.colRange(0, 55)), 55 * 80);
+  EXPECT_EQ(cv::countNonZero(division.untold.colRange(65, 120)), 0);
+}
+
+TEST(DivideShadow, WeakOddsLeaveWhatTheLevelHasLitAndDoNotBearOutItsShadow) {
+  const ShadowDivision division = divisionOfDimHalf(.2F, -.5F);
+  EXPECT_EQ(cv::countNonZero(division.shadow), 60 * 80);
+  EXPECT_EQ(cv::countNonZero(division.untold.colRange(0, 55)), 55 * 80);
+  EXPECT_EQ(cv::countNonZero(division.untold.colRange(65, 120)), 0);
+}
+
+TEST(DivideShadow, ToThePixelTheLevelKnowsBetter) {
+  const ShadowDivision division = divisionOfDimHalf(-6, 6, 60, 59);
+  EXPECT_EQ(cv::countNonZero(division.shadow), 60 * 80);
+  EXPECT_EQ(cv::countNonZero(division.untold), 0);
+}
+
+TEST(DivideShadow, WithoutOddsItIsTheLevels) {
+  cv::Mat level(40, 60, CV_32F, cv::Scalar(2));
+  level.colRange(0, 30).setTo(-2);
+  const cv::Mat nothing = cv::Mat::zeros(level.size(), CV_32F);
+  const ShadowDivision division = divideShadow(level, 0, {nothing, nothing}, {});
+  EXPECT_EQ(cv::countNonZero(division.shadow), 30 * 40);
+  EXPECT_EQ(cv::countNonZero(division.untold), 0);
 }
 
 }  // namespace

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/shadow/odds/umbra_features.h"
+#include "core/shadow/odds/umbra_network.h"
+#include "core/shadow/odds/umbra_tuning.h"
+
+namespace swaplight {
+
+/// The odds of one light's umbra at the small size of `set`'s pictures, pooled where neither the light nor
+/// the others have edges. Empty pictures where there is nothing to weigh: a light that is the same
+/// everywhere.
+[[nodiscard]] LightOdds umbraOdds(const SmallSet& set, size_t light, const UmbraOddsTuning& tuning = {});
+
+}  // namespace swaplight
