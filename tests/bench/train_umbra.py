@@ -153,13 +153,13 @@ def written(network, names):
 
     def table(rows):
         return '{{' + ',\n    '.join(row(r) for r in rows) + '}}'
-    return f'''// Made by tests/bench/train_umbra.py: do not edit. Fitted to: {names}.
+    return f'''// clang-format off
+// Made by tests/bench/train_umbra.py: do not edit. Fitted to: {names}.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
-// clang-format off
 namespace swaplight::umbra_weights {{
 
 // A row a feature, in the order of umbraFeatureNames(); the last tables are calibrated on sets left out.

@@ -1,10 +1,10 @@
+// clang-format off
 // Made by tests/bench/train_umbra.py: do not edit. Fitted to: random_1, random_2, random_3, random_4, random_5, r1001, r1002, r1003, r1004, r1005, r1006, r1007, r1008.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
-// clang-format off
 namespace swaplight::umbra_weights {
 
 // A row a feature, in the order of umbraFeatureNames(); the last tables are calibrated on sets left out.
