@@ -11,6 +11,7 @@
 
 #include "tests/support/small_set.h"
 #include "tests/support/temporary_folder.h"
+#include "ui/camera/look_preview.h"
 #include "ui/control/edit_controller.h"
 #include "ui/control/editing_context.h"
 #include "ui/control/export_controller.h"
@@ -110,8 +111,9 @@ class StudioParts {
   EditController edits{{editor, session, subjects, renderer, messages}, wake};
   EditsState editing;
   ShadowController shadows{{{editor, view}, session, edits, renderer, editing.shadow, messages}, wake};
+  LookPreview seen{renderer, wake};
   ScopesController scopes{
-      {{editor, view}, session, edits, layout.scopeOptions, viewer, colors, table, messages}, wake};
+      {{editor, view}, session, edits, layout.scopeOptions, viewer, seen, colors, table, messages}, wake};
   ActionTable actions;
   Keyboard keyboard;
   ShownPicture shown;
