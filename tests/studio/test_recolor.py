@@ -22,6 +22,7 @@ class Recolor(StudioTest):
 
     def test_a_selected_surface_is_recoloured_and_put_back(self):
         studio = self.open_edits('left', 'two_swapped')
+        studio.click('button.select.take')
         studio.click('select.similar')
         studio.item('select.tolerance')
         studio.click_at(*studio.point('viewer.picture', 0.32, 0.42))
@@ -32,7 +33,10 @@ class Recolor(StudioTest):
         neutral = studio.picture('recolor_neutral')
         self.drag_slider('parameters.hue', 0.5, 0.8)
         turned = studio.picture('recolor_hue')
-        self.assertGreater(np.abs(turned - neutral).mean(), 0.4)
+        height, width = turned.shape[:2]
+        square = np.s_[round(.4 * height):round(.44 * height), round(.31 * width):round(.33 * width)]
+        self.assertGreater(np.abs(turned - neutral)[square].mean(), 10)
+        self.assertLess(np.abs(turned - neutral)[:, :width // 5].max(), 1, 'other surfaces stay')
         self.drag_slider('parameters.saturation', 0.5, 0.8)
         self.drag_slider('parameters.lightness', 0.31, 0.5)
         studio.screenshot('recolor_panel')

@@ -280,8 +280,10 @@ void unknownGel(const EditingContext& studio, UnknownGelOperation operation) {
   colorChip("##gel", srgbFromLinear(now / std::max({now.r, now.g, now.b, 1e-6F})),
             ImVec2(ImGui::GetFrameHeight(), ImGui::GetFrameHeight()), "The gel's colour");
   ImGui::SameLine(0, px(8));
+  ImGui::PushTextWrapPos();
   hint(fmt::format("{} \u2026 {} lamp: the photographs fit equally well.", warmer ? "Cooler" : "Warmer",
                    warmer ? "warmer" : "cooler"));
+  ImGui::PopTextWrapPos();
   markState("parameters.gel", fmt::format("{:.3f}/{:.3f}/{:.3f}", now.r, now.g, now.b));
 }
 
@@ -299,8 +301,7 @@ void drawEditParameters(EditingContext& studio, size_t index, bool all) {
   }
   if (!all) return ImGui::PopID();
   if (!actsOnAllLights(edit->operation)) lights(parameters);
-  if (std::holds_alternative<RecolorOperation>(edit->operation))
-    hint("A surface's colour: under all lights alike.");
+  if (std::holds_alternative<RecolorOperation>(edit->operation)) hint("The same under all lights.");
   if (const auto* gel = std::get_if<UnknownGelOperation>(&edit->operation)) unknownGel(studio, *gel);
   if (actsOnBeta(edit->operation)) energyMode(parameters);
   std::visit([&](const auto& operation) { fields(parameters, operation); }, edit->operation);
