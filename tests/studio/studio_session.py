@@ -289,3 +289,11 @@ class StudioTest(unittest.TestCase):
         studio.key('F4')
         studio.item('edits.add')
         return studio
+
+    def add(self, kind):
+        """Adds an edit of this kind to the list."""
+        self.studio.click('edits.add')
+        self.studio.item('add.' + kind)
+        self.studio.settle()
+        self.studio.click('add.' + kind)
+        self.studio.settle()

@@ -11,13 +11,6 @@ from studio_session import PROGRAM, StudioTest
 
 
 class Edits(StudioTest):
-    def add(self, kind):
-        self.studio.click('edits.add')
-        self.studio.item('add.' + kind)
-        self.studio.settle()
-        self.studio.click('add.' + kind)
-        self.studio.settle()
-
     def save(self, name):
         path, session = self.save_as(name)
         return path, session['edits']['edits']

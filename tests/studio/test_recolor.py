@@ -10,13 +10,6 @@ from studio_session import PROGRAM, SAMPLES, StudioTest
 
 
 class Recolor(StudioTest):
-    def add(self, kind):
-        self.studio.click('edits.add')
-        self.studio.item('add.' + kind)
-        self.studio.settle()
-        self.studio.click('add.' + kind)
-        self.studio.settle()
-
     def drag_slider(self, item, start, end):
         self.studio.drag(self.studio.point(item, start), self.studio.point(item, end))
 
