@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kLargestFile = 4 << 20;
 constexpr size_t kMostInputs = 256, kMostPasses = 64;
 
 /// A name that GLSL takes.
@@ -296,12 +295,12 @@ Filter filterFromText(const std::string& text, const fs::path& file) {
 }
 
 Filter readFilter(const fs::path& file) {
-  Filter filter = filterFromText(readFile(file, kLargestFile), file);
+  Filter filter = filterFromText(readFile(file, kLargestFilter), file);
   std::error_code ignored;
   for (const char* extension : {".vs", ".vert"}) {
     fs::path vertex = file;
     vertex.replace_extension(extension);
-    if (fs::is_regular_file(vertex, ignored)) filter.vertexSource = readFile(vertex, kLargestFile);
+    if (fs::is_regular_file(vertex, ignored)) filter.vertexSource = readFile(vertex, kLargestFilter);
   }
   return filter;
 }

@@ -4,14 +4,13 @@
 
 #include "core/base/error.h"
 #include "core/file/atomic_file.h"
+#include "core/filter/filter_file.h"
 #include "core/filter/filter_header.h"
 
 namespace swaplight {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr size_t kLargestFilter = 4 << 20;
 
 void setDefaults(Json& header, const ResolvedStage& stage) {
   for (Json& input : header["INPUTS"]) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <tuple>
@@ -16,6 +17,10 @@ struct Scale {
   Unit unit = Unit::Pixels;
   double least = -1e6, most = 1e6;        ///< in files; what lies outside is refused
   float sliderLeast = 0, sliderMost = 1;  ///< of the studio's slider
+
+  [[nodiscard]] constexpr float within(double value) const {
+    return static_cast<float>(std::clamp(value, least, most));
+  }
 };
 
 /// One value of an edit or of a mask's shape, described once: files, the checks of input and the studio's

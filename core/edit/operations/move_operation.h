@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <string>
 
 #include "core/edit/fields/field.h"
@@ -24,8 +23,8 @@ struct MoveOperation {
       "Moves the light as if its lamp had stood elsewhere. Its shadows keep their shape, and where the lamp "
       "never shone "
       "the light is a guess: good for about a quarter of the lit area's width."};
+  static constexpr Scale kWidths{Scale::Unit::Percent, -2, 2, -.5F, .5F};
   static constexpr auto fields() {
-    constexpr Scale kWidths{Scale::Unit::Percent, -2, 2, -.5F, .5F};
     return std::tuple{
         numberField("right", &MoveOperation::right, kWidths, "Right",
                     "How far the lamp moves to the right, in per cent of the picture's width; below 0: to "
@@ -48,10 +47,9 @@ struct MoveOperation {
   }
   /// Moves the lamp so that the middle of its light comes to a place.
   void dragTo(const LampModel& lamp, const PlanePoint& place) {
-    constexpr float kMost = 2;  // widths
     const LampChange change = movedTo(lamp, place);
-    right = std::clamp(change.right, -kMost, kMost);
-    up = std::clamp(change.up, -kMost, kMost);
+    right = kWidths.within(change.right);
+    up = kWidths.within(change.up);
   }
 };
 

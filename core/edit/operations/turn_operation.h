@@ -21,8 +21,8 @@ struct TurnOperation {
                                       "Points the light elsewhere; its lamp stays in its place. Where a "
                                       "spot's cone comes to surfaces that it never lit, "
                                       "the light is a guess, continued by what the other lights show."};
+  static constexpr Scale kDegrees{Scale::Unit::Degrees, -90, 90, -45, 45};
   static constexpr auto fields() {
-    constexpr Scale kDegrees{Scale::Unit::Degrees, -90, 90, -45, 45};
     return std::tuple{numberField("pan", &TurnOperation::pan, kDegrees, "Pan",
                                   "Degrees that the light's beam swings to the right; below 0: to the left."),
                       numberField("tilt", &TurnOperation::tilt, kDegrees, "Tilt",
@@ -38,8 +38,8 @@ struct TurnOperation {
   /// Turns the lamp so that the middle of its light comes to a place.
   void dragTo(const LampModel& lamp, const PlanePoint& place) {
     const LampChange change = turnedTo(lamp, place);
-    pan = change.pan;
-    tilt = change.tilt;
+    pan = kDegrees.within(change.pan);
+    tilt = kDegrees.within(change.tilt);
   }
 };
 

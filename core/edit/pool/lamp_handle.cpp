@@ -21,7 +21,7 @@ LampChange movedTo(const LampModel& lamp, const PlanePoint& place) {
   return change;
 }
 
-LampChange turnedTo(const LampModel& lamp, const PlanePoint& place, double most) {
+LampChange turnedTo(const LampModel& lamp, const PlanePoint& place) {
   LampChange change;
   const cv::Vec3d axis = lamp.axis();
   const cv::Vec3d wanted = cv::normalize(cv::Vec3d(place.x, place.y, 0) - lamp.position);
@@ -32,8 +32,8 @@ LampChange turnedTo(const LampModel& lamp, const PlanePoint& place, double most)
   const double length = cv::norm(swing);
   if (length < 1e-9) return change;
   const double degrees = std::acos(std::clamp(axis.dot(wanted), -1., 1.)) * 180 / CV_PI;
-  change.pan = static_cast<float>(std::clamp(degrees * swing[0] / length, -most, most));
-  change.tilt = static_cast<float>(std::clamp(degrees * swing[1] / length, -most, most));
+  change.pan = static_cast<float>(degrees * swing[0] / length);
+  change.tilt = static_cast<float>(degrees * swing[1] / length);
   return change;
 }
 

@@ -20,7 +20,7 @@ struct PlanePoint {
 
 /// The change that brings that middle to a place by moving the lamp.
 [[nodiscard]] LampChange movedTo(const LampModel& lamp, const PlanePoint& place);
-/// The same by turning it; at most `most` degrees to each side and up or down.
-[[nodiscard]] LampChange turnedTo(const LampModel& lamp, const PlanePoint& place, double most = 90);
+/// The same by turning it.
+[[nodiscard]] LampChange turnedTo(const LampModel& lamp, const PlanePoint& place);
 
 }  // namespace swaplight

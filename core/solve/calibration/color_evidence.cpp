@@ -8,6 +8,7 @@
 #include "core/base/quantile.h"
 #include "core/linear/decompositions.h"
 #include "core/solve/calibration/block_misfit.h"
+#include "core/solve/model/chi_square.h"
 
 namespace swaplight {
 namespace {
@@ -77,10 +78,9 @@ double logLikelihood(const ColorEvidenceTuning& tuning, const std::vector<Lowest
   double log = 0;
   for (const Lowest& low : lowest)
     log += std::log(std::max(normalBelow(low.z / std::hypot(u, low.noise)), 1e-30));
-  // That errors of u show as little as `visible` (chi-square by Wilson and Hilferty 1931).
+  // That errors of u show as little as `visible`.
   const double ratio = std::pow(std::max(visible, tuning.smallest) / u, 2);
-  const double spread = 2 / (9 * tuning.visibleFreedom);
-  return log + std::log(std::max(normalBelow((std::cbrt(ratio) - 1 + spread) / std::sqrt(spread)), 1e-30));
+  return log + std::log(std::max(normalBelow(normalOfChiSquare(tuning.visibleFreedom, ratio)), 1e-30));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/solve/calibration/noise_calibration.h"
+#include "core/solve/model/chi_square.h"
 
 namespace swaplight {
 namespace {

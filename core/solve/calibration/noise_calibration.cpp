@@ -7,6 +7,7 @@
 #include "core/base/quantile.h"
 #include "core/solve/estimators/matte_fit.h"
 #include "core/solve/estimators/run_scratch.h"
+#include "core/solve/model/chi_square.h"
 #include "core/solve/model/pixel_sample.h"
 #include "core/solve/model/variance_fit.h"
 
@@ -16,10 +17,6 @@ namespace {
 constexpr int kBins = 10;
 
 }  // namespace
-
-double medianChiSquare(double freedom) {
-  return freedom * std::pow(1 - 2 / (9 * freedom), 3);
-}
 
 NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& signal,
                            const NoiseCalibrationTuning& tuning) {

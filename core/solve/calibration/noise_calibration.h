@@ -15,7 +15,4 @@ namespace swaplight {
 [[nodiscard]] NoiseModel calibratedNoise(const EstimatorContext& context, const ShotSignal& signal,
                                          const NoiseCalibrationTuning& tuning = {});
 
-/// The median of chi-square (Wilson and Hilferty 1931); freedom >= 1.
-[[nodiscard]] double medianChiSquare(double freedom);
-
 }  // namespace swaplight

@@ -6,18 +6,13 @@
 #include "core/base/quantile.h"
 #include "core/solve/calibration/block_misfit.h"
 #include "core/solve/estimators/matte_fit.h"
+#include "core/solve/model/chi_square.h"
 #include "core/solve/model/variance_fit.h"
 
 namespace swaplight {
 namespace {
 
 constexpr double kQuietNormal = -0.8416;  // the 20 % quantile of a normal variable: of the quietest fifth
-
-/// The quantile of chi-square over its mean (Wilson and Hilferty 1931); `normal`: that of a normal variable.
-double chiSquareQuantile(double degrees, double normal) {
-  const double spread = 2 / (9 * degrees);
-  return std::pow(1 - spread + normal * std::sqrt(spread), 3);
-}
 
 /// The variance of the quietest fifth of blocks [first, last), over the noise model's.
 template <typename Value>
