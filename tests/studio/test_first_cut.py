@@ -13,27 +13,56 @@ def mean(pixels):
     return pixels.reshape(-1, 3).mean(0)
 
 
+def on_disc(studio, degrees, saturation):
+    """The place of a hue and saturation on the disc of colours."""
+    x0, y0, x1, y1 = studio.item('light.disc')
+    away = saturation * ((x1 - x0) / 2 - 8)
+    angle = np.radians(degrees)
+    return round((x0 + x1) / 2 + away * np.cos(angle)), round((y0 + y1) / 2 + away * np.sin(angle))
+
+
 class FirstCut(StudioTest):
-    def test_a_light_is_recoloured_by_the_wheel(self):
+    def test_a_light_is_recoloured_by_one_drag_in_the_disc(self):
         studio = self.open_sample()
         before = studio.picture('first_open')
         self.assertGreater(before.std(), 20, 'the picture shows nothing')
         studio.click('mixer.key.chip')
-        # The wheel's ring: blue lies at 240 degrees, which is up and left of its centre.
-        x0, y0, x1, y1 = studio.item('light.wheel')
-        side = y1 - y0
-        center = ((x0 + x1) / 2, (y0 + y1) / 2)
-        angle = np.radians(240)
-        studio.click_at(round(center[0] + 0.46 * side * np.cos(angle)), round(center[1] + 0.46 * side * np.sin(angle)))
-        # White has no saturation, so its hue does not show yet: pull the triangle's point to the pure hue.
-        tip = (round(center[0] + 0.34 * side * np.cos(angle)), round(center[1] + 0.34 * side * np.sin(angle)))
-        studio.drag((round(center[0]), round(center[1])), tip)
+        # White is the middle; blue lies at 240 degrees, clockwise from the right: up and left of it.
+        studio.drag(studio.point('light.disc', 0.5, 0.5), on_disc(studio, 240, 0.9))
         after = studio.picture('first_recoloured')
         change = mean(after) - mean(before)
         self.assertLess(change[0], -15, f'red should fall: {change}')
         self.assertGreater(change[2] - change[0], 15, f'blue should gain on red: {change}')
-        studio.key('ctrl+z', 'ctrl+z')
-        self.assertLess(np.abs(studio.picture('first_undone') - before).max(), 2, 'undo brings the picture back')
+        studio.screenshot('first_disc')
+        studio.key('ctrl+z')
+        self.assertLess(np.abs(studio.picture('first_undone') - before).max(), 2, 'one drag is one step')
+
+    def test_colours_that_were_used_or_kept_are_a_click_away(self):
+        studio = self.open_sample()
+        studio.click('mixer.key.chip')
+        for degrees in (20, 120):
+            studio.click_at(*on_disc(studio, degrees, 0.8))
+        red = self.light_color('swatches_before')
+        studio.click('swatch.recent.1')
+        orange = self.light_color('swatches_given')
+        self.assertNotEqual(red, orange)
+        studio.click('swatch.keep')
+        studio.screenshot('first_swatches')
+        self.assertTrue(studio.has('swatch.kept.0') and studio.has('swatch.recent.0'))
+        self.assertFalse(studio.has('swatch.recent.1'), 'a kept colour is listed once')
+        # It is there in the next studio, for another light.
+        studio.quit()
+        studio = self.open_sample()
+        studio.click('mixer.fill.chip')
+        studio.click('swatch.kept.0')
+        self.assertEqual(self.light_color('swatches_kept', 'fill'), orange)
+        studio.click('swatch.kept.0', button=3)
+        studio.click('swatch.menu')
+        self.assertFalse(studio.has('swatch.kept.0'))
+
+    def light_color(self, name, light='key'):
+        _, session = self.save_as(name)
+        return next(setting['color'] for setting in session['rig']['lights'] if setting['name'] == light)
 
     def test_stops_solo_and_mute_change_the_picture(self):
         studio = self.open_sample()

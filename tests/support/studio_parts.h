@@ -105,6 +105,7 @@ class StudioParts {
   PanelLayout layout;
   ToolInHand tool = nullptr;
   MixerState mixer;
+  Swatches swatches{{}};
   LookState looks;
   ViewTable table;
   ViewerState viewer;
@@ -118,7 +119,8 @@ class StudioParts {
   Keyboard keyboard;
   ShownPicture shown;
   ChosenLights chosen{editor, view};
-  LightsContext lights{{editor, view}, session, messages, colors, layout, mixer, looks, table, actions};
+  LightsContext lights{{editor, view}, session,  messages, colors, layout,
+                       mixer,          swatches, looks,    table,  actions};
   EditingContext editingContext{{editor, view}, session, messages, colors,  layout,  tool,
                                 shown,          editing, edits,    shadows, actions, keyboard};
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/session/swatches.h"
 #include "ui/actions/action_table.h"
 #include "ui/control/color_choice.h"
 #include "ui/control/light_edit.h"
@@ -19,6 +20,7 @@ struct LightsContext : ChosenLights {
   const ColorChoice& colors;
   PanelLayout& layout;
   MixerState& mixer;
+  Swatches& swatches;
   LookState& looks;
   ViewTable& table;
   const ActionTable& actions;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "core/color/hsv.h"
 #include "core/color/srgb.h"
 #include "core/lamp/kelvin.h"
 #include "ui/kit/layout_probe.h"
@@ -135,10 +134,6 @@ bool kelvinSlider(const char* id, float* kelvin, float width) {
                                       [](float at) { return kelvinCodes(-1e6F / at); });
   if (changed) *kelvin = std::round(-1e6F / reversed / 10) * 10;
   return changed;
-}
-
-bool hueBar(const char* id, float* hue, float width, float height) {
-  return gradientSlider(id, hue, 0, 1, width, height, [](float at) { return rgbFromHsv(Rgb(at, 1, 1)); });
 }
 
 bool greenSlider(const char* id, float* green, float width) {

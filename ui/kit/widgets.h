@@ -19,9 +19,6 @@ bool colorChip(const char* id, const Rgb& codes, ImVec2 size, const char* toolti
 /// A slider of colour temperature in equal steps of reciprocal Kelvin, warm on the left.
 bool kelvinSlider(const char* id, float* kelvin, float width);
 
-/// A bar of all hues, 0..1, as sRGB colours.
-bool hueBar(const char* id, float* hue, float width, float height);
-
 /// Minus to plus green, -1..1; double-click on it resets.
 bool greenSlider(const char* id, float* green, float width);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/relight/rig_edit.h"
+#include "ui/color/light_panel.h"
 #include "ui/kit/action_widgets.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
@@ -12,7 +13,6 @@
 #include "ui/kit/widgets.h"
 #include "ui/mixer/fader_row.h"
 #include "ui/mixer/light_menu.h"
-#include "ui/mixer/light_panel.h"
 #include "ui/mixer/mixer_row.h"
 #include "ui/mixer/three_point_panel.h"
 

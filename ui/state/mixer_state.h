@@ -29,6 +29,7 @@ struct MixerState {
   std::string name;   ///< what has been typed
   bool nameFocused = false;
   float hue = 0;          ///< of the last colour that had one: a grey has none
+  std::string colorSeen;  ///< the light that was shown last, with its colour
   std::string gelFilter;  ///< typed into the list of gels
   std::string groupName;  ///< typed into the menu
 };

@@ -1,4 +1,4 @@
-#include "ui/mixer/light_panel.h"
+#include "ui/color/light_panel.h"
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -14,6 +14,8 @@
 #include "core/color/srgb.h"
 #include "core/lamp/kelvin.h"
 #include "core/relight/setting.h"
+#include "ui/color/color_disc.h"
+#include "ui/color/swatch_row.h"
 #include "ui/control/light_edit.h"
 #include "ui/kit/action_widgets.h"
 #include "ui/kit/gel_list.h"
@@ -26,8 +28,7 @@
 namespace swaplight {
 namespace {
 
-constexpr float kWheelSide = 176;
-constexpr float kHueOfGrey = 0.8F;  ///< the saturation that a white light takes when its hue is chosen
+constexpr float kDiscSide = 150;
 constexpr std::array<float, 6> kWhites = {1900, 2700, 3200, 4300, 5600, 6500};
 
 /// One light's colour being looked at and changed.
@@ -45,14 +46,27 @@ struct ColorEditor {
   void previewCodes(const Rgb& codes) const { preview("colour", hexColor(codes)); }
 };
 
-void wheel(const ColorEditor& edit) {
-  Rgb codes = edit.codes();
-  ImGui::SetNextItemWidth(px(kWheelSide));
-  constexpr ImGuiColorEditFlags flags =
-      ImGuiColorEditFlags_PickerHueWheel | ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoInputs |
-      ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoOptions;
-  if (ImGui::ColorPicker3("##wheel", &codes.x, flags)) edit.previewCodes(codes);
-  markItem("light.wheel");
+/// The hue of a grey is the last one that there was.
+Rgb hsvOf(const ColorEditor& edit) {
+  Rgb hsv = hsvFromRgb(edit.codes());
+  float& hue = edit.studio.mixer.hue;
+  if (hsv.y > 0)
+    hue = hsv.x;
+  else
+    hsv.x = hue;
+  return hsv;
+}
+
+void disc(const ColorEditor& edit) {
+  Rgb hsv = hsvOf(edit);
+  if (colorDisc("##disc", hsv, px(kDiscSide))) {
+    edit.studio.mixer.hue = hsv.x;
+    edit.previewCodes(rgbFromHsv(hsv));
+  }
+  markItem("light.disc");
+  tooltip(
+      "Press or drag: white in the middle, full colour at the rim. Shift drags finely. How bright the light "
+      "is, its slider above says.");
 }
 
 /// Three numbers side by side. True when one changes.
@@ -80,15 +94,10 @@ void numbers(const ColorEditor& edit) {
   if (threeNumbers("rgb", rgb, {255, 255, 255}, {"R %.0f", "G %.0f", "B %.0f"}))
     edit.previewCodes(Rgb(rgb[0], rgb[1], rgb[2]) / 255.0F);
   markItem("light.rgb");
-  Rgb hsv = hsvFromRgb(codes);
-  float& hue = edit.studio.mixer.hue;
-  if (hsv.y > 0)
-    hue = hsv.x;
-  else
-    hsv.x = hue;
+  const Rgb hsv = hsvOf(edit);
   std::array<float, 3> shown{360 * hsv.x, 100 * hsv.y, 100 * hsv.z};
   if (threeNumbers("hsv", shown, {360, 100, 100}, {"H %.0f", "S %.0f", "V %.0f"})) {
-    hue = shown[0] / 360;
+    edit.studio.mixer.hue = shown[0] / 360;
     edit.previewCodes(rgbFromHsv(Rgb(shown[0] / 360, shown[1] / 100, shown[2] / 100)));
   }
   markItem("light.hsv");
@@ -118,17 +127,6 @@ void pickers(const ColorEditor& edit) {
   actionTextButton(actions, "light.neutral", "Neutral", width);
   ImGui::SameLine(0, px(4));
   actionTextButton(actions, "light.match", "Match", width);
-}
-
-void hueSlider(const ColorEditor& edit) {
-  Rgb hsv = hsvFromRgb(edit.codes());
-  float hue = hsv.y > 0 ? hsv.x : edit.studio.mixer.hue;
-  if (hueBar("##hue", &hue, ImGui::GetContentRegionAvail().x, px(16))) {
-    edit.studio.mixer.hue = hue;
-    if (hsv.y == 0) hsv.y = kHueOfGrey;
-    edit.previewCodes(rgbFromHsv(Rgb(hue, hsv.y, hsv.z)));
-  }
-  markItem("light.hue");
 }
 
 void temperature(const ColorEditor& edit) {
@@ -231,8 +229,8 @@ void heading(LightsContext& studio, size_t light, const LightSetting& setting) {
 }  // namespace
 
 float lightPanelHeight() {
-  return px(kWheelSide - 26) + px(16) + 4 * ImGui::GetFrameHeight() + 6 * ImGui::GetStyle().ItemSpacing.y +
-         px(4);
+  return px(kDiscSide) + swatchRowHeight() + 4 * ImGui::GetFrameHeight() +
+         6 * ImGui::GetStyle().ItemSpacing.y + px(4);
 }
 
 void drawLightPanel(LightsContext& studio) {
@@ -243,14 +241,14 @@ void drawLightPanel(LightsContext& studio) {
 
   ImGui::PushID(static_cast<int>(light));
   heading(studio, light, setting);
-  wheel(edit);
+  disc(edit);
   ImGui::SameLine();
   ImGui::BeginGroup();
   numbers(edit);
   settingField(edit);
   pickers(edit);
   ImGui::EndGroup();
-  hueSlider(edit);
+  drawSwatchRow(studio, light, setting.color);
   temperature(edit);
   green(edit);
   gel(edit);
