@@ -182,6 +182,21 @@ OCIO::ConstCPUProcessorRcPtr ColorConfig::Impl::view(const std::string& from,
   return inWords(name, [&] { return losslessProcessor(madeView(from, choice)); });
 }
 
+OCIO::ConstCPUProcessorRcPtr ColorConfig::Impl::shownLight(const DisplayChoice& choice) const {
+  const std::lock_guard lock(processorMutex());
+  return inWords(name, [&]() -> OCIO::ConstCPUProcessorRcPtr {
+    const std::string own = config->getDisplayViewColorSpaceName(choice.display.c_str(), choice.view.c_str());
+    const auto space =
+        config->getColorSpace((own == OCIO::OCIO_VIEW_USE_DISPLAY_NAME ? choice.display : own).c_str());
+    if (!space || space->getReferenceSpaceType() != OCIO::REFERENCE_SPACE_DISPLAY) return nullptr;
+    if (const auto to = space->getTransform(OCIO::COLORSPACE_DIR_TO_REFERENCE))
+      return config->getProcessor(to)->getDefaultCPUProcessor();
+    const auto from = space->getTransform(OCIO::COLORSPACE_DIR_FROM_REFERENCE);
+    if (!from) return nullptr;
+    return config->getProcessor(from, OCIO::TRANSFORM_DIR_INVERSE)->getDefaultCPUProcessor();
+  });
+}
+
 OCIO::ConstGPUProcessorRcPtr ColorConfig::Impl::shaderView(const std::string& from,
                                                            const DisplayChoice& choice) const {
   const std::lock_guard lock(processorMutex());

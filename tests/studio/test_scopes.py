@@ -51,6 +51,25 @@ class Scopes(StudioTest):
         studio.click('scopes.of key')
         self.assertGreater(np.abs(self.scope('histogram', 'scopes_light') - frame).mean(), 1)
 
+    def test_their_scales_are_in_the_unit_that_is_asked_for(self):
+        studio = self.open_sample()
+        studio.key('F6')
+        labels = {'8 bit': self.labels('scopes_8_bit')}
+        for unit in ('10 bit', 'Per cent', 'Nits'):
+            studio.click('scopes.unit')
+            studio.click('scopes.' + unit)
+            labels[unit] = self.labels('scopes_' + unit.replace(' ', '_'))
+            for other in labels:
+                if other != unit:
+                    self.assertGreater(np.abs(labels[other] - labels[unit]).mean(), .5, f'{other}, {unit}')
+        self.assertTrue(studio.quit())
+        studio = self.open_sample()
+        self.assertLess(np.abs(self.labels('scopes_nits_again') - labels['Nits']).mean(), .1)
+
+    def labels(self, picture):
+        """The numbers left of the waveform."""
+        return self.scope('waveform', picture)[:, :32].astype(float)
+
     def test_the_choice_of_scopes_is_remembered(self):
         studio = self.open_sample()
         studio.key('F6')
@@ -66,6 +85,21 @@ class Scopes(StudioTest):
         self.assertTrue(studio.has('scope.chromaticity') or studio.item('scope.chromaticity'))
         self.assertFalse(studio.has('scope.waveform'))
         self.assertAlmostEqual(studio.item('splitter.scopes')[1], top, delta=3)
+
+
+class ScopesInASmallWindow(StudioTest):
+    size = (1280, 720)
+
+    def test_what_has_no_room_stands_below(self):
+        studio = self.open_sample()
+        studio.key('F6', 'F10')
+        studio.item('scopes.log')
+        studio.settle()
+        studio.screenshot('scopes_small')
+        rows = {studio.item('scopes.' + name)[1] for name in ('Waveform', 'of', 'unit', 'axis', 'log')}
+        self.assertGreater(len(rows), 1)
+        for name in ('Waveform', 'Parade', 'Chromaticity', 'of', 'unit', 'axis', 'log'):
+            self.assertLessEqual(studio.item('scopes.' + name)[2], studio.item('mixer.menu')[0], name)
 
 
 if __name__ == '__main__':

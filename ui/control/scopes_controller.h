@@ -41,6 +41,8 @@ class ScopesController {
   void update();
   /// What was counted last; nullptr before.
   [[nodiscard]] const ScopePictures* pictures() const { return m_pictures ? &*m_pictures : nullptr; }
+  /// How bright the display shows their codes.
+  [[nodiscard]] const DisplayLuminance& displayLuminance() const { return m_parts.table.displayLuminance(); }
   /// Counts up with every result.
   [[nodiscard]] uint64_t revision() const { return m_revision; }
 

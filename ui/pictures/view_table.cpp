@@ -12,6 +12,7 @@ std::shared_ptr<const DisplayTable> ViewTable::table(const std::shared_ptr<const
   m_table = std::make_shared<const DisplayTable>(*config, colorSpace, settings);
   m_weights = swaplight::luminanceWeights(*config, colorSpace);
   m_xyzFromRgb = xyzFromLinear(*config, colorSpace);
+  m_luminance = DisplayLuminance(*config, display);
   m_config = config;
   m_colorSpace = colorSpace;
   m_display = display;

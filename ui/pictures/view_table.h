@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "core/ocio/display_luminance.h"
 #include "core/session/document.h"
 #include "core/view/display/display_table.h"
 
@@ -20,6 +21,8 @@ class ViewTable {
   /// Of the colour space of the last table().
   [[nodiscard]] const Rgb& luminanceWeights() const { return m_weights; }
   [[nodiscard]] const glm::mat3& xyzFromRgb() const { return m_xyzFromRgb; }
+  /// Of the display of the last table().
+  [[nodiscard]] const DisplayLuminance& displayLuminance() const { return m_luminance; }
 
  private:
   std::shared_ptr<const ColorConfig> m_config;
@@ -28,6 +31,7 @@ class ViewTable {
   std::shared_ptr<const DisplayTable> m_table;
   Rgb m_weights{0, 1, 0};
   glm::mat3 m_xyzFromRgb{1};
+  DisplayLuminance m_luminance;
 };
 
 }  // namespace swaplight

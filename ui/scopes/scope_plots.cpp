@@ -67,39 +67,37 @@ std::pair<ImVec2, ImVec2> squareIn(ImVec2 low, ImVec2 high, float left, float be
 
 struct HistogramAxis {
   const Histogram& histogram;
-  std::vector<std::pair<float, std::string>> ticks;  ///< place 0..1
+  std::vector<ScopeTick> ticks;
 };
 
-HistogramAxis axisOf(const ScopePictures& pictures, ScopeOptions::Axis axis) {
-  std::vector<std::pair<float, std::string>> ticks;
+HistogramAxis axisOf(const ScopePictures& pictures, ScopeOptions::Axis axis, std::vector<ScopeTick> scale) {
+  std::vector<ScopeTick> ticks;
   switch (axis) {
     case ScopeOptions::Axis::Stops:
       for (int stops = int(kHistogramLowestStops); stops <= int(kHistogramHighestStops); stops += 2)
-        ticks.emplace_back(
-            (float(stops) - kHistogramLowestStops) / (kHistogramHighestStops - kHistogramLowestStops),
-            fmt::format("{:+d}", stops));
+        ticks.push_back(
+            {(float(stops) - kHistogramLowestStops) / (kHistogramHighestStops - kHistogramLowestStops),
+             fmt::format("{:+d}", stops)});
       return {pictures.stops, ticks};
     case ScopeOptions::Axis::Linear:
       for (int half = 0; half <= int(2 * kHistogramHighestLinear); ++half)
-        ticks.emplace_back(float(half) / (2 * kHistogramHighestLinear), fmt::format("{:.1f}", .5 * half));
+        ticks.push_back({float(half) / (2 * kHistogramHighestLinear), fmt::format("{:.1f}", .5 * half)});
       return {pictures.linear, ticks};
     case ScopeOptions::Axis::Codes:
       break;
   }
-  for (const int code : {0, 64, 128, 192, 255})
-    ticks.emplace_back(static_cast<float>(code) / 255, std::to_string(code));
-  return {pictures.codes, ticks};
+  return {pictures.codes, std::move(scale)};
 }
 
 }  // namespace
 
-void drawWaveform(unsigned texture, int columns, ImVec2 low, ImVec2 high) {
-  const Plot plot(ImVec2(low.x + px(34), low.y + px(8)), ImVec2(high.x, high.y - px(8)));
+void drawWaveform(unsigned texture, int columns, const std::vector<ScopeTick>& scale, ImVec2 low,
+                  ImVec2 high) {
+  const Plot plot(ImVec2(low.x + px(38), low.y + px(8)), ImVec2(high.x, high.y - px(8)));
   plot.image(texture);
-  for (const int code : {0, 64, 128, 192, 255}) {
-    const float y = static_cast<float>(code) / 255;
-    plot.line(0, y, 1, y, code == 0 || code == 255 ? kGridStrong : kGrid);
-    plot.labelLeft(y, std::to_string(code));
+  for (const auto& [y, text] : scale) {
+    plot.line(0, y, 1, y, y == 0 || y == 1 ? kGridStrong : kGrid);
+    plot.labelLeft(y, text);
   }
   for (int i = 1; i < columns; ++i) {
     const float x = static_cast<float>(i) / static_cast<float>(columns);
@@ -180,9 +178,10 @@ void drawChromaticity(const std::vector<LightSetting>& lights, unsigned texture,
   }
 }
 
-void drawHistogram(const ScopePictures& pictures, const ScopeOptions& options, ImVec2 low, ImVec2 high) {
-  const HistogramAxis axis = axisOf(pictures, options.histogramAxis);
-  const Plot plot(ImVec2(low.x + px(34), low.y + px(8)), ImVec2(high.x - px(10), high.y - px(20)));
+void drawHistogram(const ScopePictures& pictures, const ScopeOptions& options, std::vector<ScopeTick> scale,
+                   ImVec2 low, ImVec2 high) {
+  const HistogramAxis axis = axisOf(pictures, options.histogramAxis, std::move(scale));
+  const Plot plot(ImVec2(low.x + px(38), low.y + px(8)), ImVec2(high.x - px(10), high.y - px(20)));
   uint32_t most = 1;
   uint64_t pixels = 0;
   // The ends collect what lies beyond: they do not set the scale.

@@ -18,11 +18,14 @@ struct ScopeTextures {
 
 // One scope each, with its axes, filling a rectangle of the screen.
 
-/// `columns`: 1 for a waveform, 3 for a parade.
-void drawWaveform(unsigned texture, int columns, ImVec2 low, ImVec2 high);
+/// `columns`: 1 for a waveform, 3 for a parade. `scale`: the lines of the display codes.
+void drawWaveform(unsigned texture, int columns, const std::vector<ScopeTick>& scale, ImVec2 low,
+                  ImVec2 high);
 void drawVectorscope(unsigned texture, ImVec2 low, ImVec2 high);
 /// With the lights of the rig, black bodies and the border of all colours.
 void drawChromaticity(const std::vector<LightSetting>& lights, unsigned texture, ImVec2 low, ImVec2 high);
-void drawHistogram(const ScopePictures& pictures, const ScopeOptions& options, ImVec2 low, ImVec2 high);
+/// `scale`: of the axis of display codes.
+void drawHistogram(const ScopePictures& pictures, const ScopeOptions& options, std::vector<ScopeTick> scale,
+                   ImVec2 low, ImVec2 high);
 
 }  // namespace swaplight

@@ -14,7 +14,13 @@ namespace {
 using Of = ScopeOptions::Of;
 using Axis = ScopeOptions::Axis;
 
+/// What has no room beside the others stands below them.
+void breakLine(float width) {
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
 void toggle(const char* name, bool* on) {
+  breakLine(ImGui::CalcTextSize(name).x + 2 * ImGui::GetStyle().FramePadding.x);
   if (*on) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
   const bool clicked = ImGui::SmallButton(name);
   if (*on) ImGui::PopStyleColor();
@@ -24,11 +30,12 @@ void toggle(const char* name, bool* on) {
 }
 
 template <typename Choice>
-void choice(const char* id, Choice* chosen, std::initializer_list<std::pair<Choice, std::string>> choices,
+void choice(const char* id, Choice* chosen, const std::vector<std::pair<Choice, std::string>>& choices,
             float width) {
   std::string shown;
   for (const auto& [value, name] : choices)
     if (value == *chosen) shown = name;
+  breakLine(px(width));
   ImGui::SetNextItemWidth(px(width));
   const bool open = ImGui::BeginCombo(id, shown.c_str());
   if (open) {
@@ -42,7 +49,23 @@ void choice(const char* id, Choice* chosen, std::initializer_list<std::pair<Choi
   ImGui::SameLine(0, px(4));
 }
 
-void header(const ChosenLights& chosen, ScopeOptions& options, const ActionTable& actions) {
+/// The unit of the scales of display codes; nits only of displays whose luminance is known.
+ScopeUnit unitOf(const ScopeOptions& options, const DisplayLuminance& shown) {
+  return options.unit == ScopeUnit::Nits && !shown.known() ? ScopeUnit::Percent : options.unit;
+}
+
+void unitChoice(ScopeOptions& options, const DisplayLuminance& shown) {
+  std::vector<std::pair<ScopeUnit, std::string>> units = {
+      {ScopeUnit::Codes8, "8 bit"}, {ScopeUnit::Codes10, "10 bit"}, {ScopeUnit::Percent, "Per cent"}};
+  if (shown.known()) units.emplace_back(ScopeUnit::Nits, "Nits");
+  ScopeUnit unit = unitOf(options, shown);
+  const ScopeUnit before = unit;
+  choice<ScopeUnit>("##unit", &unit, units, 84);
+  if (unit != before) options.unit = unit;
+}
+
+void header(const ChosenLights& chosen, ScopeOptions& options, const DisplayLuminance& shown,
+            const ActionTable& actions) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(7), px(1)));
   ImGui::PushFont(fonts().small);
   toggle("Waveform", &options.waveform);
@@ -58,9 +81,11 @@ void header(const ChosenLights& chosen, ScopeOptions& options, const ActionTable
               {Of::Light, "of " + (light < lights.size() ? lights[light].title() : "a light")}},
              118);
   if (options.of == Of::Region) {
+    breakLine(px(48));
     actionTextButton(actions, "scopes.region", "Draw", px(48));
     ImGui::SameLine(0, px(4));
   }
+  if (options.waveform || options.parade || options.histogram) unitChoice(options, shown);
   if (options.histogram) {
     choice<Axis>(
         "##axis", &options.histogramAxis,
@@ -90,9 +115,11 @@ void ScopesPanel::upload() {
 
 void ScopesPanel::draw(const ChosenLights& lights, ScopeOptions& options, const ActionTable& actions) {
   m_controller.update();
-  header(lights, options, actions);
+  const DisplayLuminance& shown = m_controller.displayLuminance();
+  header(lights, options, shown, actions);
   if (!m_controller.pictures()) return;
   upload();
+  const std::vector<ScopeTick> scale = scopeTicks(unitOf(options, shown), shown);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = px(10);
@@ -117,16 +144,17 @@ void ScopesPanel::draw(const ChosenLights& lights, ScopeOptions& options, const 
   };
   if (options.waveform)
     place(rest, "waveform",
-          [&](ImVec2 low, ImVec2 high) { drawWaveform(m_textures.waveform.id(), 1, low, high); });
+          [&](ImVec2 low, ImVec2 high) { drawWaveform(m_textures.waveform.id(), 1, scale, low, high); });
   if (options.parade)
     place(rest, "parade",
-          [&](ImVec2 low, ImVec2 high) { drawWaveform(m_textures.parade.id(), 3, low, high); });
+          [&](ImVec2 low, ImVec2 high) { drawWaveform(m_textures.parade.id(), 3, scale, low, high); });
   if (options.vectorscope)
     place(square, "vectorscope",
           [&](ImVec2 low, ImVec2 high) { drawVectorscope(m_textures.vectorscope.id(), low, high); });
   if (options.histogram)
-    place(rest, "histogram",
-          [&](ImVec2 low, ImVec2 high) { drawHistogram(*m_controller.pictures(), options, low, high); });
+    place(rest, "histogram", [&](ImVec2 low, ImVec2 high) {
+      drawHistogram(*m_controller.pictures(), options, scale, low, high);
+    });
   if (options.chromaticity)
     place(square, "chromaticity", [&](ImVec2 low, ImVec2 high) {
       drawChromaticity(lights.document().rig.lights, m_textures.chromaticity.id(), low, high);

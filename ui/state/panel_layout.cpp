@@ -11,6 +11,7 @@ namespace swaplight {
 namespace {
 
 constexpr std::array<const char*, 3> kOfNames = {"frame", "region", "light"};
+constexpr std::array<const char*, 4> kUnitNames = {"8bit", "10bit", "percent", "nits"};
 constexpr std::array<const char*, 3> kAxisNames = {"codes", "stops", "linear"};
 
 Json jsonFromScopeOptions(const ScopeOptions& options) {
@@ -21,6 +22,7 @@ Json jsonFromScopeOptions(const ScopeOptions& options) {
               {"chromaticity", options.chromaticity},
               {"of", nameOfEnum(kOfNames, options.of)},
               {"histogram_axis", nameOfEnum(kAxisNames, options.histogramAxis)},
+              {"unit", nameOfEnum(kUnitNames, options.unit)},
               {"log_counts", options.logCounts}};
 }
 
@@ -33,6 +35,7 @@ ScopeOptions scopeOptionsFromJson(const Json& json) {
   options.chromaticity = json.value("chromaticity", options.chromaticity);
   options.of = enumOfName(kOfNames, json.value("of", ""), options.of);
   options.histogramAxis = enumOfName(kAxisNames, json.value("histogram_axis", ""), options.histogramAxis);
+  options.unit = enumOfName(kUnitNames, json.value("unit", ""), options.unit);
   options.logCounts = json.value("log_counts", options.logCounts);
   return options;
 }

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/view/scopes/scope_scale.h"
+
 namespace swaplight {
 
 /// Which scopes are shown, and of what.
@@ -13,6 +15,7 @@ struct ScopeOptions {
   bool waveform = true, parade = false, vectorscope = true, histogram = true, chromaticity = false;
   Of of = Of::Frame;
   Axis histogramAxis = Axis::Codes;
+  ScopeUnit unit = ScopeUnit::Codes8;
   bool logCounts = false;
   bool operator==(const ScopeOptions&) const = default;
 };
