@@ -39,6 +39,28 @@ class StartPage(StudioTest):
         self.assertLess(self.card(studio, 'welcome.recent.0', 'start_dark').mean(), .8 * white)
         studio.screenshot('start_page_recent')
 
+    def test_the_tour_points_at_what_it_is_about(self):
+        studio = self.start()
+        studio.click('welcome.tour')
+        studio.wait_ready()
+        for step, item in enumerate(('mixer.key.stops', 'light.disc', 'viewer.picture', 'button.brush.take', 'menu.File'), 1):
+            studio.wait(lambda _: studio.state('tour') == str(step), f'step {step}')
+            studio.settle()
+            shot = studio.screenshot(f'tour_{step}').astype(int)
+            x0, y0, x1, y1 = map(int, studio.item(item))
+            rim = shot[y1 + 2, x0 + 8:x1 - 8]
+            self.assertGreater((rim[:, 2] - rim[:, 0]).mean(), 40, f'{item} has a blue frame')
+            studio.click('tour.next')
+        studio.wait(lambda _: studio.state('tour') == '', 'the end')
+        # It does not hold up what it points at.
+        studio.click('menu.Help')
+        studio.click('menu.help.tour')
+        studio.wait(lambda _: studio.state('tour') == '1', 'again')
+        studio.click('mixer.key.mute')
+        self.assertTrue(self.save_as('toured')[1]['rig']['lights'][0]['mute'])
+        studio.key('Escape')
+        studio.wait(lambda _: studio.state('tour') == '', 'Escape ends it')
+
     def kept(self):
         return sum(name.endswith('.png') for folder, _, names in os.walk(self.folder)
                    if os.path.basename(folder) == 'pictures' for name in names)

@@ -176,7 +176,8 @@ void StartPage::draw(SessionController& session, const ActionTable& actions) {
       "Photograph a set while its lights change colour. Swaplight separates the lights, and you relight the "
       "set.");
   ImGui::Dummy(ImVec2(0, px(8)));
-  const float button = (width - px(kGap)) / 2;
+  const bool first = recent.empty();  // somebody's first start
+  const float button = first ? (width - 2 * px(kGap)) / 3 : (width - px(kGap)) / 2;
   if (wideButton(kIconOpen, "Open …", button)) actions.run("file.open");
   markItem("welcome.open");
   tooltip("A capture, a solved set or a session. Or drop a file or folder here.");
@@ -186,6 +187,12 @@ void StartPage::draw(SessionController& session, const ActionTable& actions) {
   tooltip(
       "A folder of photographs of a set whose lights changed colour: the wizard asks what is not in the "
       "files.");
+  if (first && !m_samples.empty()) {
+    ImGui::SameLine(0, px(kGap));
+    if (wideButton(kIconHelp, "Take the tour", button)) actions.run("help.tour");
+    markItem("welcome.tour");
+    tooltip("Five steps through the studio, over a sample. A minute.");
+  }
   ImGui::Dummy(ImVec2(0, px(10)));
   if (!m_samples.empty()) {
     hint("Samples");

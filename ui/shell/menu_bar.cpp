@@ -85,7 +85,7 @@ const std::vector<Menu>& menus() {
       {"Window",
        {"panels", "view.shadows", "scopes.region", "-", "view.hide_panels", "view.full_screen",
         "window.reset"}},
-      {"Help", {"help.palette", "help.keys", "help.about"}},
+      {"Help", {"help.tour", "help.palette", "help.keys", "help.about"}},
   };
   return all;
 }

@@ -37,6 +37,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
       m_layoutOnDisk(m_layout),
       m_sets([&window] { window.wake(); }),
       m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder(), [&window] { window.wake(); }),
+      m_swatches(stateFolder() / "colors.json"),
       m_pictures(makeViewportRenderer(options.engine, m_colors.config())),
       m_exports([&window] { window.wake(); }),
       m_subjects([&window] { window.wake(); }),
@@ -75,14 +76,15 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
                 m_seen,
                 m_thumbnails,
                 m_cameraLook},
-      m_lights{{m_editor, m_view}, m_session, m_messages, m_colors, m_layout, m_mixer, m_looks, m_table,
-               m_actions},
+      m_lights{{m_editor, m_view}, m_session, m_messages, m_colors, m_layout, m_mixer,
+               m_swatches,         m_looks,   m_table,    m_actions},
       m_lamps([&window] { window.wake(); }),
       m_keeper(stateFolder() / "pictures", [&window] { window.wake(); }),
       m_start(options.samplesFolder, m_keeper.pictures(), [&window] { window.wake(); }),
       m_panels(allPanels()),
       m_export(stateFolder() / "export.json"),
       m_wizard([&window] { window.wake(); }),
+      m_tourSample(options.samplesFolder / "three_point" / "capture.json"),
       m_keys(configFolder() / "keys.txt") {
   addActions();
   try {
@@ -101,6 +103,19 @@ void StudioWindow::keepLayout() {
   if (m_layout == m_layoutOnDisk || ImGui::IsAnyMouseDown()) return;
   writePanelLayout(m_layout, m_layoutFile);
   m_layoutOnDisk = m_layout;
+}
+
+void StudioWindow::startTour() {
+  m_layout.mixer = true;
+  m_layout.threePoint = m_layout.hidden = false;
+  if (!m_session.set()) open(m_tourSample);
+  m_tour.start();
+}
+
+void StudioWindow::drawTour() {
+  const Rig& rig = m_editor.document().rig;
+  const bool open = m_session.set() && !rig.lights.empty();
+  if (m_tour.draw(open ? rig.lights.front().light : "")) m_window.requestFrames(1);
 }
 
 void StudioWindow::whenSaved(const std::function<void()>& then) {
@@ -258,6 +273,7 @@ bool StudioWindow::closeTop() {
   if (closeTopList()) return true;
   if (popupOpen()) return false;  // a dialog has a button for it
   if (m_keys.isOpen()) return m_keys.escape();
+  if (m_tour.going()) return m_tour.stop(), true;
   if (ImGui::GetIO().WantTextInput) return false;  // the field takes back what was typed
   for (bool* open : {&m_aboutOpen, &m_historyOpen})
     if (std::exchange(*open, false)) return true;
@@ -336,6 +352,7 @@ void StudioWindow::frame() {
   m_keys.draw(m_actions, m_window.keyboard(), m_messages);
   drawAboutBox(m_pictures->words(), *m_colors.config(), &m_aboutOpen);
   drawHistoryPanel(m_editor, &m_historyOpen);
+  drawTour();
   // However it was made, a gesture ends when nothing is held any more: one gesture, one step.
   if (m_editor.inGesture() && !ImGui::IsAnyItemActive() && !m_mixer.nudging && !m_cues.fading())
     m_editor.commit();

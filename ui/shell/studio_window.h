@@ -15,6 +15,7 @@
 #include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/picture_keeper.h"
 #include "ui/dialogs/start_page.h"
+#include "ui/dialogs/tour.h"
 #include "ui/kit/command_palette.h"
 #include "ui/kit/file_chooser.h"
 #include "ui/kit/keys_window.h"
@@ -82,6 +83,8 @@ class StudioWindow {
   void askForExportName();
   void drawDialogs();
   void keepLayout();
+  void startTour();
+  void drawTour();
   void drawThumbnails();
   void markEchoes();
   /// Runs the actions whose keys were pressed, or closes what is on top.
@@ -103,6 +106,7 @@ class StudioWindow {
   ColorChoice m_colors;
   SetController m_sets;
   SessionController m_session;
+  Swatches m_swatches;
   std::unique_ptr<ViewportRenderer> m_pictures;
   uint64_t m_setShown = 0;
   ExportController m_exports;
@@ -137,6 +141,8 @@ class StudioWindow {
   CaptureWizard m_wizard;
   UnsavedDialog m_unsaved;
   RecoveryDialog m_recovery;
+  Tour m_tour;
+  std::filesystem::path m_tourSample;  ///< the capture that it opens where nothing is open
   CommandPalette m_palette;
   KeysWindow m_keys;
   bool m_aboutOpen = false;

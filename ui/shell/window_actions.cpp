@@ -25,6 +25,10 @@ void StudioWindow::addWindowActions() {
                  [this] { m_keys.toggle(); },
                  {},
                  [this] { return m_keys.isOpen(); }});
+  m_actions.add({"help.tour", "Take the tour", "",
+                 "Five steps through the studio, over the open set or a sample; Escape ends it.",
+                 [this] { startTour(); },
+                 [this] { return m_session.set() || std::filesystem::exists(m_tourSample); }});
   m_actions.add({"help.palette", "Find an action \u2026", "Ctrl+Shift+P",
                  "Find any action by a few letters of its name.", [this] { m_palette.open(); }});
   m_actions.add({kScopeRegion.id, kScopeRegion.name, kScopeRegion.keys, kScopeRegion.tooltip,
