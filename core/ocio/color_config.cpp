@@ -212,6 +212,7 @@ ColorConfig::ColorConfig(const std::string& ocioFile) : m_impl(std::make_unique<
     return;
   }
   checkConfigFile(ocioFile);
+  OCIO::ClearAllCaches();  // which know a table by its file's name, also when it has changed
   inWords(ocioFile, [&] {
     m_impl->config = OCIO::Config::CreateFromFile(ocioFile.c_str());
     checkConfig(m_impl->config, ocioFile);

@@ -317,6 +317,34 @@ TEST(ColorConfig, ThreadsThatAskForTheSameAtOnceGetTheSame) {
   for (size_t i = 0; i < together.size(); ++i) EXPECT_EQ(together[i], alone[i % 10]) << i;
 }
 
+TEST(ColorConfig, OpenedAgainReadsATableThatHasChanged) {
+  const TemporaryFolder folder;
+  test::writeBytes(folder / "config.ocio", R"(ocio_profile_version: 2
+search_path: .
+roles: {default: lin, scene_linear: lin}
+file_rules:
+  - !<Rule> {name: Default, colorspace: default}
+displays:
+  d:
+    - !<View> {name: v, colorspace: table}
+colorspaces:
+  - !<ColorSpace> {name: lin, isdata: false}
+  - !<ColorSpace>
+      name: table
+      isdata: false
+      from_scene_reference: !<FileTransform> {src: gain.spi1d, interpolation: linear}
+)");
+  const auto white = [&](const char* last) {
+    test::writeBytes(folder / "gain.spi1d",
+                     std::string("Version 1\nFrom 0 1\nLength 2\nComponents 1\n{\n0\n") + last + "\n}\n");
+    Image pixel(ImageSpec::rgb(1, 1), 1.0F);
+    ColorConfig((folder / "config.ocio").string()).convert(pixel.span(), "lin", "table");
+    return pixel.plane(0)[0];
+  };
+  EXPECT_FLOAT_EQ(white("0.5"), 0.5F);
+  EXPECT_FLOAT_EQ(white("0.25"), 0.25F);
+}
+
 TEST(ColorConfig, ABrokenConfigurationIsSaidInOneLine) {
   const TemporaryFolder folder;
   EXPECT_THAT(inputError([&] { const ColorConfig config((folder / "none.ocio").string()); }),
