@@ -1,6 +1,7 @@
 #include "ui/camera/seen_frame.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/relight/rig.h"
 
@@ -18,13 +19,26 @@ SeenRequest frameRequest(const std::shared_ptr<const ColorConfig>& config,
           displayWithin(*config, document.display)};
 }
 
+FilterPipeline seenLook(const Document& document, const ViewerState& viewer) {
+  FilterPipeline look = document.cameraLook;
+  if (viewer.plain) {
+    look.stages.clear();
+  } else if (viewer.filterAlone && *viewer.filterAlone < look.stages.size()) {
+    look.stages = {look.stages[*viewer.filterAlone]};
+    look.stages.front().on = true;
+  }
+  return look;
+}
+
 std::optional<SeenRequest> seenRequest(const std::shared_ptr<const ColorConfig>& config,
                                        const std::shared_ptr<const LiveSet>& live, uint64_t edits,
-                                       const Document& document, const Rig& rig) {
-  const std::vector<FilterStage>& stages = document.cameraLook.stages;
-  if (std::none_of(stages.begin(), stages.end(), [](const FilterStage& stage) { return stage.on; }))
+                                       const Document& document, const ViewerState& viewer, const Rig& rig) {
+  FilterPipeline look = seenLook(document, viewer);
+  if (std::none_of(look.stages.begin(), look.stages.end(), [](const FilterStage& stage) { return stage.on; }))
     return std::nullopt;
-  return frameRequest(config, live, edits, document, rig);
+  SeenRequest request = frameRequest(config, live, edits, document, rig);
+  request.look = std::move(look);
+  return request;
 }
 
 }  // namespace swaplight

@@ -4,6 +4,7 @@
 
 #include "core/session/document.h"
 #include "ui/camera/seen_request.h"
+#include "ui/state/viewer_state.h"
 
 namespace swaplight {
 
@@ -13,10 +14,14 @@ namespace swaplight {
                                        const std::shared_ptr<const LiveSet>& live, uint64_t edits,
                                        const Document& document, const Rig& rig);
 
-/// What the set's frame under the document's camera look follows from; nothing where no filter of it is on.
+/// The document's camera look as the viewer is to show it: whole, one filter of it alone (also one that is
+/// off), or none.
+[[nodiscard]] FilterPipeline seenLook(const Document& document, const ViewerState& viewer);
+
+/// What the set's frame under that look follows from; nothing where no filter of it is on.
 [[nodiscard]] std::optional<SeenRequest> seenRequest(const std::shared_ptr<const ColorConfig>& config,
                                                      const std::shared_ptr<const LiveSet>& live,
                                                      uint64_t edits, const Document& document,
-                                                     const Rig& rig);
+                                                     const ViewerState& viewer, const Rig& rig);
 
 }  // namespace swaplight

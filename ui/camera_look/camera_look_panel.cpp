@@ -59,6 +59,8 @@ void drawCameraLookPanel(ViewerContext& studio, FileChooser& chooser) {
   if (state.chosen >= count) state.chosen = count - 1;
   drawHeader(studio);
   drawFilterList(studio);
+  std::optional<size_t>& alone = studio.viewer.filterAlone;  // follows the filter in focus
+  if (alone) alone = state.chosen < 0 ? std::nullopt : std::optional(static_cast<size_t>(state.chosen));
   if (state.chosen >= 0 && state.chosen < static_cast<int>(studio.document().cameraLook.stages.size()))
     drawFilterParameters(studio, static_cast<size_t>(state.chosen), chooser);
   drawReviewSliders(studio);

@@ -153,6 +153,19 @@ void drawParameter(const Parameter& of) {
   ImGui::PopID();
 }
 
+/// The picture through this filter and no other; what is exported stays the whole look.
+void aloneButton(ViewerContext& studio, size_t index) {
+  std::optional<size_t>& alone = studio.viewer.filterAlone;
+  const bool on = alone == index;
+  const float width = px(58);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+  if (on) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  if (ImGui::Button("Alone", ImVec2(width, 0))) alone = on ? std::nullopt : std::optional(index);
+  if (on) ImGui::PopStyleColor();
+  markItem("camera_look.alone");
+  tooltip("See the picture through this filter alone. Exports have the whole look all the same.");
+}
+
 }  // namespace
 
 void drawFilterParameters(ViewerContext& studio, size_t index, FileChooser& chooser) {
@@ -160,8 +173,10 @@ void drawFilterParameters(ViewerContext& studio, size_t index, FileChooser& choo
   const FilterStage stage = look.stages.at(index);
   ResolvedStage resolved;
   ImGui::PushFont(fonts().strong);
+  ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(stageName(stage).c_str());
   ImGui::PopFont();
+  aloneButton(studio, index);
   try {
     resolved = resolveStage(studio.seen.library(), stage, look.folder, look.name);
   } catch (const InputError& error) {

@@ -43,13 +43,14 @@ ScopesController::Request ScopesController::wanted(const OpenSet& set) const {
   request.pixels = m_parts.lights.editor.inGesture() ? kPixelsInGesture : kPixels;
   request.set = m_parts.session.setRevision();
   request.edits = m_parts.edits.revision();
-  if (options.of != ScopeOptions::Of::Light && !m_parts.viewer.plain) addSeen(request, set);
+  if (options.of != ScopeOptions::Of::Light) addSeen(request, set);
   return request;
 }
 
 void ScopesController::addSeen(Request& request, const OpenSet& set) const {
   const Document& document = m_parts.lights.document();
-  const auto seen = seenRequest(request.config, set.live, request.edits, document, document.rig);
+  const auto seen =
+      seenRequest(request.config, set.live, request.edits, document, m_parts.viewer, document.rig);
   if (!seen) return;
   // Asked for here, too: the viewer may show another picture.
   static_cast<void>(m_parts.seen.picture(LookPreview::Side::A, *seen, !m_parts.lights.editor.inGesture()));

@@ -13,9 +13,8 @@ namespace swaplight {
 namespace {
 
 std::optional<SeenRequest> requestOf(const ViewerContext& studio, const Rig& rig) {
-  if (showsPlain(studio)) return std::nullopt;
   return seenRequest(studio.colors.config(), studio.set()->live, studio.edits.revision(), studio.document(),
-                     rig);
+                     studio.viewer, rig);
 }
 
 /// The lit picture under the camera look; nothing where there is none, or none yet.
@@ -70,10 +69,6 @@ std::shared_ptr<const SeenPicture> seenNow(const ViewerContext& studio) {
   if (!studio.set() || studio.view.subject.kind != ViewSubject::Kind::Relit) return nullptr;
   const auto request = requestOf(studio, studio.document().rig);
   return request ? studio.seen.shown(LookPreview::Side::A, *request) : nullptr;
-}
-
-bool showsPlain(const ViewerContext& studio) {
-  return studio.viewer.plain;
 }
 
 Comparison wipeIn(const CompareState& state, int pictureWidth, int pictureHeight) {

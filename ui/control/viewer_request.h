@@ -14,9 +14,6 @@ struct ViewerPictures {
 };
 [[nodiscard]] ViewerPictures viewerPictures(const ViewerContext& studio);
 
-/// The person holds the key that shows the picture without its camera look.
-[[nodiscard]] bool showsPlain(const ViewerContext& studio);
-
 /// The wipe's line in the picture's pixels.
 [[nodiscard]] Comparison wipeIn(const CompareState& state, int pictureWidth, int pictureHeight);
 

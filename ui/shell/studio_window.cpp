@@ -224,6 +224,7 @@ void StudioWindow::update() {
   drawThumbnails();
   if (m_messages.expire()) m_window.requestFrames();
   keepLayout();
+  if (!m_layout.cameraLook) m_viewer.filterAlone.reset();  // its button is gone
   const bool marches = m_editing.selection.marching;
   if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_window.requestFrames(1);
   if (listMoves() || m_cues.fading()) m_window.requestFrames(1);

@@ -20,7 +20,8 @@ struct ViewerState {
     size_t clicks = 0;
   };
   LightAsked lightAsked;
-  bool plain = false;  ///< a key is held that shows the picture without its camera look
+  bool plain = false;                 ///< a key is held that shows the picture without its camera look
+  std::optional<size_t> filterAlone;  ///< the filter of the camera look that is seen without the others
 };
 
 }  // namespace swaplight
