@@ -29,7 +29,7 @@ SmallPicture pictureOf(const LiveSet& live, const ColorConfig& config, const Doc
 
 void PictureKeeper::update(const LightsContext& studio) {
   try {
-    static_cast<void>(m_writing.take());
+    if (m_writing.take()) ++m_count;
   } catch (const std::exception&) {
     return;  // a picture that is not there is worth no message
   }

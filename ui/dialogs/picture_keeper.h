@@ -20,6 +20,8 @@ class PictureKeeper {
   /// To be called often.
   void update(const LightsContext& studio);
   [[nodiscard]] const KeptPictures& pictures() const { return m_kept; }
+  /// Counts up with every picture that was written.
+  [[nodiscard]] int written() const { return m_count; }
 
  private:
   /// What a picture is of.
@@ -34,6 +36,7 @@ class PictureKeeper {
   Shown m_shown, m_written;
   std::chrono::steady_clock::time_point m_since;
   Job<bool> m_writing;
+  int m_count = 0;
 };
 
 }  // namespace swaplight

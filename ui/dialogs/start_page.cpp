@@ -79,16 +79,18 @@ StartPage::StartPage(const fs::path& samples, KeptPictures kept, std::function<v
             [](const Entry& a, const Entry& b) { return a.file < b.file; });
 }
 
-void StartPage::read(const std::vector<Entry>& recent) {
+void StartPage::read(const std::vector<Entry>& recent, int written) {
   if (auto pictures = m_reading.take()) {
     m_pictures = std::move(*pictures);
     m_textures.clear();
   }
-  // The page comes back when what was open is closed, with another picture.
+  // The page comes back when what was open is closed, whose picture may still be being written.
   const bool back = ImGui::GetFrameCount() != std::exchange(m_lastFrame, ImGui::GetFrameCount()) + 1;
   std::vector<fs::path> files;
   for (const Entry& entry : recent) files.push_back(entry.file);
-  if ((m_recent == files && !back) || m_reading.running()) return;
+  m_due |= back || m_recent != files || std::exchange(m_written, written) != written;
+  if (!m_due || m_reading.running()) return;
+  m_due = false;
   m_recent = files;
   std::map<std::string, fs::path> samples;
   for (const Entry& sample : m_samples)
@@ -156,13 +158,13 @@ void StartPage::drawCards(const std::vector<Entry>& entries, float width, size_t
   if (!chosen.empty()) session.open(chosen);
 }
 
-void StartPage::draw(SessionController& session, const ActionTable& actions) {
+void StartPage::draw(SessionController& session, const ActionTable& actions, int written) {
   std::vector<Entry> recent;
   for (const fs::path& file : session.recent().files())
     if (recent.size() < kRecentShown)
       recent.push_back(
           {file, fmt::format("recent.{}", recent.size()), nameOf(file), homely(file.parent_path())});
-  read(recent);
+  read(recent, written);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + room.x, at.y + room.y), kViewerGround);

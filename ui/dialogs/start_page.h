@@ -20,7 +20,8 @@ class StartPage {
  public:
   /// `samples`: a folder with a folder a capture, and their pictures in `pictures/NAME.jpg`.
   StartPage(const std::filesystem::path& samples, KeptPictures kept, std::function<void()> wake);
-  void draw(SessionController& session, const ActionTable& actions);
+  /// `written`: counts the pictures that were kept (PictureKeeper).
+  void draw(SessionController& session, const ActionTable& actions, int written);
 
  private:
   /// A file to open, in words.
@@ -37,7 +38,7 @@ class StartPage {
   using Pictures = std::map<std::string, SmallPicture>;  ///< by the entries' ids
 
   /// Asks for the pictures of what was open last, where they may be others than those that are there.
-  void read(const std::vector<Entry>& recent);
+  void read(const std::vector<Entry>& recent, int written);
   void drawCards(const std::vector<Entry>& entries, float width, size_t columns, SessionController& session);
   /// True when clicked.
   bool drawCard(const Entry& entry, float width);
@@ -49,6 +50,8 @@ class StartPage {
   std::vector<Entry> m_samples;
   std::vector<std::filesystem::path> m_recent;  ///< whose pictures were asked for
   int m_lastFrame = -1;                         ///< of ImGui, in which the page was drawn
+  int m_written = -1;                           ///< pictures that had been kept then
+  bool m_due = true;                            ///< there may be other pictures than those that were read
   Job<Pictures> m_reading;
   Pictures m_pictures;
   std::map<std::string, Texture> m_textures;

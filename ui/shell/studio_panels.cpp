@@ -215,7 +215,7 @@ void StudioWindow::drawViewer(ImVec2 size) {
           if (m_session.hasDocument() || m_sets.busy())
             drawViewerPanel(m_context);
           else
-            m_start.draw(m_session, m_actions);
+            m_start.draw(m_session, m_actions, m_keeper.written());
         });
 }
 
