@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   addDoctorVerb(program);
   addLookVerb(program);
   addLightsVerb(program);
+  addLightmapVerb(program);
   addBalanceVerb(program);
   return program.run(argc, argv);
 }

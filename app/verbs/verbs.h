@@ -20,6 +20,7 @@ void addShadowsVerb(Program& program);
 void addBetaVerb(Program& program);
 void addDoctorVerb(Program& program);
 void addLookVerb(Program& program);
+void addLightmapVerb(Program& program);
 void addLightsVerb(Program& program);
 void addBalanceVerb(Program& program);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/edit/pool/small_samples.h"
+
 namespace swaplight {
 namespace {
 
@@ -14,32 +16,6 @@ constexpr double kInner =
 constexpr double kSteep = 3;           // a change of the widened cone by a third makes the guess complete
 constexpr float kLeastBounce = 1e-3F;  // so that the cones' ratio is finite
 constexpr double kFarAway = 1e3;       // radii
-
-// Linear between the four values around; the picture's corners are at (0, 0), cells are `cell` wide.
-struct Between {
-  int index;
-  float part;
-};
-Between between(float place, int last) {
-  const float inside = std::clamp(place, 0.F, static_cast<float>(last));
-  const int index = std::min(static_cast<int>(inside), std::max(last - 1, 0));
-  return {index, inside - static_cast<float>(index)};
-}
-
-// A row of a picture of `cells`, seen at x.. with `step` pixels of the picture a pixel.
-void sampleRow(const cv::Mat& cells, float firstX, float stepX, float y, int count, float* out) {
-  const Between v = between(y, cells.rows - 1);
-  const auto* above = cells.ptr<float>(v.index);
-  const auto* below = cells.ptr<float>(std::min(v.index + 1, cells.rows - 1));
-  const int last = cells.cols - 1;
-  for (int i = 0; i < count; ++i) {
-    const Between h = between(firstX + stepX * static_cast<float>(i), last);
-    const int next = std::min(h.index + 1, last);
-    const float top = above[h.index] + h.part * (above[next] - above[h.index]);
-    const float bottom = below[h.index] + h.part * (below[next] - below[h.index]);
-    out[i] = top + v.part * (bottom - top);
-  }
-}
 
 // What a pixel's light becomes, before the gain. `would`: what it would give there without a cone.
 float withCone(float light, float before, float after, float guess, float bounce, float would) {
@@ -84,16 +60,13 @@ LampGain::Cones LampGain::conesAt(int x, int y) const {
 
 void LampGain::gainRow(int x, int y, int count, float* gain) const {
   constexpr float kStep = 1.F / kCell;
-  sampleRow(m_gain, (static_cast<float>(x) + .5F) * kStep, kStep, (static_cast<float>(y) + .5F) * kStep,
-            count, gain);
+  const SmallRow row{(static_cast<float>(x) + .5F) * kStep, (static_cast<float>(y) + .5F) * kStep, kStep};
+  sampleRow(m_gain, row, count, gain);  // its values are those at the cells' corners
 }
 
 void LampGain::ratioRow(int channel, int x, int y, int count, float* ratio) const {
   const cv::Mat& small = m_pool.ratio[static_cast<size_t>(channel)];
-  const float stepX = static_cast<float>(small.cols) / static_cast<float>(m_width);
-  const float stepY = static_cast<float>(small.rows) / static_cast<float>(m_height);
-  sampleRow(small, (static_cast<float>(x) + .5F) * stepX - .5F, stepX,
-            (static_cast<float>(y) + .5F) * stepY - .5F, count, ratio);
+  sampleRow(small, smallRow(x, y, {m_width, m_height}, small.size()), count, ratio);
 }
 
 void LampGain::changeRow(int x, int y, int count, const float* mask, const LampRow& row) const {
