@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   addLookVerb(program);
   addLightsVerb(program);
   addLightmapVerb(program);
+  addSinksVerb(program);
   addBalanceVerb(program);
   return program.run(argc, argv);
 }

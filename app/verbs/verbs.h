@@ -17,6 +17,7 @@ void addBenchVerb(Program& program);
 void addPlanVerb(Program& program);
 void addNewVerb(Program& program);
 void addShadowsVerb(Program& program);
+void addSinksVerb(Program& program);
 void addBetaVerb(Program& program);
 void addDoctorVerb(Program& program);
 void addLookVerb(Program& program);
