@@ -86,6 +86,8 @@ Image subjectImage(const SolvedSet& set, const ViewSubject& subject) {
     case ViewSubject::Kind::Contribution:
     case ViewSubject::Kind::Photograph:
     case ViewSubject::Kind::Visibility:
+    case ViewSubject::Kind::Illumination:
+    case ViewSubject::Kind::Lighting:
       break;
   }
   throw std::logic_error("this subject is made from other pictures");

@@ -14,6 +14,8 @@ struct ViewSubject {
     Flags,         ///< quality.flags, a colour a bit
     Photograph,    ///< a shot as taken
     Visibility,    ///< how much of a light each pixel sees, 0..1 as grey
+    Illumination,  ///< one light's on the set, without texture, at unit white
+    Lighting,      ///< that of all lights under the rig
   };
   Kind kind = Kind::Relit;
   int index = 0;  ///< light or shot

@@ -55,9 +55,11 @@ void SubjectPictures::update(Messages& messages) {
     if (!m_stale) keep(m_reading, std::move(image));
   });
   if (taken == Taken::Failed) m_failed.push_back(m_reading);
+  if (m_illumination.update(messages)) ++m_revision;
 }
 
 bool SubjectPictures::editsChanged() {
+  m_illumination.editsChanged();
   const size_t before = m_shown.size();
   m_shown.remove_if([](const Shown& shown) {
     return shown.subject.kind == ViewSubject::Kind::Beta ||
@@ -71,6 +73,7 @@ void SubjectPictures::forget() {
   m_stale = m_job.running();
   m_shown.clear();
   m_failed.clear();
+  m_illumination.forget();
   ++m_revision;
 }
 

@@ -7,6 +7,7 @@
 
 #include "ui/control/set_controller.h"
 #include "ui/jobs/take_or_report.h"
+#include "ui/pictures/illumination_pictures.h"
 
 namespace swaplight {
 
@@ -20,18 +21,23 @@ class SubjectPictures {
     std::unique_ptr<Pyramid> pyramid;  ///< of the image
   };
 
-  explicit SubjectPictures(std::function<void()> wake) : m_wake(std::move(wake)) {}
+  explicit SubjectPictures(std::function<void()> wake) : m_wake(std::move(wake)), m_illumination(m_wake) {}
 
   /// nullptr while a photograph is being read, or where it could not be.
   const Shown* picture(const std::shared_ptr<const ColorConfig>& config, const OpenSet& set,
                        const ViewSubject& subject);
-  /// To be called often: takes what was read.
+  /// The light on the set without its texture, of each light at unit white; empty until found. `still`:
+  /// nobody is dragging an edit right now.
+  const std::vector<const Pyramid*>& illumination(const OpenSet& set, bool still) {
+    return m_illumination.pictures(set.live, still);
+  }
+  /// To be called often: takes what was read or found.
   void update(Messages& messages);
   /// Pixels of the set have changed: forgets what was made of them. True where there was any.
   bool editsChanged();
   /// Another set is open.
   void forget();
-  [[nodiscard]] bool busy() const { return m_job.running(); }
+  [[nodiscard]] bool busy() const { return m_job.running() || m_illumination.busy(); }
   /// Counts up when pictures have gone.
   [[nodiscard]] uint64_t revision() const { return m_revision; }
 
@@ -45,6 +51,7 @@ class SubjectPictures {
   bool m_stale = false;  ///< what is being read belongs to a set that has gone
   std::vector<ViewSubject> m_failed;
   uint64_t m_revision = 0;
+  IlluminationPictures m_illumination;
 };
 
 }  // namespace swaplight

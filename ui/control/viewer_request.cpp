@@ -25,6 +25,24 @@ std::optional<LayeredPicture> seenPicture(const ViewerContext& studio, LookPrevi
   return studio.seen.picture(side, *request, !studio.editor.inGesture());
 }
 
+/// The light on the set without its texture: one light's at unit white, or all under the rig.
+std::optional<LayeredPicture> illuminationOf(const ViewerContext& studio, const ViewSubject& subject,
+                                             const Rig& rig) {
+  const OpenSet& set = *studio.set();
+  const std::vector<const Pyramid*>& found = studio.subjects.illumination(set, !studio.editor.inGesture());
+  const std::string& colorSpace = set.solved().colorSpace();
+  LayeredPicture picture{{}, colorSpace};
+  if (subject.kind == ViewSubject::Kind::Illumination) {
+    if (static_cast<size_t>(subject.index) < found.size())
+      picture.layers.push_back({found[static_cast<size_t>(subject.index)], Rgb(1)});
+  } else {
+    const std::vector<Rgb> factors = rigFactors(*studio.colors.config(), rig, colorSpace);
+    for (size_t i = 0; i < std::min(found.size(), factors.size()); ++i)
+      picture.layers.push_back({found[i], factors[i]});
+  }
+  return picture.layers.empty() ? std::nullopt : std::optional(picture);
+}
+
 /// Display codes that a map is made of are shown as they are; pictures go through the view.
 std::optional<LayeredPicture> sidePicture(const ViewerContext& studio, LookPreview::Side side,
                                           ViewSubject subject, const Rig& rig) {
@@ -41,6 +59,8 @@ std::optional<LayeredPicture> sidePicture(const ViewerContext& studio, LookPrevi
     const Pyramid* visibility = studio.shadows.visibility(subject.index);
     return visibility ? std::optional(LayeredPicture{{{visibility, Rgb(1)}}, ""}) : std::nullopt;
   }
+  if (subject.kind == ViewSubject::Kind::Illumination || subject.kind == ViewSubject::Kind::Lighting)
+    return illuminationOf(studio, subject, rig);
   const SubjectPictures::Shown* shown = studio.subjects.picture(studio.colors.config(), set, subject);
   if (!shown) return std::nullopt;
   return LayeredPicture{{{shown->pyramid.get(), Rgb(1)}}, shown->image.spec().colorSpace};
@@ -99,6 +119,10 @@ std::string subjectWords(const ViewerContext& studio, const ViewSubject& subject
       return "\u03b2 of " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Visibility:
       return "Visibility of " + lightTitle(studio, subject.index);
+    case ViewSubject::Kind::Illumination:
+      return "Illumination by " + lightTitle(studio, subject.index);
+    case ViewSubject::Kind::Lighting:
+      return "Illumination";
     case ViewSubject::Kind::Reflectance:
       return "Reflectance";
     case ViewSubject::Kind::Residual:

@@ -21,7 +21,8 @@ template <typename Enum, size_t N>
 }
 
 /// Of ViewSubject::Kind.
-inline constexpr std::array<const char*, 9> kSubjectNames = {
-    "relit", "contribution", "beta", "reflectance", "residual", "sigma", "flags", "photograph", "visibility"};
+inline constexpr std::array<const char*, 11> kSubjectNames = {
+    "relit", "contribution", "beta",       "reflectance",  "residual", "sigma",
+    "flags", "photograph",   "visibility", "illumination", "lighting"};
 
 }  // namespace swaplight

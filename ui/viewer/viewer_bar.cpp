@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "core/ocio/color_config.h"
 #include "core/set/set_color_space.h"
@@ -22,6 +23,22 @@ bool subjectLine(ViewerContext& studio, const ViewSubject& subject, bool current
   const bool clicked = ImGui::MenuItem(words.c_str(), nullptr, current);
   markItem({"subject.", words});
   return clicked;
+}
+
+/// The light on the set without its texture: of all lights as they are set, of each at unit white.
+void illuminationLines(ViewerContext& studio, const OpenSet& set, const ViewSubject& current,
+                       const std::function<void(const ViewSubject&)>& choose) {
+  const auto line = [&](const ViewSubject& subject, const char* tip) {
+    if (subjectLine(studio, subject, current == subject)) choose(subject);
+    tooltip(tip);
+  };
+  line({Kind::Lighting, 0},
+       "The light on the set as you have set it, as if everything were painted one grey.");
+  for (int light = 0; light < set.solved().lightCount(); ++light)
+    line(
+        {Kind::Illumination, light},
+        "This light on the set at unit white, without texture, as if everything were painted one grey. Large "
+        "surfaces of another grey may still show.");
 }
 
 std::string compareWords(CompareState::Mode mode) {
@@ -112,6 +129,8 @@ void drawSubjectMenu(ViewerContext& studio, bool sideB) {
       if (subjectLine(studio, {kind, light}, current == ViewSubject{kind, light})) choose({kind, light});
     ImGui::Separator();
   }
+  illuminationLines(studio, *set, current, choose);
+  ImGui::Separator();
   for (const Kind kind : {Kind::Reflectance, Kind::Residual, Kind::Sigma, Kind::Flags})
     if (subjectLine(studio, {kind, 0}, current == ViewSubject{kind, 0})) choose({kind, 0});
 }

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/illumination/illumination.h"
+#include "core/view/pyramid.h"
+#include "ui/jobs/take_or_report.h"
+#include "ui/pictures/live_set.h"
+
+namespace swaplight {
+
+/// The light on the open set without its texture, a picture a light, found in a thread when it is first
+/// looked at, and again after edits: until then the pictures before them stay.
+class IlluminationPictures {
+ public:
+  explicit IlluminationPictures(std::function<void()> wake) : m_wake(std::move(wake)) {}
+
+  /// Of each light at unit white, in the set's order; empty until they are found. `still`: nobody is changing
+  /// the set right now, so that it is worth while to begin.
+  const std::vector<const Pyramid*>& pictures(const std::shared_ptr<const LiveSet>& live, bool still);
+  /// To be called often: takes what was found. True where there are other pictures now.
+  bool update(Messages& messages);
+  /// The set's pixels have changed.
+  void editsChanged() { m_stale = true; }
+  /// Another set is open.
+  void forget();
+  [[nodiscard]] bool busy() const { return m_job.running(); }
+
+ private:
+  void keep(std::vector<Image> maps);
+
+  std::function<void()> m_wake;
+  Job<std::vector<Image>> m_job;
+  std::vector<Image> m_maps;
+  std::vector<std::unique_ptr<Pyramid>> m_pyramids;  // of the maps
+  std::vector<const Pyramid*> m_pictures;
+  bool m_stale = true;
+  bool m_gone = false;  // what is being found is of a set that has gone
+  bool m_failed = false;
+};
+
+}  // namespace swaplight
