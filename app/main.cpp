@@ -24,5 +24,6 @@ int main(int argc, char** argv) {
   addLightmapVerb(program);
   addSinksVerb(program);
   addBalanceVerb(program);
+  addResponseVerb(program);
   return program.run(argc, argv);
 }

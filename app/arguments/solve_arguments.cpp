@@ -3,12 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
+#include "app/arguments/place_text.h"
 #include "app/program/number_range.h"
 #include "core/base/error.h"
-#include "core/base/number_text.h"
 #include "core/solve/model/estimator.h"
 
 namespace swaplight {
@@ -21,28 +20,10 @@ bool chosen(const char* option, const std::string& text, const char* off, const 
   return text == on;
 }
 
-/// A pixel's column or row; nothing where it is no whole number.
-std::optional<int> pixelFromText(std::string_view text) {
-  const std::optional<float> number = numberFromText(text);
-  if (!number || *number != std::floor(*number) || std::abs(*number) > 1e6F) return std::nullopt;
-  return static_cast<int>(*number);
-}
-
-/// "120,80". `where` begins the message. Throws InputError.
-std::array<int, 2> placeFromText(std::string_view text, const std::string& where) {
-  const size_t comma = std::min(text.find(','), text.size());
-  const std::optional<int> x = pixelFromText(text.substr(0, comma));
-  const std::optional<int> y = pixelFromText(text.substr(std::min(comma + 1, text.size())));
-  if (!x || !y) throw InputError("{}: write X,Y in pixels", where);
-  return {*x, *y};
-}
-
 /// "key=120,80"
 OpenColorChoice::OneLamp oneLampFromText(const std::string& text) {
-  const size_t equals = text.find('=');
-  if (equals == std::string::npos) throw InputError("--one-lamp {}: write LIGHT=X,Y in pixels", text);
-  const auto [x, y] = placeFromText(text.substr(equals + 1), "--one-lamp " + text);
-  return {text.substr(0, equals), x, y};
+  const LightPlace place = lightPlaceFromText(text, "--one-lamp");
+  return {place.light, place.x, place.y};
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <span>
 
+#include "app/arguments/look_frame.h"
 #include "app/verbs/look_actions.h"
-#include "app/verbs/look_frame.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/export/filtered_frame.h"

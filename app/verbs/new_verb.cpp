@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <sstream>
 
+#include "app/arguments/flat_arguments.h"
+#include "app/arguments/place_text.h"
 #include "app/program/description.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/capture/response_curve.h"
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
 #include "core/ocio/chosen_config.h"
@@ -24,6 +27,8 @@ struct NewCommand {
   std::string exposures;
   bool oneAtATime = false;
   std::string colorSpace;
+  std::string response;
+  FlatArguments flats;
   std::string crop;
   double scale = 1;
   bool force = false;
@@ -111,17 +116,14 @@ void placeShots(const NewCommand& arguments, CaptureDraft& draft) {
 
 void placeCards(const NewCommand& arguments, const CapturePixels& pixels, CaptureDraft& draft) {
   for (const std::string& text : arguments.cards) {
-    const auto [name, place] = pairOf(text, "--card", "LIGHT=X,Y");
-    const auto light = std::find(draft.lights.begin(), draft.lights.end(), name);
-    if (light == draft.lights.end()) throw InputError("--card {}: there is no light \"{}\"", text, name);
-    const std::vector<std::string> numbers = partsOf(place);
-    int x = 0, y = 0;
-    if (numbers.size() != 2 || !CLI::detail::lexical_cast(numbers[0], x) ||
-        !CLI::detail::lexical_cast(numbers[1], y))
-      throw InputError("--card {}: write LIGHT=X,Y in pixels", text);
+    const LightPlace card = lightPlaceFromText(text, "--card");
+    const auto light = std::find(draft.lights.begin(), draft.lights.end(), card.light);
+    if (light == draft.lights.end())
+      throw InputError("--card {}: there is no light \"{}\"", text, card.light);
     for (size_t k = 0; k < draft.lightings(); ++k) {
       std::vector<ShotColor> colors = draft.colors[k * static_cast<size_t>(draft.brackets.length)];
-      colors[static_cast<size_t>(light - draft.lights.begin())] = colorOfCard(draft, pixels, k, x, y);
+      colors[static_cast<size_t>(light - draft.lights.begin())] =
+          colorOfCard(draft, pixels, k, card.x, card.y);
       setLighting(draft, k, std::move(colors));
     }
   }
@@ -170,12 +172,24 @@ Description describe(const CaptureDraft& draft, const std::filesystem::path& fil
   return d;
 }
 
+/// What the files hold, where it is told.
+void placeCoding(const NewCommand& arguments, CaptureDraft& draft) {
+  if (!arguments.colorSpace.empty()) draft.colorSpace = arguments.colorSpace;
+  if (arguments.response.empty()) return;
+  checkResponseFile(arguments.response, "--response");
+  if (!arguments.colorSpace.empty())
+    throw InputError("--response, --color-space: give one of them: a response is a colour space");
+  draft.colorSpace = pathInManifest(draft.folder.folder, arguments.response);
+}
+
 int run(const NewCommand& arguments, Terminal& terminal) {
   const std::shared_ptr<const ColorConfig> config = programConfig();
   ShotFolder folder = scanShotFolder(*config, arguments.folder);
   if (!arguments.files.empty()) folder = withShots(*config, std::move(folder), partsOf(arguments.files));
   CaptureDraft draft = draftOf(folder, partsOf(arguments.lights));
-  if (!arguments.colorSpace.empty()) draft.colorSpace = arguments.colorSpace;
+  placeCoding(arguments, draft);
+  for (const auto& [light, name] : arguments.flats.lamps(folder.folder)) draft.flats[light] = name;
+  if (const std::string lens = arguments.flats.lens(folder.folder); !lens.empty()) draft.vignetting = lens;
   const std::vector<ShotColor> ring = ringOf(arguments);
   if (ring.empty() && !arguments.oneAtATime && arguments.shots.empty() && arguments.cards.empty())
     throw InputError(
@@ -240,6 +254,10 @@ void addNewVerb(Program& program) {
       ->type_name("FILE,FILE");
   verb.add_option("--color-space", a->colorSpace, "Colour space of the photographs (default: from the files)")
       ->type_name("NAME");
+  verb.add_option("--response", a->response,
+                  "Instead of a colour space: the camera's response, as swaplight response writes it")
+      ->type_name("CURVE.csv");
+  a->flats.addTo(verb);
   verb.add_option("--crop", a->crop, "Crop the photographs, in their own pixels")
       ->type_name("X,Y,WIDTH,HEIGHT");
   verb.add_option("--scale", a->scale, "Scale the photographs: 0.5 is half the width and height")

@@ -1,10 +1,12 @@
 #include <algorithm>
 
 #include "app/arguments/camera_look_arguments.h"
+#include "app/arguments/flat_arguments.h"
 #include "app/arguments/solve_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
+#include "core/capture/response_curve.h"
 #include "core/export/filtered_set.h"
 #include "core/file/json_file.h"
 #include "core/file/same_file.h"
@@ -14,7 +16,7 @@
 #include "core/set/set_color_space.h"
 #include "core/set/solve_verdict.h"
 #include "core/set/solved_file.h"
-#include "core/solve/solve.h"
+#include "core/solve/even_lamps.h"
 
 namespace swaplight {
 namespace {
@@ -25,8 +27,10 @@ struct SolveCommand {
   std::string report;
   std::string colorSpace;
   std::string colors;
+  std::string response;
   SolvedFileOptions file;
   SolveArguments solve;
+  FlatArguments flats;
   FilterRequest shotLook;
 };
 
@@ -58,6 +62,11 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   Capture capture = readCapture(*config, sourceFile(arguments.capture));
   if (!arguments.colors.empty())
     capture = withReplacedColors(std::move(capture), namedUnknowns(shotColorsFromText(arguments.colors)));
+  if (!arguments.response.empty()) {
+    checkResponseFile(arguments.response, "--response");
+    capture.colorSpace = pathInManifest(capture.folder, arguments.response);
+  }
+  capture = withFlats(capture, arguments.flats.lamps(capture.folder), arguments.flats.lens(capture.folder));
   sayWarnings(capture.warnings, terminal);
   checkSetColorSpace(arguments.colorSpace);
   const std::vector<std::filesystem::path> inputs = filesOfSource(arguments.capture);
@@ -70,7 +79,8 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   CapturePixels pixels = loadCapturePixels(*config, capture, progress.part(0, look ? 0.1f : 0.2f));
   if (look) filterShots(*config, pixels, *look, progress.part(0.1f, 0.2f));
   sayWarnings(pixels.warnings, terminal);
-  SolvedSet set = solve(capture, pixels, options, progress.part(0.2f, 0.8f));
+  const FlatFields fields = loadFlatFields(*config, capture, progress.part(0.2f, 0.2f));
+  SolvedSet set = solveUneven(capture, pixels, fields, options, progress.part(0.2f, 0.8f));
   sayWarnings(warningsOfSolve(*set.report, {capture.warnings, pixels.warnings}), terminal);
   set = inColorSpace(*config, std::move(set), arguments.colorSpace);
   writeSolvedSet(set, arguments.output, arguments.file, progress.part(0.8f, 1));
@@ -105,6 +115,10 @@ void addSolveVerb(Program& program) {
                   "Other colours for the gels of the first photograph, one per light, wherever they went on; "
                   "?a: unknown, the same gel everywhere")
       ->type_name("LIST");
+  verb.add_option(
+          "--response", a->response,
+          "The camera's response, as swaplight response writes it, instead of the capture's color_space")
+      ->type_name("CURVE.csv");
   verb.add_flag("--multipart", a->file.multipart, "Multi-part EXR, one part per light, instead of layers");
   verb.add_flag("--float", a->file.floatPictures, "Contributions as 32-bit float instead of half");
   verb.add_flag("--half", a->file.halfSum,
@@ -118,6 +132,7 @@ void addSolveVerb(Program& program) {
       ->type_name("NAME,param=value")
       ->expected(1)
       ->take_all();
+  a->flats.addTo(verb);
   a->solve.addTo(verb);
 }
 

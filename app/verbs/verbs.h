@@ -24,5 +24,6 @@ void addLookVerb(Program& program);
 void addLightmapVerb(Program& program);
 void addLightsVerb(Program& program);
 void addBalanceVerb(Program& program);
+void addResponseVerb(Program& program);
 
 }  // namespace swaplight

@@ -1,6 +1,7 @@
 #include "core/balance/photograph.h"
 
 #include "core/base/error.h"
+#include "core/capture/response_curve.h"
 #include "core/color/chromaticities.h"
 #include "core/image/io/image_io.h"
 
@@ -12,6 +13,7 @@ std::string colorSpaceOfPhotograph(const ColorConfig& config, const Capture& cap
   ImageFileInfo info;
   const ImageSpec spec = readImageSpec(file, &info);
   const bool coded = !info.isFloat && info.format != "raw";
+  if (coded && isResponseFile(capture.colorSpace)) return (capture.folder / capture.colorSpace).string();
   if (coded && !chromaticitiesOf(capture.colorSpace)) return capture.colorSpace;
   return spec.colorSpace;
 }

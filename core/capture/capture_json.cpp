@@ -4,7 +4,9 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/capture.h"
+#include "core/capture/flat_fields.h"
 #include "core/capture/light_name.h"
+#include "core/capture/lightings.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
 #include "core/ocio/color_config.h"
@@ -14,7 +16,6 @@ namespace {
 
 constexpr const char* kFormat = "swaplight-capture";
 constexpr int kVersion = 1;
-constexpr double kMostStops = 40;   // either way: no camera's exposures span so much
 constexpr size_t kMostLights = 64;  // far beyond what a solve takes; longer lists only take time
 constexpr size_t kMostShots = 4096;
 
@@ -134,9 +135,11 @@ std::vector<Shot> shotsFromJson(JsonFields& fields, const std::vector<Light>& li
     shot.image = requiredPath(fieldsOfShot, "image");
     fieldsOfShot.setWhere(fmt::format("{} ({})", fieldsOfShot.where(), shot.image));
     readColors(fieldsOfShot, lights, shot);
-    shot.exposureStops =
-        static_cast<float>(fieldsOfShot.number("exposure_stops", -kMostStops, kMostStops).value_or(0));
-    shot.extra = keepUnknown(fieldsOfShot, warnings);
+    shot.exposureStops = static_cast<float>(
+        fieldsOfShot.number("exposure_stops", -kMostExposureStops, kMostExposureStops).value_or(0));
+    Json kept = flatsFromJson(fieldsOfShot, lights);
+    kept.update(keepUnknown(fieldsOfShot, warnings), true);
+    shot.extra = std::move(kept);
     shots.push_back(std::move(shot));
   }
   return shots;
@@ -148,7 +151,7 @@ void readExposures(JsonFields& fields, std::vector<Shot>& shots) {
   if (!list || list->is_null()) return;
   const bool numbers =
       list->is_array() && !list->empty() && std::all_of(list->begin(), list->end(), [](const Json& one) {
-        return one.is_number() && std::abs(one.get<double>()) <= kMostStops;
+        return one.is_number() && std::abs(one.get<double>()) <= kMostExposureStops;
       });
   if (!numbers || shots.size() % list->size() != 0)
     throw InputError(
@@ -277,7 +280,8 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
   capture.noise = noiseFromJson(fields, noiseExtra, capture.warnings);
   capture.frame = frameFromJson(fields);
   capture.truth = truthFromJson(fields);
-  Json extra = keepUnknown(fields, capture.warnings);
+  Json extra = flatsFromJson(fields, capture.lights);
+  extra.update(keepUnknown(fields, capture.warnings), true);
   extra.update(noiseExtra, true);
   capture.extra = std::move(extra);
   return capture;

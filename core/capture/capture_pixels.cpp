@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/capture/mosaic_saturation.h"
+#include "core/capture/response_curve.h"
 #include "core/capture/sensor_limits.h"
 #include "core/color/chromaticities.h"
 #include "core/image/io/image_format.h"
@@ -34,6 +35,20 @@ constexpr float kWhiteMargin = 0.25F;
 constexpr double kDarkest = 0.02;
 constexpr double kReadDeviations = 6;
 
+/// What brings the files' codes to linear light: a colour space of the configuration, or a measured response.
+struct Coding {
+  const ColorConfig& config;
+  std::string from, to;
+  const ResponseCurve* response = nullptr;
+
+  void toLight(const ImageSpan& pixels) const {
+    if (response)
+      response->apply(pixels);
+    else
+      config.convert(pixels, from, to);
+  }
+};
+
 /// A picture of the capture, as read and in linear light.
 struct Picture {
   std::filesystem::path file;
@@ -49,30 +64,28 @@ struct Picture {
 };
 
 /// A code value, the same in all channels, in linear light.
-float linearOf(const ColorConfig& config, float code, const std::string& from, const std::string& to) {
+float linearOf(const Coding& coding, float code) {
   Image pixel(ImageSpec::rgb(1, 1), code);
-  config.convert(pixel.span(), from, to);
+  coding.toLight(pixel.span());
   return std::min({pixel.plane(0)[0], pixel.plane(1)[0], pixel.plane(2)[0]});
 }
 
 /// Where an integer file saturates, and the step below that, in linear light.
-void describeCoding(const ColorConfig& config, Picture& picture, const std::string& from,
-                    const std::string& to) {
+void describeCoding(const Coding& coding, Picture& picture) {
   if (picture.info.isFloat) return;
   const int bits = codingBits(picture.image, picture.info.bits);
   const float step = 1.0F / static_cast<float>((1 << std::clamp(bits, 1, 16)) - 1);
-  const float white = linearOf(config, 1, from, to);
-  picture.quantum = white - linearOf(config, 1 - step, from, to);
+  const float white = linearOf(coding, 1);
+  picture.quantum = white - linearOf(coding, 1 - step);
   picture.clip = white - kWhiteMargin * picture.quantum;
-  picture.encoded = linearOf(config, 0.5F, from, to) < kProportional * white;
+  picture.encoded = linearOf(coding, 0.5F) < kProportional * white;
 }
 
 /// What the coding of a JPEG has left, in linear light: an error of code times the slope of the curve there.
-void measureCodingError(const ColorConfig& config, Picture& picture, const std::string& from,
-                        const std::string& to) {
-  const auto coding = readJpegCoding(picture.file);
-  if (!coding) return;
-  picture.codingError = jpegError(picture.image.view(), *coding);
+void measureCodingError(const Coding& coding, Picture& picture) {
+  const auto jpeg = readJpegCoding(picture.file);
+  if (!jpeg) return;
+  picture.codingError = jpegError(picture.image.view(), *jpeg);
   constexpr float kAround = 0.5F / 255;
   const int count = static_cast<int>(picture.codingError.size());
   Image codes(ImageSpec::rgb(std::max(count, 1), 2), 0);
@@ -82,7 +95,7 @@ void measureCodingError(const ColorConfig& config, Picture& picture, const std::
       codes.span().row(c, 0)[j] = std::max(code - kAround, 0.0F);
       codes.span().row(c, 1)[j] = std::max(code - kAround, 0.0F) + 2 * kAround;
     }
-  config.convert(codes.span(), from, to);
+  coding.toLight(codes.span());
   for (int j = 0; j < count; ++j) {
     ValueVariance& at = picture.codingError[static_cast<size_t>(j)];
     const float below = codes.view().row(1, 0)[j];
@@ -108,7 +121,8 @@ void warnOfPixels(Picture& picture) {
                                            counts.negative == 1 ? " is" : "s are"));
 }
 
-Picture readPicture(const ColorConfig& config, const Capture& capture, const std::string& path) {
+Picture readPicture(const ColorConfig& config, const Capture& capture, const ResponseCurve* response,
+                    const std::string& path) {
   Picture picture;
   picture.file = capture.folder / path;
   ImageFile file = readImage(picture.file);
@@ -119,18 +133,19 @@ Picture readPicture(const ColorConfig& config, const Capture& capture, const std
   picture.image = rgbImage(std::move(file.image), picture.file);
   const std::string to = linearSpaceOf(capture.colorSpace);
   // The coding's blocks begin at the corner of the whole picture.
-  if (picture.info.format == "jpeg") measureCodingError(config, picture, capture.colorSpace, to);
+  Coding coding{config, capture.colorSpace, to, response};
+  if (picture.info.format == "jpeg") measureCodingError(coding, picture);
   if (capture.frame.crop)
     picture.image = croppedImage(picture.image, *capture.frame.crop, picture.file.string());
-  std::string from = capture.colorSpace;
-  if (picture.info.format == "raw" && from != to) {
+  if (picture.info.format == "raw" && coding.from != to) {
     picture.warnings.push_back(fmt::format("{}: camera raw is linear: the colour space {} is not applied",
-                                           picture.file.string(), from));
-    from = to;
+                                           picture.file.string(), coding.from));
+    coding.from = to;
+    coding.response = nullptr;
   }
-  describeCoding(config, picture, from, to);
+  describeCoding(coding, picture);
   if (picture.info.format == "raw") spreadSaturation(picture.image, picture.clip);
-  config.convert(picture.image.span(), from, to);
+  coding.toLight(picture.image.span());
   picture.image.setColorSpace(to);
   picture.counts = countPixels(picture.image, lowestCredible(capture));
   warnOfPixels(picture);
@@ -197,7 +212,7 @@ void checkAllFit(const Capture& capture, size_t pictures) {
 
 /// Reads every picture, several at a time: most decoders use one core.
 std::vector<Picture> readPictures(const ColorConfig& config, const Capture& capture,
-                                  const Progress& progress) {
+                                  const ResponseCurve* response, const Progress& progress) {
   const std::vector<std::string> paths = PictureList(capture).paths;
   checkAllFit(capture, paths.size());
   std::vector<Picture> pictures(paths.size());
@@ -206,7 +221,7 @@ std::vector<Picture> readPictures(const ColorConfig& config, const Capture& capt
   parallelRows(static_cast<int>(paths.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const auto index = static_cast<size_t>(i);
-      pictures[index] = readPicture(config, capture, paths[index]);
+      pictures[index] = readPicture(config, capture, response, paths[index]);
       progress.update(static_cast<float>(++done) / static_cast<float>(paths.size()), "reading pictures");
     }
   });
@@ -220,12 +235,14 @@ std::string linearSpaceOf(const std::string& colorSpace) {
 }
 
 CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& capture, const Progress& progress) {
+  std::optional<ResponseCurve> response;
+  if (isResponseFile(capture.colorSpace)) response = readResponse(capture.folder / capture.colorSpace);
   try {
-    config.checkColorSpace(capture.colorSpace);
+    if (!response) config.checkColorSpace(capture.colorSpace);
   } catch (const InputError& error) {
     throw InputError("{}: {}", capture.file.empty() ? "the capture" : capture.file.string(), error.what());
   }
-  std::vector<Picture> pictures = readPictures(config, capture, progress);
+  std::vector<Picture> pictures = readPictures(config, capture, response ? &*response : nullptr, progress);
   checkSizes(pictures);
 
   CapturePixels pixels;

@@ -6,6 +6,9 @@
 
 namespace swaplight {
 
+/// Stops, either way: no camera's exposures span so much.
+constexpr double kMostExposureStops = 40;
+
 /// Whether the lights had the same colours in both shots, as far as is told: known ones are equal, unknown
 /// ones have one name. Exposures may differ.
 [[nodiscard]] bool litAlike(const Shot& a, const Shot& b);

@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
+#include "core/capture/lightings.h"
 #include "core/intake/exposure_ratio.h"
 
 namespace swaplight {
@@ -18,7 +20,6 @@ constexpr double kDifferent = 0.3;  ///< and farther apart are others
 constexpr double kNominal = 0.2;    ///< between what a file states and what its shutter did, at most
 constexpr double kLinear = 0.1;     ///< more than this between dark and bright parts is a wrong curve
 constexpr double kWrong = 0.05;     ///< of an exposure that was told: 3.5 % of the light
-constexpr double kMostStops = 40;
 
 /// Whether a series of that length repeats itself, and its exposures are all different.
 bool repeats(const std::vector<double>& stops, size_t length) {
@@ -104,17 +105,13 @@ std::vector<double> refined(std::vector<double> stops, const std::vector<Exposur
   return stops;
 }
 
-double numberOf(const std::string& text) {
-  size_t read = 0;
-  double value = NAN;
-  try {
-    value = std::stod(text, &read);
-  } catch (const std::exception&) {
-    read = 0;
-  }
-  if (read == 0 || text.find_first_not_of(' ', read) != std::string::npos || !(std::abs(value) <= kMostStops))
+double stopsFromText(std::string_view text) {
+  const size_t first = std::min(text.find_first_not_of(' '), text.size());
+  const std::string_view word = text.substr(first, text.find_last_not_of(' ') + 1 - first);
+  const std::optional<float> stops = numberFromText(word);
+  if (!stops || std::abs(*stops) > kMostExposureStops)
     throw InputError("exposures: '{}' is no number of stops; write 0,-3,+2", text);
-  return value;
+  return *stops;
 }
 
 }  // namespace
@@ -132,7 +129,7 @@ std::string exposureList(const Brackets& brackets) {
 Brackets toldBrackets(const ShotFolder& folder, const std::string& exposures) {
   std::vector<double> series;
   std::istringstream parts(exposures);
-  for (std::string part; std::getline(parts, part, ',');) series.push_back(numberOf(part));
+  for (std::string part; std::getline(parts, part, ',');) series.push_back(stopsFromText(part));
   if (series.empty() || folder.shots.size() % series.size() != 0)
     throw InputError(
         "exposures {}: {} of them for {} photographs; give those of one bracket, which all others repeat, or "
@@ -163,6 +160,14 @@ Brackets findBrackets(const ShotFolder& folder, const CapturePixels& pixels) {
     if (repeats(seen, length)) return bracketsOf(seen, length, "by the ratios of the photographs");
   }
   return {};
+}
+
+Brackets statedBrackets(const ShotFolder& folder) {
+  const auto stated = statedStops(folder);
+  if (!stated) throw InputError("the photographs do not say their exposures: tell them, --exposures 0,-3,+2");
+  for (size_t length = 2; length <= stated->size(); ++length)
+    if (repeats(*stated, length)) return bracketsOf(*stated, length, "by the files");
+  throw InputError("the exposures in the files are no brackets: tell them, --exposures 0,-3,+2");
 }
 
 std::vector<std::string> bracketWarnings(const ShotFolder& folder, const CapturePixels& pixels,

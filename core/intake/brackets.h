@@ -14,7 +14,6 @@ struct Brackets {
   int length = 1;            ///< exposures of each lighting; 1: there are no brackets
   std::vector<float> stops;  ///< of each shot, over the first one; empty: as the files say
   std::string words;         ///< how they were found, or ""
-  std::vector<std::string> warnings;
 
   /// Which lighting a shot is of: 0, 1 ...
   [[nodiscard]] size_t lightingOf(size_t shot) const { return shot / static_cast<size_t>(length); }
@@ -30,6 +29,10 @@ struct Brackets {
 /// pictures, where those are linear: a camera's 1/60 s is 1/64 s. No brackets where exposures are alike:
 /// those are of different lightings.
 [[nodiscard]] Brackets findBrackets(const ShotFolder& folder, const CapturePixels& pixels);
+
+/// By what the files state alone; also of one lighting. Throws InputError where a file does not say its
+/// exposure or they are no brackets.
+[[nodiscard]] Brackets statedBrackets(const ShotFolder& folder);
 
 /// Where the pictures contradict exposures that were told, or are not proportional to them.
 [[nodiscard]] std::vector<std::string> bracketWarnings(const ShotFolder& folder, const CapturePixels& pixels,

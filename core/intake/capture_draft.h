@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,18 +14,22 @@ namespace swaplight {
 /// A capture that is being described: photographs, lights, and which colour each light had in each shot.
 struct CaptureDraft {
   ShotFolder folder;
-  std::vector<std::string> lights;             ///< names, see checkLightNames
-  std::vector<std::vector<ShotColor>> colors;  ///< [shot][light]
-  std::string colorSpace;                      ///< of the pictures
-  CaptureFrame frame;                          ///< the part of them that is used, and its size
-  Brackets brackets = {};                      ///< which shots are exposures of one lighting
+  std::vector<std::string> lights;                ///< names, see checkLightNames
+  std::vector<std::vector<ShotColor>> colors;     ///< [shot][light]
+  std::string colorSpace;                         ///< of the pictures
+  CaptureFrame frame;                             ///< the part of them that is used, and its size
+  Brackets brackets = {};                         ///< which shots are exposures of one lighting
+  std::map<std::string, std::string> flats = {};  ///< light: a picture of a grey card (flat_fields.h)
+  std::string vignetting = {};                    ///< a picture of an evenly lit surface, or ""
 
   [[nodiscard]] size_t lightings() const {
     return folder.shots.size() / static_cast<size_t>(brackets.length);
   }
 };
 
-/// A draft in which every colour is unknown. Throws InputError: names that cannot be, colour spaces that
+/// A draft in which every colour is unknown; the folder's flat_key… is the flat picture of the light "key",
+/// its response.csv the curve of JPEG, PNG and TIFF.
+/// Throws InputError: names that cannot be, colour spaces that
 /// differ.
 [[nodiscard]] CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& lights);
 

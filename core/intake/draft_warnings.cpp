@@ -101,6 +101,9 @@ std::vector<std::string> pictureWarnings(const CaptureDraft& draft, const Captur
 
 std::vector<std::string> colorWarnings(const CaptureDraft& draft) {
   std::vector<std::string> warnings;
+  for (const auto& [light, name] : draft.folder.flats)
+    if (std::find(draft.lights.begin(), draft.lights.end(), light) == draft.lights.end())
+      warnings.push_back(fmt::format("{} is not used: there is no light \"{}\"", name, light));
   const Capture capture = captureOf(draft);
   const LightingMatrix lighting = lightingFromCapture(capture);
   const std::vector<UnknownColor> unknown = unknownColorsOf(capture);

@@ -13,6 +13,9 @@ namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr std::string_view kFlatPrefix = "flat_";
+constexpr const char* kResponse = "response.csv";
+
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
@@ -141,12 +144,17 @@ ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
         found.ambient = name;
       else if (lower(name).starts_with("dark"))
         found.dark = name;
+      else if (lower(name).starts_with("vignetting"))
+        found.vignetting = name;
+      else if (lower(name).starts_with(kFlatPrefix))
+        found.flats[file.stem().string().substr(kFlatPrefix.size())] = name;
       else
         found.shots.push_back(std::move(shot));
     } catch (const InputError&) {
       found.notes.push_back(name + " is left out: it is no picture that can be read");
     }
   }
+  if (fs::is_regular_file(found.folder / kResponse)) found.response = kResponse;
   dropTwins(found);
   if (found.shots.empty())
     throw InputError("{}: has no photographs (EXR, PNG, TIFF, JPEG, HDR or camera raw)", folder.string());

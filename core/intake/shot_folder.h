@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,10 +25,13 @@ struct FoundShot {
 struct ShotFolder {
   std::filesystem::path folder;  ///< absolute
   std::vector<FoundShot> shots;
-  std::optional<std::string> ambient;  ///< a picture whose name begins with "ambient"
-  std::optional<std::string> dark;     ///< one whose name begins with "dark"
-  bool timed = false;                  ///< in the order of the time they were taken at; else of their names
-  std::vector<std::string> notes;      ///< what was left out and why, in words
+  std::optional<std::string> ambient;        ///< a picture whose name begins with "ambient"
+  std::optional<std::string> dark;           ///< one whose name begins with "dark"
+  std::map<std::string, std::string> flats;  ///< of "flat_key.jpg" and the like: light, picture
+  std::optional<std::string> response;       ///< "response.csv", where it is: the camera's curve
+  std::optional<std::string> vignetting;     ///< one whose name begins with "vignetting"
+  bool timed = false;              ///< in the order of the time they were taken at; else of their names
+  std::vector<std::string> notes;  ///< what was left out and why, in words
 };
 
 /// Looks at the pictures directly in a folder; their colour spaces are those of the configuration's file

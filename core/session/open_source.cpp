@@ -6,13 +6,14 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
+#include "core/capture/response_curve.h"
 #include "core/edit/apply/edited_set.h"
 #include "core/file/json_file.h"
 #include "core/image/io/image_io.h"
 #include "core/session/session_file.h"
 #include "core/set/solved_file.h"
 #include "core/shadow/detect/detect_shadows.h"
-#include "core/solve/solve.h"
+#include "core/solve/even_lamps.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;
@@ -56,12 +57,20 @@ std::vector<fs::path> filesOfSource(const fs::path& path) {
     if (object.is_object() && object.contains(key) && object[key].is_string())
       files.push_back(manifest.parent_path() / object[key].get<std::string>());
   };
-  for (const char* picture : {"ambient", "dark"}) add(json, picture);
+  const auto addAll = [&](const Json& object, const char* key) {
+    if (const auto paths = object.find(key); paths != object.end() && paths->is_object())
+      for (const auto& [light, picture] : paths->items()) add(*paths, light.c_str());
+  };
+  for (const char* picture : {"ambient", "dark", "vignetting"}) add(json, picture);
   if (!json.is_object()) return files;
+  if (const auto space = json.find("color_space"); space != json.end() && space->is_string())
+    if (isResponseFile(space->get<std::string>())) add(json, "color_space");
   if (const auto shots = json.find("shots"); shots != json.end() && shots->is_array())
-    for (const Json& shot : *shots) add(shot, "image");
-  if (const auto truth = json.find("truth"); truth != json.end() && truth->is_object())
-    for (const auto& [light, picture] : truth->items()) add(*truth, light.c_str());
+    for (const Json& shot : *shots) {
+      add(shot, "image");
+      if (shot.is_object()) addAll(shot, "flats");
+    }
+  for (const char* pictures : {"truth", "flats"}) addAll(json, pictures);
   return files;
 }
 
@@ -77,7 +86,8 @@ SolvedSet openSource(const ColorConfig& config, const fs::path& path, const Solv
     case SourceKind::Capture: {
       const Capture capture = readCapture(config, sourceFile(path));
       const CapturePixels pixels = loadCapturePixels(config, capture, progress.part(0, kReadingShare));
-      return solve(capture, pixels, options, progress.part(kReadingShare, 1));
+      const FlatFields fields = loadFlatFields(config, capture, progress.part(kReadingShare, kReadingShare));
+      return solveUneven(capture, pixels, fields, options, progress.part(kReadingShare, 1));
     }
     case SourceKind::Session:
     case SourceKind::Folder:

@@ -1,4 +1,4 @@
-#include "app/verbs/look_frame.h"
+#include "app/arguments/look_frame.h"
 
 #include <algorithm>
 #include <vector>

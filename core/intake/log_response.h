@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "core/intake/response_samples.h"
+
+namespace swaplight {
+
+// A channel's response g(z) = ln of the light of code z, z of 0..255, up to one constant; it does not fall.
+
+/// Debevec and Malik 1997, equation 3, with each pixel's light eliminated, so that thousands of pixels count:
+/// min sum w^2 (g(z) - ln E - ln t)^2 + lambda sum (w h'')^2, where w is their hat, z or 255 - z, and h what
+/// g differs by from a gamma of 2.2. Codes that nothing shows are continued smoothly.
+[[nodiscard]] std::vector<double> debevecResponse(const ResponseSamples& samples);
+
+/// How much a sample of that code says: w^2 of Debevec and Malik, 0..1.
+[[nodiscard]] double responseWeight(int level);
+
+}  // namespace swaplight

@@ -1,0 +1,125 @@
+#include "core/intake/response_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/color/srgb.h"
+#include "core/image/io/image_io.h"
+#include "core/image/rgb_image.h"
+#include "core/intake/log_response.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kSeenOften = 20;     // samples
+constexpr double kLeastRange = 1;  // stops between the exposures
+constexpr int kLeastCodes = 64;    // different ones that are seen
+
+/// The nearest curve that does not fall: neighbours that do become their mean.
+void makeRising(std::vector<double>& values) {
+  std::vector<std::pair<double, int>> blocks;
+  for (const double value : values) {
+    blocks.emplace_back(value, 1);
+    while (blocks.size() > 1 && blocks[blocks.size() - 2].first > blocks.back().first) {
+      const auto [last, count] = blocks.back();
+      blocks.pop_back();
+      auto& [mean, size] = blocks.back();
+      mean = (mean * size + last * count) / (size + count);
+      size += count;
+    }
+  }
+  values.clear();
+  for (const auto& [mean, size] : blocks) values.insert(values.end(), static_cast<size_t>(size), mean);
+}
+
+/// How far single exposures are from g.
+double responseMisfit(const ResponseSamples& samples, const std::vector<double>& g) {
+  const auto lightOf = [&](size_t p, size_t j) {
+    return g[static_cast<size_t>(samples.level(p, j))] - samples.logTime(p, j);
+  };
+  double squares = 0, weights = 0;
+  for (size_t p = 0; p < samples.pixels(); ++p) {
+    double mean = 0, sum = 0;
+    for (size_t j = 0; j < samples.length; ++j) {
+      const double w = responseWeight(samples.level(p, j));
+      mean += w * lightOf(p, j), sum += w;
+    }
+    for (size_t j = 0; sum > 0 && j < samples.length; ++j) {
+      const double w = responseWeight(samples.level(p, j));
+      squares += w * std::pow(lightOf(p, j) - mean / sum, 2), weights += w;
+    }
+  }
+  return weights > 0 ? std::sqrt(squares / weights) : 0;
+}
+
+void fitChannel(const ResponseSamples& samples, int c, ResponseFit& fit) {
+  const auto counts = samples.counts();
+  const auto seen = std::count_if(counts.begin(), counts.end(), [](int count) { return count > 0; });
+  if (seen < kLeastCodes)
+    throw InputError(
+        "too little is seen of the camera's response: only {} of {} codes, in places that are even; "
+        "photograph something with smooth light and dark, in steps of one or two stops",
+        seen, kResponseLevels);
+  const auto often =
+      std::find_if(counts.begin(), counts.end(), [](int count) { return count >= kSeenOften; });
+  fit.darkest[static_cast<size_t>(c)] = double(often - counts.begin()) / (kResponseLevels - 1);
+  std::vector<double> g = debevecResponse(samples);
+  makeRising(g);
+  fit.misfit[static_cast<size_t>(c)] = responseMisfit(samples, g);
+  std::vector<float>& light = fit.curve.light[static_cast<size_t>(c)];
+  for (const double value : g) light.push_back(static_cast<float>(std::exp(value - g.back())));
+  light.front() = 0;  // black is no light: a logarithm has nowhere to go
+}
+
+void compareWithUsual(ResponseFit& fit) {
+  const std::pair<const char*, float (*)(float)> usual[] = {
+      {"srgb", [](float v) { return linearFromSrgb(v); }},
+      {"lin_rec709", [](float v) { return v; }},
+      {"gamma22", [](float v) { return std::pow(v, 2.2F); }},
+      {"gamma24", [](float v) { return std::pow(v, 2.4F); }},
+      {"rec709", [](float v) { return v < 0.081F ? v / 4.5F : std::pow((v + 0.099F) / 1.099F, 1 / 0.45F); }}};
+  fit.nearestDifference = INFINITY;
+  for (const auto& [name, coding] : usual) {
+    double largest = 0;
+    for (const std::vector<float>& curve : fit.curve.light)
+      for (int z = 0; z < kResponseLevels; ++z)
+        largest = std::max(largest, double(std::abs(curve[static_cast<size_t>(z)] -
+                                                    coding(float(z) / (kResponseLevels - 1)))));
+    if (largest < fit.nearestDifference) fit.nearest = name, fit.nearestDifference = largest;
+  }
+}
+
+}  // namespace
+
+std::vector<Image> loadCodes(const ShotFolder& folder) {
+  std::vector<Image> codes;
+  for (const FoundShot& shot : folder.shots) {
+    const std::filesystem::path path = folder.folder / shot.file;
+    ImageFile file = readImage(path);
+    if (file.info.isFloat || file.info.format == "raw")
+      throw InputError("{}: holds light, no codes of a camera's curve: give JPEG, PNG or TIFF",
+                       path.string());
+    codes.push_back(rgbImage(std::move(file.image), path));
+    const Image &first = codes.front(), &last = codes.back();
+    if (last.width() != first.width() || last.height() != first.height())
+      throw InputError("{} is {} x {} pixels, {} is {} x {}: give photographs of one size", path.string(),
+                       last.width(), last.height(), folder.shots.front().file, first.width(), first.height());
+  }
+  return codes;
+}
+
+ResponseFit fitResponse(const std::vector<Image>& codes, const Brackets& brackets) {
+  if (brackets.length < 2 || brackets.stops.size() != codes.size())
+    throw InputError("a response is found from brackets: two or more exposures of the same light");
+  const auto [low, high] = std::minmax_element(brackets.stops.begin(), brackets.stops.end());
+  if (*high - *low < kLeastRange)
+    throw InputError("the exposures are only {:.2f} stops apart: a response needs {:.0f} or more",
+                     *high - *low, kLeastRange);
+  ResponseFit fit;
+  for (int c = 0; c < 3; ++c) fitChannel(responseSamples(codes, brackets, c), c, fit);
+  compareWithUsual(fit);
+  return fit;
+}
+
+}  // namespace swaplight

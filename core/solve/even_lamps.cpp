@@ -1,0 +1,157 @@
+#include "core/solve/even_lamps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/solve/model/lighting_matrix.h"
+#include "core/solve/model/unknown_color.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kMostRounds = 4;
+constexpr double kSettled = 1e-3;  // RMS change of the shots, relative to them
+constexpr int kEvenRows = 32;      // at once
+constexpr float kMostRoom = 4;     // times the clip level
+constexpr int kPlaces = 9;         // a side, at which a field's least value is looked for
+
+/// What the lamps' colours were, exposure included: [shot][light], as told or as the solve has found them.
+std::vector<std::vector<Rgb>> colorsOf(const Capture& capture, const SolveReport& report) {
+  const size_t shots = capture.shots.size(), lights = capture.lights.size();
+  std::vector<Rgb> colors = lightingFromCapture(capture).colors;
+  size_t stride = lights;
+  if (!report.refinedColors.empty()) {
+    colors = report.refinedColors;
+    stride = colors.size() / shots;  // ambient light that was solved for is one more
+  } else if (report.openColor) {
+    for (const UnknownColor& unknown : unknownColorsOf(capture))
+      for (const int entry : unknown.entries)
+        colors[static_cast<size_t>(entry)] =
+            report.openColor->taken *
+            std::exp2(capture.shots[static_cast<size_t>(entry) / lights].exposureStops);
+  }
+  std::vector<std::vector<Rgb>> result;
+  for (size_t k = 0; k < shots; ++k)
+    result.emplace_back(colors.begin() + static_cast<ptrdiff_t>(k * stride),
+                        colors.begin() + static_cast<ptrdiff_t>(k * stride + lights));
+  return result;
+}
+
+/// The shots of lamps that are uneven, and of the same lamps if they were not.
+class EvenedShots {
+ public:
+  EvenedShots(const CapturePixels& uneven, const FlatFields& fields) : m_uneven(uneven), m_fields(fields) {
+    m_even.clipLevel = uneven.clipLevel;
+    m_even.quantum = uneven.quantum;
+    m_even.encoded = uneven.encoded;
+    m_even.codingError = uneven.codingError;
+    m_even.carried = uneven.carried;
+    m_even.warnings = uneven.warnings;
+    if (uneven.ambient) m_even.ambient = uneven.ambient->clone();
+    for (const Image& shot : uneven.shots) m_even.shots.push_back(shot.clone());
+    // What is added makes no pixel saturated, and takes from none that it is.
+    for (size_t k = 0; k < m_even.clipLevel.size(); ++k) m_even.clipLevel[k] *= roomOf(fields.lamps[k]);
+  }
+
+  [[nodiscard]] const CapturePixels& pixels() const { return m_even; }
+
+  /// Evens the shots by what is known of the lights; returns their RMS change, relative.
+  double update(const std::vector<std::vector<Rgb>>& colors, const std::vector<Image>& lights) {
+    double change = 0, signal = 0;
+    for (size_t k = 0; k < m_even.shots.size(); ++k) updateShot(k, colors[k], lights, change, signal);
+    return signal > 0 ? std::sqrt(change / signal) : 0;
+  }
+
+ private:
+  /// How much brighter even lamps can make a pixel of a shot.
+  static float roomOf(const std::vector<std::optional<SmoothField>>& lamps) {
+    double least = 1;
+    for (const auto& field : lamps)
+      for (int j = 0; field && j < 3 * kPlaces * kPlaces; ++j)
+        least = std::min(least, field->at(j % 3, 2.0 * (j / 3 % kPlaces) / (kPlaces - 1) - 1,
+                                          2.0 * double(j / 3 / kPlaces) / (kPlaces - 1) - 1));
+    return std::min(static_cast<float>(1.02 / std::max(least, 1e-3)), kMostRoom);
+  }
+
+  void updateShot(size_t k, const std::vector<Rgb>& colors, const std::vector<Image>& lights, double& change,
+                  double& signal) {
+    Image& even = m_even.shots[k];
+    const int width = even.width(), height = even.height();
+    std::vector<double> changes(static_cast<size_t>(height), 0), signals(static_cast<size_t>(height), 0);
+    parallelRows(height, kEvenRows, [&](int begin, int end) {
+      std::vector<float> next(static_cast<size_t>(width)), factor(static_cast<size_t>(width));
+      for (int y = begin; y < end; ++y)
+        for (int c = 0; c < 3; ++c) {
+          evenRow(k, c, y, colors, lights, next, factor);
+          float* row = even.span().row(c, y);
+          for (size_t x = 0; x < next.size(); ++x) {
+            if (std::isfinite(next[x]) && next[x] < m_even.clipLevel[k]) {
+              changes[static_cast<size_t>(y)] += std::pow(double(next[x]) - row[x], 2);
+              signals[static_cast<size_t>(y)] += std::pow(double(row[x]), 2);
+            }
+            row[x] = next[x];
+          }
+        }
+    });
+    for (size_t y = 0; y < changes.size(); ++y) change += changes[y], signal += signals[y];
+  }
+
+  void evenRow(size_t k, int c, int y, const std::vector<Rgb>& colors, const std::vector<Image>& lights,
+               std::vector<float>& next, std::vector<float>& factor) const {
+    const float* shot = m_uneven.shots[k].view().row(c, y);
+    const float clip = m_uneven.clipLevel[k];
+    std::copy_n(shot, next.size(), next.begin());
+    for (size_t i = 0; i < lights.size(); ++i) {
+      const auto& field = m_fields.lamps[k][i];
+      if (!field) continue;
+      field->row(c, y, static_cast<int>(next.size()), m_even.height(), factor.data());
+      const float* light = lights[i].view().row(c, y);
+      for (size_t x = 0; x < next.size(); ++x) next[x] += colors[i][c] * (1 - factor[x]) * light[x];
+    }
+    const float evenClip = m_even.clipLevel[k], below = std::nextafter(evenClip, 0.0F);
+    for (size_t x = 0; x < next.size(); ++x)
+      next[x] = shot[x] >= clip ? std::max(next[x], evenClip) : std::min(next[x], below);
+  }
+
+  const CapturePixels& m_uneven;
+  const FlatFields& m_fields;
+  CapturePixels m_even;
+};
+
+SolvedSet solveUnevenLamps(const Capture& capture, const CapturePixels& photographs, const FlatFields& fields,
+                           const SolveOptions& options, const Progress& progress) {
+  const auto part = [&](int round) {
+    return progress.part(float(round) / (kMostRounds + 1), float(round + 1) / (kMostRounds + 1));
+  };
+  SolvedSet set = solve(capture, photographs, options, part(0));
+  EvenedShots shots(photographs, fields);
+  double seconds = set.report->seconds;
+  for (int round = 1; round <= kMostRounds; ++round) {
+    if (shots.update(colorsOf(capture, *set.report), set.contributions) < kSettled) break;
+    set = solve(capture, shots.pixels(), options, part(round));
+    seconds += set.report->seconds;
+  }
+  set.report->seconds = seconds;
+  set.report->message += " The lamps' colours were evened by their flat fields.";
+  return set;
+}
+
+}  // namespace
+
+SolvedSet solveUneven(const Capture& capture, const CapturePixels& photographs, const FlatFields& fields,
+                      const SolveOptions& options, const Progress& progress) {
+  SolvedSet set = fields.lamps.empty() ? solve(capture, photographs, options, progress)
+                                       : solveUnevenLamps(capture, photographs, fields, options, progress);
+  if (fields.lens) {
+    for (Image& light : set.contributions) fields.lens->takeFrom(light);
+    if (set.ambient) fields.lens->takeFrom(*set.ambient);
+    set.report->message += " What the lens takes of the light was given back.";
+  }
+  auto& warnings = set.report->warnings;
+  warnings.insert(warnings.end(), fields.warnings.begin(), fields.warnings.end());
+  return set;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,93 @@
+"""Uneven lamps and lenses, put right by pictures of a grey card: new, solve, manifest"""
+import json
+import os
+import shutil
+
+import numpy as np
+import swaplight_cli as cli
+
+SIZE = {'height': 60, 'width': 80}
+Y, X = np.meshgrid(np.linspace(-1, 1, 60), np.linspace(-1, 1, 80), indexing='ij')
+LUMINANCE = [.2126, .7152, .0722]
+
+
+def colored(*channels):
+    """A drift of the colour alone: what a lamp has of light, place by place, belongs to its contribution."""
+    field = np.stack(channels, -1)
+    return field / (field @ LUMINANCE)[..., None]
+
+
+DRIFT = {'key': colored(1 + .1 * X, 1 + 0 * X, 1 - .1 * X), 'fill': colored(1 - .1 * Y, 1 + .06 * X, 1 + .1 * Y)}
+LENS = (1 / (1 + .3 * (X ** 2 + Y ** 2)) ** 2)[..., None]
+
+
+class FlatFields(cli.CliTest):
+    """Lamps whose colour drifts by 10 % over the field, photographed."""
+
+    def setUp(self):
+        super().setUp()
+        self.capture = cli.Capture(self.path('set'), **SIZE)
+        self.names = ('key', 'fill')
+        self.even = self.capture.truth
+        uneven = np.stack([t * DRIFT[n] for n, t in zip(self.names, self.even)])
+        self.capture.shots = [cli.photograph(uneven, c) * LENS for c in cli.SWAPPED]
+        self.capture.save()
+        for name in self.names:  # brighter at the left
+            cli.write_image(self.path('cards', f'flat_{name}.exr'), DRIFT[name] * LENS * .6 * (1 - .4 * X)[..., None])
+        cli.write_image(self.path('cards', 'vignetting.exr'), LENS * .7 * np.ones(3))
+        self.options = ['--flat', 'key=' + self.path('cards', 'flat_key.exr'), '--flat', 'fill=' + self.path('cards', 'flat_fill.exr'),
+                        '--vignetting', self.path('cards', 'vignetting.exr')]
+
+    def error(self, *arguments, path=None):
+        self.succeed('solve', path or self.capture.path, '-o', self.path('solved.exr'), '--float', '-q', *arguments)
+        found = np.stack([cli.read_rgb(self.path('solved.exr'), name) for name in self.names])
+        scale = [np.median(f / t, (0, 1)) for f, t in zip(found, self.even)]  # what colour a lamp has in the mean is not asked
+        return max(np.abs(f / t / s - 1).max() for f, t, s in zip(found, self.even, scale))
+
+    def test_solve_evens_lamps_and_lens(self):
+        self.assertGreater(self.error(), .3)
+        self.assertGreater(self.error(*self.options[4:]), .08)
+        self.assertLess(self.error(*self.options), .02)
+
+    def test_the_manifest_keeps_them_and_the_set_does_too(self):
+        self.capture.manifest['flats'] = {name: f'../cards/flat_{name}.exr' for name in self.names}
+        self.capture.manifest['vignetting'] = '../cards/vignetting.exr'
+        self.capture.save()
+        result = self.succeed('solve', self.capture.path, '-o', self.path('solved.exr'))
+        self.assertNotIn('unknown key', result.stderr)
+        self.assertLess(self.error(), .02)
+        self.assertLess(self.error('--model', 'transport'), .02)
+
+    def test_new_finds_them_in_the_folder(self):
+        for name in os.listdir(self.path('cards')):
+            shutil.copy(self.path('cards', name), self.path('set', name))
+        cli.write_image(self.path('set', 'flat_moon.exr'), np.ones((60, 80, 3)))
+        arguments = ['new', self.path('set'), '--lights', 'key,fill', '--colors', '.9/.2/.15,.15/.8/.25', '--force', '--exposures', '0']
+        result = self.succeed_json(*arguments)
+        self.assertEqual(len(result['shots']), 2)
+        self.assertTrue(any('flat_moon.exr' in warning for warning in result['warnings']), result['warnings'])
+        with open(self.capture.path) as file:
+            made = json.load(file)
+        self.assertEqual(made['flats'], {'key': 'flat_key.exr', 'fill': 'flat_fill.exr'})
+        self.assertEqual(made['vignetting'], 'vignetting.exr')
+        self.assertLess(self.error(), .02)
+        self.succeed(*arguments, '--flat', self.options[1])
+        with open(self.capture.path) as file:
+            self.assertEqual(json.load(file)['flats'], {'key': '../cards/flat_key.exr', 'fill': 'flat_fill.exr'})
+
+    def test_what_is_wrong_is_said(self):
+        out = ['-o', self.path('x.exr')]
+        self.deny('solve', self.capture.path, *out, '--flat', 'moon=' + self.path('cards', 'flat_key.exr'), naming='no light "moon"')
+        self.deny('solve', self.capture.path, *out, '--flat', 'key', naming='LIGHT=FILE')
+        self.deny('solve', self.capture.path, *out, '--flat', 'key=gone.exr', naming='gone.exr')
+        cli.write_image(self.path('black.exr'), np.zeros((60, 80, 3)))
+        self.deny('solve', self.capture.path, *out, '--vignetting', self.path('black.exr'), naming=['black.exr', 'grey surface'])
+        cards = self.capture.manifest['flats'] = {'key': '../cards/flat_key.exr'}
+        self.capture.save()
+        self.deny('solve', self.capture.path, '-o', self.path('set', cards['key']), naming='flat_key.exr')
+        result = self.succeed('solve', self.capture.path, *out, '--vignetting', self.path('set', 'shot_01.exr'))
+        self.assertIn('even grey surface', result.stderr)
+
+
+if __name__ == '__main__':
+    cli.main()
