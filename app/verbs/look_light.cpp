@@ -26,6 +26,7 @@ int filterLightOfSet(const LookArguments& arguments, Terminal& terminal) {
   if (arguments.request.empty())
     throw InputError("look light: name a look (--look NAME) or filters (--filter NAME)");
   const std::string& file = arguments.names[0];
+  checkSolvedFile(arguments.output);
   checkOutput(arguments.output, std::vector<std::filesystem::path>{file, arguments.request.look});
   const std::shared_ptr<const ColorConfig> config = programConfig();
   const bool typed = arguments.request.look.empty();

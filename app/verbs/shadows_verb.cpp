@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/file/same_file.h"
+#include "core/image/io/image_format.h"
 #include "core/image/io/image_io.h"
 #include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
@@ -70,6 +71,8 @@ int run(const ShadowsCommand& arguments, Terminal& terminal) {
   std::filesystem::path overlay = arguments.overlay;
   if (overlay.empty()) overlay = std::filesystem::path(arguments.output).replace_extension(".png");
   const std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
+  checkShadowFile(arguments.output);
+  static_cast<void>(imageFormatForWriting(overlay));
   checkOutput(arguments.output, inputs);
   checkOutput(overlay, inputs);
 

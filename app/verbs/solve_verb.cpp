@@ -70,6 +70,7 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   sayWarnings(capture.warnings, terminal);
   checkSetColorSpace(arguments.colorSpace);
   const std::vector<std::filesystem::path> inputs = filesOfSource(arguments.capture);
+  checkSolvedFile(arguments.output);
   checkOutput(arguments.output, inputs);
   if (!arguments.report.empty()) checkOutput(arguments.report, inputs);
 

@@ -251,11 +251,15 @@ std::vector<std::string> inLayer(const std::string& layer, const std::vector<std
 
 }  // namespace
 
-void writeSolvedSet(const SolvedSet& set, const fs::path& file, const SolvedFileOptions& options,
-                    const Progress& progress) {
+void checkSolvedFile(const fs::path& file) {
   if (file.extension() != ".exr")
     throw InputError("{}: a solved set is written as OpenEXR. Name it {}.", file.string(),
                      fs::path(file).replace_extension(".exr").string());
+}
+
+void writeSolvedSet(const SolvedSet& set, const fs::path& file, const SolvedFileOptions& options,
+                    const Progress& progress) {
+  checkSolvedFile(file);
   SolvedFileOptions written = options;
   if (!fitHalf(set)) written.floatPictures = true;
   const Image sum = sumAsWritten(set, !written.floatPictures);

@@ -17,6 +17,10 @@ struct SolvedFileOptions {
   bool halfSum = false;  ///< R G B as half instead of float, where that holds them to a thousandth
 };
 
+/// Throws InputError where a solved set cannot be written to a file of this name, for it is no EXR: to be
+/// asked before the work.
+void checkSolvedFile(const std::filesystem::path& file);
+
 /// Writes a solved set as one multichannel OpenEXR (formats.md), to a temporary name that is then renamed.
 /// Throws InputError where the file cannot be written (the disk is full, no permission).
 void writeSolvedSet(const SolvedSet& set, const std::filesystem::path& file,

@@ -54,6 +54,15 @@ class ShadowsTest(cli.CliTest):
         self.deny('shadows', self.solved, '--light', 'rim', '-o', self.path('x.exr'), naming=['rim', 'key'])
         self.deny('shadows', self.solved, '--threshold', '7', '-o', self.path('x.exr'), naming=['--threshold'])
 
+    def test_a_file_that_cannot_be_written_is_refused_before_the_search(self):
+        """The source is no solved set: whoever reads it first would say so."""
+        with open(self.path('broken.exr'), 'wb') as file:
+            file.write(b'no picture')
+        for output in ('x.png', 'x', 'x.abc'):
+            self.deny('shadows', self.path('broken.exr'), '-o', self.path(output), naming=[output, 'OpenEXR', '.exr'])
+        self.deny('shadows', self.path('broken.exr'), '-o', self.path('x.exr'), '--overlay', self.path('x.abc'),
+                  naming=['x.abc', '.png'])
+
     def test_a_shadow_is_removed(self):
         edits = self.write('e.json', {'lights': ['key'], 'operation': 'shadow', 'kind': 'lighten'})
         before, after = self.frame('--light', 'fill=off'), self.frame('--light', 'fill=off', '--edits', edits)

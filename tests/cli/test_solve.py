@@ -19,6 +19,12 @@ class SolveTest(cli.CliTest):
             for name, truth in zip(names, capture.truth):
                 np.testing.assert_allclose(cli.read_rgb(solved, name), truth, atol=2e-5, err_msg=name)
 
+    def test_a_file_that_cannot_be_written_is_refused_before_the_photographs_are_read(self):
+        capture = cli.Capture(self.path('set'))
+        with open(self.path('set/' + json.load(open(capture.path))['shots'][0]['file']), 'wb') as file:
+            file.write(b'no picture')
+        self.deny('solve', capture.path, '-o', self.path('x.png'), naming=['x.png', 'OpenEXR', 'x.exr'])
+
     def test_ambient_light_that_has_no_picture_is_found_from_one_more_shot(self):
         capture = cli.Capture(self.path('set'))
         self.deny('solve', capture.path, '-o', self.path('no.exr'), '--solve-ambient',

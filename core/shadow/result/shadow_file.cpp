@@ -2,11 +2,19 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/image/io/image_io.h"
 
 namespace swaplight {
 
+void checkShadowFile(const std::filesystem::path& file) {
+  if (file.extension() != ".exr")
+    throw InputError("{}: shadows are written as OpenEXR. Name it {}.", file.string(),
+                     std::filesystem::path(file).replace_extension(".exr").string());
+}
+
 void writeShadows(const std::vector<NamedShadows>& lights, const std::filesystem::path& file) {
+  checkShadowFile(file);
   const Image& first = lights.front().shadows->visibility;
   ImageSpec spec{first.width(), first.height(), {}, "data"};
   for (const NamedShadows& light : lights)

@@ -19,6 +19,9 @@ struct NamedShadows {
 /// unknown, 1 umbra, 2 penumbra, 3 lit, half). Throws InputError where it cannot be written.
 void writeShadows(const std::vector<NamedShadows>& lights, const std::filesystem::path& file);
 
+/// Throws what writeShadows() would for a file that is no EXR, before the search.
+void checkShadowFile(const std::filesystem::path& file);
+
 /// The set under all its lights, dimmed, with the outline of each light's umbra and, thinner, of its
 /// penumbra with ticks on the shadow's side, in a colour a light, and their names. R G B, sRGB code values.
 [[nodiscard]] Image drawShadowOutlines(const SolvedSet& set, const std::vector<NamedShadows>& lights);
