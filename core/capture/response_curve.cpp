@@ -15,7 +15,7 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kCodes = 4096;         // between whose light is interpolated: 12 bits
+constexpr size_t kCurveCodes = 4096;    // between whose light is interpolated: 12 bits
 constexpr size_t kMostBytes = 1 << 24;  // of a file: 16 bits have 65536 codes
 constexpr int kResponseRows = 64;       // at once
 
@@ -113,8 +113,8 @@ ResponseCurve readResponse(const std::filesystem::path& file) {
   ResponseCurve curve;
   for (size_t c = 0; c < 3; ++c) {
     size_t next = 1;
-    for (size_t k = 0; k < kCodes; ++k) {
-      const double code = static_cast<double>(k) / (kCodes - 1);
+    for (size_t k = 0; k < kCurveCodes; ++k) {
+      const double code = static_cast<double>(k) / (kCurveCodes - 1);
       while (next + 1 < points.size() && points[next].code < code) ++next;
       const ResponsePoint &a = points[next - 1], &b = points[next];
       const double part = (code - a.code) / (b.code - a.code);
