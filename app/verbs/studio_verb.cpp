@@ -1,6 +1,7 @@
 #include <map>
 #include <memory>
 
+#include "app/program/interrupt.h"
 #include "app/program/number_range.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -104,7 +105,9 @@ void addStudioVerb(Program& program) {
     if (a->bench) return bench(a->options, terminal);
     if (a->benchPaint) return benchPainting(a->options, terminal);
     if (a->benchTools) return benchOtherTools(a->options, terminal);
+    a->options.stop = &interrupted();
     runStudio(a->options);
+    if (interrupted()) return interruptExitCode();
     if (!a->options.screenshot.empty()) terminal.say("wrote {}", a->options.screenshot.string());
     terminal.result("", Json{{"screenshot", a->options.screenshot.string()}});
     return 0;

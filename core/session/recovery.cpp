@@ -64,8 +64,8 @@ RecoverySlot::RecoverySlot(const fs::path& folder) {
 
 RecoverySlot::~RecoverySlot() {
   std::error_code ignored;
-  fs::remove(m_session, ignored);
-  fs::remove(m_lock, ignored);
+  if (!m_left) fs::remove(m_session, ignored);
+  if (!m_left) fs::remove(m_lock, ignored);
   close(m_handle);
 }
 

@@ -23,6 +23,9 @@ class RecoverySlot {
   void save(const Session& session, const std::filesystem::path& savedAs);
   /// Nothing would be lost any more.
   void forget();
+  /// When the slot ends its files stay, as those of a process that died: the work is offered at the next
+  /// start.
+  void leave() { m_left = true; }
 
   /// From here until opened(), dying means that opening this file is what killed us.
   void opening(const std::filesystem::path& file);
@@ -34,6 +37,7 @@ class RecoverySlot {
   std::filesystem::path m_session;
   std::filesystem::path m_lock;
   int m_handle = -1;
+  bool m_left = false;
 };
 
 /// What a studio that died has left.

@@ -1,6 +1,9 @@
 """What is left of a session when the studio is killed: by its files, and by opening it again."""
+import json
 import os
 import random
+import signal
+import time
 import unittest
 
 import numpy as np
@@ -32,6 +35,27 @@ class Recovery(StudioTest):
         studio.move(640, 705)
         self.assertLess(np.abs(studio.picture('recovery_after') - picture).max(), 2)
         self.assertIn('edited', studio.state('title'), 'it is not in a file yet')
+        studio.kill()
+
+    def test_a_signal_ends_it_at_once_and_nothing_is_lost(self):
+        studio = self.open_sample()
+        studio.click('mixer.key.mute')
+        recovery = os.path.join(self.folder, '.local/state/swaplight/recovery')
+        kept = lambda: [os.path.join(recovery, name) for name in os.listdir(recovery) if name.endswith('.swaplight')]
+        studio.wait(lambda _: kept(), 'the autosave')
+        studio.click('mixer.fill.mute')  # the next autosave is two seconds away
+        begin = time.time()
+        studio.process.send_signal(signal.SIGTERM)
+        studio.process.communicate(timeout=20)
+        self.assertLess(time.time() - begin, 5)
+        self.assertEqual(studio.process.returncode, 128 + signal.SIGTERM)
+        with open(kept()[0]) as file:
+            muted = {light['name']: light.get('mute', False) for light in json.load(file)['rig']['lights']}
+        self.assertEqual(muted, {'key': True, 'fill': True, 'back': False})
+        studio = self.start()
+        studio.click('recovery.recover')
+        studio.wait_ready()
+        self.assertEqual(studio.state('mixer.fill.live'), 'muted')
         studio.kill()
 
     def test_a_file_that_stopped_the_studio_can_be_opened_without_its_pictures(self):

@@ -1,5 +1,7 @@
 #include "ui/control/session_controller.h"
 
+#include <thread>
+
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/ocio/color_config.h"
@@ -288,6 +290,20 @@ void SessionController::autosave() {
         return true;
       },
       [] {});
+}
+
+void SessionController::leaveForRecovery() {
+  if (!m_slot || m_editor.saved()) return;
+  constexpr std::chrono::milliseconds kStep{5};
+  while (m_autosave.running()) {  // an older state must not be written over this one
+    try {
+      if (!m_autosave.take()) std::this_thread::sleep_for(kStep);
+    } catch (const std::exception& error) {
+      m_messages.warn(error.what());
+    }
+  }
+  m_slot->leave();
+  m_slot->save(currentSession(), m_file);
 }
 
 void SessionController::discardRecoveredFiles() {

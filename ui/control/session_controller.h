@@ -48,6 +48,9 @@ class SessionController {
   /// Calls `then` once what is being saved is in its file; not where that fails.
   void afterSaving(const std::function<void()>& then);
 
+  /// The studio is told to end at once: what is unsaved is saved for recovery, and offered at the next start.
+  void leaveForRecovery();
+
   /// To be called often: takes what threads have finished, saves for recovery.
   void update();
 

@@ -55,6 +55,7 @@ void run(Window& window, StudioWindow& studio, const StudioOptions& options) {
   int framesLeft = kScreenshotFrames;
   while (!studio.done()) {
     window.wait(studio.restSeconds());
+    if (options.stop && *options.stop) return studio.leave();
     studio.update();
     const bool scripted = script && !script->done();
     if (scripted && drawn) script->step(studio);  // its first line may want a screenshot

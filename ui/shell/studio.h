@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <string>
 
@@ -18,6 +19,8 @@ struct StudioOptions {
   std::filesystem::path layoutProbe;    ///< where named widgets lie goes here, for tests
   double frameSeconds = 0;              ///< a frame takes at least as long: a slow machine, for tests
   std::filesystem::path samplesFolder;  ///< offered on the first screen
+  const std::atomic<bool>* stop =
+      nullptr;  ///< once true (a signal), the studio ends at once; nothing is lost
 };
 
 /// The desktop application, until the person closes it. Throws InputError where the file, the script or the

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/diagnosis/program_log.h"
 #include "core/file/user_folders.h"
 #include "core/session/open_source.h"
 #include "ui/actions/key_file.h"
@@ -197,6 +198,15 @@ void StudioWindow::askForExportName() {
   const fs::path file = m_export.file();
   m_chooser.ask({"Export to", "Choose", formatsOf(m_export.choices().kind), true, file.filename().string(),
                  file.parent_path(), [this](const fs::path& chosen) { m_export.setFile(chosen); }});
+}
+
+void StudioWindow::leave() {
+  try {
+    m_session.leaveForRecovery();
+  } catch (const std::exception& error) {
+    logLine(error.what());
+  }
+  m_done = true;
 }
 
 void StudioWindow::exportFrame(const fs::path& file) {

@@ -59,6 +59,8 @@ class StudioWindow {
   /// Ends it without asking.
   void quit() { m_done = true; }
   [[nodiscard]] bool done() const { return m_done; }
+  /// Ends it at once; what is unsaved is offered at the next start.
+  void leave();
   void exportFrame(const std::filesystem::path& file);
   void exportAs(const ExportRequest& request);
   [[nodiscard]] Window& window() { return m_window; }
