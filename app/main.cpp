@@ -25,5 +25,6 @@ int main(int argc, char** argv) {
   addSinksVerb(program);
   addBalanceVerb(program);
   addResponseVerb(program);
+  addCuesVerb(program);
   return program.run(argc, argv);
 }

@@ -10,6 +10,7 @@
 #include "core/relight/light_command.h"
 #include "core/relight/setting.h"
 #include "core/session/open_source.h"
+#include "core/session/version.h"
 #include "core/set/set_color_space.h"
 
 namespace swaplight {
@@ -25,10 +26,17 @@ void saying(const std::string& where, const Work& work) {
   }
 }
 
+/// A look of the session that is more than a lighting; nullptr where it is none.
+const SavedLook* savedVersion(const Session& session, const std::string& name) {
+  const SavedLook* saved = findSavedLook(session.document.looks, name);
+  return saved && saved->scene ? saved : nullptr;
+}
+
 /// The rig under a look: one of the session's, else a preset, in part or whole.
 Rig withLook(const Rig& rig, const std::string& text, const std::optional<Session>& session,
              const SolvedSet* set) {
   const LookRequest request = lookRequestFromText(text);
+  if (session && savedVersion(*session, request.name)) return rig;  // the session has it already
   const SavedLook* saved = session ? findSavedLook(session->document.looks, request.name) : nullptr;
   const Rig lit =
       saved ? saved->rig : applyLook(rig, findLook(request.name), set ? LightRatios(*set) : LightRatios());
@@ -97,7 +105,12 @@ const std::string& LightingArguments::sessionFile() const {
 std::optional<Session> LightingArguments::session() const {
   const std::string& file = sessionFile();
   if (file.empty()) return std::nullopt;
-  return readSession(file);
+  Session session = readSession(file);
+  if (m_look.empty()) return session;
+  const LookRequest request = lookRequestFromText(m_look);
+  if (const SavedLook* look = savedVersion(session, request.name))
+    session.document = recalled(session.document, *look, request.amount);
+  return session;
 }
 
 std::shared_ptr<const ColorConfig> LightingArguments::colors(const std::optional<Session>& session) {
@@ -169,6 +182,24 @@ std::vector<std::filesystem::path> LightingArguments::inputs(const std::optional
 SolvedSet LightingArguments::open(const ColorConfig& config, const std::optional<Session>& session,
                                   const Progress& progress) const {
   return openFile(config, source(session), session, progress);
+}
+
+SolvedSet LightingArguments::openUnedited(const ColorConfig& config, const std::optional<Session>& session,
+                                          const Progress& progress) const {
+  SolvedSet set = openSource(config, source(session), solveOptions(session), progress);
+  return inColorSpace(config, std::move(set), workingSpace(session));
+}
+
+void LightingArguments::takeAllFromSession(const std::string& option) const {
+  if (sessionFile().empty())
+    throw InputError("{}: cues stand in a session: give one (NAME.swaplight) as SOURCE", option);
+  const bool more = !m_lights.empty() || !m_commands.empty() || !m_rig.empty() || !m_look.empty() ||
+                    !m_keys.empty() || !m_between.empty() || m_ambient || !m_edits.file.empty();
+  if (more)
+    throw InputError(
+        "{}: the session's cues set lights and edits: leave out --light, --command, --rig, --look, --key, "
+        "--between, --ambient and --edits",
+        option);
 }
 
 SolvedSet LightingArguments::openFile(const ColorConfig& config, const std::filesystem::path& file,

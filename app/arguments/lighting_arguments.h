@@ -23,7 +23,8 @@ class LightingArguments {
  public:
   void addTo(CLI::App& verb);
 
-  /// The session that is named, or is the source itself. Throws InputError.
+  /// The session that is named, or is the source itself; with the version that --look names. Throws
+  /// InputError.
   [[nodiscard]] std::optional<Session> session() const;
   /// The colour configuration of $OCIO, else that of the session, else the built-in one. Throws InputError.
   [[nodiscard]] static std::shared_ptr<const ColorConfig> colors(const std::optional<Session>& session);
@@ -49,6 +50,12 @@ class LightingArguments {
   /// The set in the working space, edited.
   [[nodiscard]] SolvedSet open(const ColorConfig& config, const std::optional<Session>& session,
                                const Progress& progress) const;
+  /// The same without edits: a cue list has its own.
+  [[nodiscard]] SolvedSet openUnedited(const ColorConfig& config, const std::optional<Session>& session,
+                                       const Progress& progress) const;
+  /// Throws InputError where the command line sets lights or edits, or names no session: `option` takes them
+  /// from there.
+  void takeAllFromSession(const std::string& option) const;
   /// The same from another file: a frame of a sequence.
   [[nodiscard]] SolvedSet openFile(const ColorConfig& config, const std::filesystem::path& file,
                                    const std::optional<Session>& session, const Progress& progress) const;

@@ -7,12 +7,13 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/export/cue_frames.h"
 #include "core/export/frame_sequence.h"
 #include "core/export/provenance.h"
-#include "core/export/timecode.h"
 #include "core/file/frame_range.h"
 #include "core/file/json_file.h"
 #include "core/file/same_file.h"
+#include "core/session/version.h"
 
 namespace swaplight {
 namespace {
@@ -64,9 +65,8 @@ class Inputs {
 
   [[nodiscard]] FrameInput at(int frame, const Progress& progress) const {
     FrameInput input = m_shared ? *m_shared : *open(frameName(m_pattern, frame), progress);
-    input.rig = rigAt(input.rig, m_animation, frame);
-    if (m_shared) input.carried = withTimecode(input.set->carried, frame - m_firstFrame);
-    if (m_withText) input.text["swaplight/rig"] = jsonText(jsonFromRig(input.rig));
+    input = animatedInput(std::move(input), m_animation, frame, m_firstFrame);
+    if (!m_shared) input.carried = nullptr;  // each set has its own time code
     return input;
   }
 
@@ -144,6 +144,18 @@ void checkOutputs(const std::vector<int>& frames, const std::string& output,
 
 }  // namespace
 
+void addTimingOptions(CLI::App& verb, CueTiming& timing) {
+  constexpr const char* kGroup = "Sequences";
+  verb.add_option("--fps", timing.framesPerSecond, "Frames a second of a cue list")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(kGroup);
+  verb.add_option("--hold", timing.holdSeconds, "How long a cue stands that no other follows by itself")
+      ->type_name("SECONDS")
+      ->capture_default_str()
+      ->group(kGroup);
+}
+
 void SequenceArguments::addTo(CLI::App& verb) {
   constexpr const char* kGroup = "Sequences";
   verb.add_option(
@@ -152,6 +164,10 @@ void SequenceArguments::addTo(CLI::App& verb) {
           "hold the number's place: name.%04d.exr, name.####.exr")
       ->type_name("RANGE")
       ->group(kGroup);
+  verb.add_flag("--cues", m_cues,
+                "Play the session's cue list: SOURCE is the session; -F, where given, chooses frames of it")
+      ->group(kGroup);
+  addTimingOptions(verb, m_timing);
   verb.add_flag("--cont", m_goOn, "Continue after a frame that fails")->group(kGroup);
   verb.add_flag("--skip-existing", m_skipExisting, "Skip frames whose file already exists")->group(kGroup);
   verb.add_option("--workers", m_workers, "Frames rendered in parallel")
@@ -168,8 +184,7 @@ void SequenceArguments::addTo(CLI::App& verb) {
       ->group(kGroup);
 }
 
-std::vector<int> SequenceArguments::frames() const {
-  std::vector<int> all = framesFromRange(m_frames);
+std::vector<int> SequenceArguments::share(const std::vector<int>& all) const {
   if (m_index.has_value() != m_count.has_value())
     throw InputError("--frame-index and --frame-count belong together: give both");
   if (m_index) return shareOfFrames(all, *m_index, *m_count);
@@ -180,20 +195,51 @@ std::vector<int> SequenceArguments::frames() const {
 int SequenceArguments::run(const ColorConfig& config, const LightingArguments& lighting,
                            const std::optional<Session>& session, const std::string& output,
                            const FrameOptions& frame, Terminal& terminal) const {
-  SequenceOptions options{frames(), output, frame, m_workers, m_skipExisting, m_goOn};
   if (!hasFrameNumber(output))
     throw InputError("{}: has no place for the frame's number; write name.%04d.exr or name.####.exr", output);
-  checkOutputs(options.frames, output, lighting, session);
-
-  const Progress progress = terminal.progress();
-  Progress quiet;  // a line a frame is enough
-  quiet.stop = progress.stop;
+  if (m_cues) return runCues(config, lighting, session, output, frame, terminal);
   const std::vector<int> all = framesFromRange(m_frames);  // of all tasks of an array job
+  checkOutputs(share(all), output, lighting, session);
+  Progress quiet;  // a line a frame is enough
+  quiet.stop = terminal.progress().stop;
   const int first = all.empty() ? 0 : *std::min_element(all.begin(), all.end());
-  const Inputs inputs(config, lighting, session, first, isSceneLinear(output), progress);
+  const Inputs inputs(config, lighting, session, first, isSceneLinear(output), terminal.progress());
+  return runFrames(
+      config, all, [&](int number) { return inputs.at(number, quiet); }, output, frame, terminal);
+}
+
+int SequenceArguments::runCues(const ColorConfig& config, const LightingArguments& lighting,
+                               const std::optional<Session>& session, const std::string& output,
+                               const FrameOptions& frame, Terminal& terminal) const {
+  lighting.takeAllFromSession("--cues");
+  if (hasFrameNumber(lighting.source(session).string()))
+    throw InputError("--cues: the session is of a set a frame: cues are played on one set");
+  Document document = session->document;
+  document.source = lighting.source(session);
+  // Say what is wrong with the cues before the work.
+  const CueTimeline planned(document.cues, document.looks, stageOfDocument(document), m_timing);
+  std::vector<int> all;
+  for (int number = planned.firstFrame(); number <= planned.lastFrame(); ++number) all.push_back(number);
+  if (!m_frames.empty()) all = framesFromRange(m_frames);
+  checkOutputs(share(all), output, lighting, session);
+  const Progress progress = terminal.progress();
+  auto set = std::make_shared<const SolvedSet>(lighting.openUnedited(config, session, progress));
+  const CueFrames frames(std::move(set), document, m_timing, isSceneLinear(output));
+  for (const CueTimeline::Place& place : frames.timeline().places())
+    terminal.say("Cue {} {}: stands from frame {} to {}", cueNumberText(place.cue.number), place.cue.look,
+                 place.stands, place.ends);
+  return runFrames(
+      config, all, [&](int number) { return frames.at(number); }, output, frame, terminal);
+}
+
+int SequenceArguments::runFrames(const ColorConfig& config, const std::vector<int>& all,
+                                 const std::function<FrameInput(int)>& input, const std::string& output,
+                                 const FrameOptions& frame, Terminal& terminal) const {
+  const SequenceOptions options{share(all), output, frame, m_workers, m_skipExisting, m_goOn};
+  Progress quiet;
+  quiet.stop = terminal.progress().stop;
   const SequenceSummary summary = exportSequence(
-      config, options, [&](int number) { return inputs.at(number, quiet); },
-      [&](const FrameOutcome& outcome) { sayFrame(outcome, terminal); }, quiet);
+      config, options, input, [&](const FrameOutcome& outcome) { sayFrame(outcome, terminal); }, quiet);
 
   const int failed = summary.count(State::Failed);
   const Json json = jsonFromSummary(summary);

@@ -1,30 +1,45 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/arguments/lighting_arguments.h"
+#include "core/cue/cue_timeline.h"
 #include "core/export/frame_file.h"
+#include "core/export/frame_sequence.h"
 
 namespace swaplight {
+
+/// Frames a second, and how long cues are held that nothing follows.
+void addTimingOptions(CLI::App& verb, CueTiming& timing);
 
 /// The options that make a sequence of frames out of one command, and the command itself.
 class SequenceArguments {
  public:
   void addTo(CLI::App& verb);
   /// True where the command line asks for frames.
-  [[nodiscard]] bool given() const { return !m_frames.empty(); }
+  [[nodiscard]] bool given() const { return m_cues || !m_frames.empty(); }
 
-  /// Makes the frames. The exit code: 0, 1 where some failed, 2 where none could be made. Throws InputError.
+  /// Makes the frames: of the range, or of the session's cue list. The exit code: 0, 1 where some failed, 2
+  /// where none could be made. Throws InputError.
   [[nodiscard]] int run(const ColorConfig& config, const LightingArguments& lighting,
                         const std::optional<Session>& session, const std::string& output,
                         const FrameOptions& frame, Terminal& terminal) const;
 
  private:
-  [[nodiscard]] std::vector<int> frames() const;
+  [[nodiscard]] std::vector<int> share(const std::vector<int>& all) const;
+  [[nodiscard]] int runFrames(const ColorConfig& config, const std::vector<int>& all,
+                              const std::function<FrameInput(int)>& input, const std::string& output,
+                              const FrameOptions& frame, Terminal& terminal) const;
+  [[nodiscard]] int runCues(const ColorConfig& config, const LightingArguments& lighting,
+                            const std::optional<Session>& session, const std::string& output,
+                            const FrameOptions& frame, Terminal& terminal) const;
 
   std::string m_frames;
+  bool m_cues = false;
+  CueTiming m_timing;
   bool m_goOn = false;
   bool m_skipExisting = false;
   int m_workers = 2;

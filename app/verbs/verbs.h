@@ -25,5 +25,6 @@ void addLightmapVerb(Program& program);
 void addLightsVerb(Program& program);
 void addBalanceVerb(Program& program);
 void addResponseVerb(Program& program);
+void addCuesVerb(Program& program);
 
 }  // namespace swaplight

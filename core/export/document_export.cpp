@@ -2,17 +2,58 @@
 
 #include "core/base/error.h"
 #include "core/edit/stack/beta_file.h"
+#include "core/export/cue_frames.h"
 #include "core/export/frame_export.h"
+#include "core/export/frame_sequence.h"
 #include "core/export/look_export.h"
 #include "core/export/provenance.h"
 #include "core/file/atomic_file.h"
+#include "core/file/frame_range.h"
 #include "core/report/session_report.h"
 #include "core/session/open_source.h"
 
 namespace swaplight {
 
+namespace {
+
+/// Says which frame failed and why; the others before it are there.
+std::vector<std::filesystem::path> writtenFrames(const SequenceSummary& summary) {
+  std::vector<std::filesystem::path> files;
+  for (const FrameOutcome& outcome : summary.outcomes) {
+    if (outcome.state == FrameOutcome::State::Failed)
+      throw InputError("frame {}: {}", outcome.frame, outcome.error);
+    files.push_back(outcome.file);
+  }
+  return files;
+}
+
+std::vector<std::filesystem::path> exportCues(const ColorConfig& config,
+                                              const std::shared_ptr<const SolvedSet>& set,
+                                              const Document& document, const ExportRequest& request,
+                                              const Progress& progress) {
+  progress.update(0, "preparing the cues");
+  const CueFrames frames(set, document, request.timing, isSceneLinear(request.file));
+  SequenceOptions options;
+  options.output = request.file.string();
+  options.frame = frameOptionsFor(document.display, request.file, request.frame);
+  options.frame.cameraLook = request.cameraLook;
+  for (int f = frames.timeline().firstFrame(); f <= frames.timeline().lastFrame(); ++f)
+    options.frames.push_back(f);
+  return writtenFrames(exportSequence(
+      config, options, [&](int frame) { return frames.at(frame); }, [](const FrameOutcome&) {}, progress));
+}
+
+}  // namespace
+
 void checkExport(const ColorConfig& config, const ExportRequest& request) {
-  if (request.kind == ExportKind::Frame) checkFrame(config, request.file, request.frame);
+  const bool sequence = request.kind == ExportKind::Sequence;
+  if (request.kind == ExportKind::Frame || sequence) checkFrame(config, request.file, request.frame);
+  if (sequence && !hasFrameNumber(request.file.string()))
+    throw InputError("{}: has no place for the frame's number; write name.####.exr", request.file.string());
+  if (sequence && request.frame.tone)
+    throw InputError(
+        "{}: a tone mapping looks at each frame by itself, so that a sequence would flicker; take a view",
+        request.file.string());
   if (request.kind == ExportKind::Look && !isLookFile(request.file))
     throw InputError("{}: the global part of a look is written as .cube, .ccc or .cc", request.file.string());
   checkWritable(request.file);
@@ -23,6 +64,7 @@ std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
                                                   const Document& document, const ExportRequest& request,
                                                   const Progress& progress) {
   checkExport(config, request);
+  if (request.kind == ExportKind::Sequence) return exportCues(config, set, document, request, progress);
   const bool edited = document.edits != EditStack{};
   const SolvedSet withThem = edited ? withEdits(set, document.edits) : SolvedSet();
   const SolvedSet& shown = edited ? withThem : *set;
@@ -56,6 +98,8 @@ std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
                                      document.source.filename().string()})
                           .html());
       break;
+    case ExportKind::Sequence:
+      break;  // above: its edits are the cues'
   }
   return {file};
 }

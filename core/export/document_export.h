@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/cue/cue_timeline.h"
 #include "core/export/frame_file.h"
 #include "core/export/layer_export.h"
 #include "core/session/document.h"
@@ -14,19 +15,22 @@ namespace swaplight {
 
 /// What is made of an open session.
 enum class ExportKind {
-  Frame,   ///< the relit picture
-  Layers,  ///< every light as a layer of an EXR
-  Beta,    ///< the lights' proportions for an image editor
-  Look,    ///< what of the lighting is the same for every pixel: .cube, .ccc
-  Report,  ///< a page that prints
+  Frame,     ///< the relit picture
+  Layers,    ///< every light as a layer of an EXR
+  Beta,      ///< the lights' proportions for an image editor
+  Look,      ///< what of the lighting is the same for every pixel: .cube, .ccc
+  Report,    ///< a page that prints
+  Sequence,  ///< the cue list as numbered frames
 };
 
 struct ExportRequest {
   ExportKind kind = ExportKind::Frame;
   std::filesystem::path file;
-  FrameOptions frame;    ///< Frame; the document's view where nothing is asked for: see frameOptionsFor
+  FrameOptions
+      frame;  ///< Frame, Sequence; the document's view where nothing is asked for: see frameOptionsFor
   LayerOptions layers;   ///< Layers; its text is filled in
-  bool seesLook = true;  ///< Frame, Layers: the document's camera look is put on, where it has one
+  CueTiming timing;      ///< Sequence; its file is a pattern, as name.####.exr
+  bool seesLook = true;  ///< Frame, Layers, Sequence: the document's camera look is put on, where it has one
   /// Draws the document's camera look; null where it has none, or it is not asked for.
   std::shared_ptr<FrameFilter> cameraLook = {};
 };

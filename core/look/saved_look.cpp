@@ -15,9 +15,9 @@ const SavedLook* findSavedLook(const std::vector<SavedLook>& looks, const std::s
   return found == looks.end() ? nullptr : &*found;
 }
 
-std::string freeLookName(const std::vector<SavedLook>& looks) {
+std::string freeLookName(const std::vector<SavedLook>& looks, const std::string& kind) {
   for (size_t number = 1;; ++number) {
-    std::string name = fmt::format("Look {}", number);
+    std::string name = fmt::format("{} {}", kind, number);
     if (!findSavedLook(looks, name)) return name;
   }
 }
@@ -40,7 +40,7 @@ std::vector<SavedLook> savedLooksFromJson(const Json& json, const std::string& w
   for (const Json& entry : json) {
     const std::string which = fmt::format("{} {}", where, looks.size() + 1);
     JsonFields fields(entry, which);
-    SavedLook look{fields.text("name").value_or(""), fields.text("note").value_or(""), {}};
+    SavedLook look{fields.text("name").value_or(""), fields.text("note").value_or(""), {}, {}};
     if (look.name.empty()) look.name = freeLookName(looks);
     const Json* rig = fields.find("rig");
     if (!rig) throw InputError("{} ({}): \"rig\" is missing", which, look.name);

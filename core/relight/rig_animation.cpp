@@ -1,6 +1,7 @@
 #include "core/relight/rig_animation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -59,6 +60,24 @@ LightSetting settingAt(const LightSetting& light, const std::vector<RigAnimation
   return mixedSetting(from, atKey(light, *next), t);
 }
 
+bool isAmbient(const Rig& rig, const std::string& name) {
+  return name == "ambient" &&
+         std::none_of(rig.lights.begin(), rig.lights.end(),
+                      [](const LightSetting& light) { return light.light == "ambient"; });
+}
+
+/// The ambient light's level, as that of a light without colour.
+float ambientAt(float level, const std::vector<RigAnimation::Key>& keys, RigAnimation::Between between,
+                int frame) {
+  LightSetting ambient;
+  ambient.light = "ambient";
+  ambient.multiplier = level;
+  ambient = settingAt(ambient, keys, between, frame);
+  if (ambient.color != LightColor())
+    throw InputError("ambient at frame {}: has a level and no colour: write x0.5, 50%, -1st or off", frame);
+  return ambient.on ? ambient.multiplier * std::exp2(ambient.stops) : 0;
+}
+
 }  // namespace
 
 void RigAnimation::add(const std::string& light, Key key) {
@@ -74,6 +93,10 @@ void RigAnimation::add(const std::string& light, Key key) {
 Rig rigAt(const Rig& rig, const RigAnimation& animation, int frame) {
   Rig now = rig;
   for (const auto& [name, keys] : animation.lights) {
+    if (isAmbient(rig, name)) {
+      if (!keys.empty()) now.ambient = ambientAt(rig.ambient, keys, animation.between, frame);
+      continue;
+    }
     LightSetting& light = findLight(now, name);
     if (!keys.empty()) light = settingAt(light, keys, animation.between, frame);
   }

@@ -19,7 +19,9 @@ struct RigAnimation {
     bool operator==(const Key&) const = default;
   };
   Between between = Between::Linear;
-  std::map<std::string, std::vector<Key>> lights;  ///< by name; keys by frame
+  /// By name; keys by frame. "ambient", where no light is called so, is the level of the ambient light, whose
+  /// settings are levels: x0.5, 50%, -1st, off.
+  std::map<std::string, std::vector<Key>> lights;
   bool operator==(const RigAnimation&) const = default;
 
   [[nodiscard]] bool empty() const { return lights.empty(); }

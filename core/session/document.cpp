@@ -8,6 +8,14 @@ namespace swaplight {
 
 namespace {
 
+size_t cameraLookBytes(const FilterPipeline& look) {
+  size_t bytes = 0;
+  for (const FilterStage& stage : look.stages)
+    bytes += sizeof(FilterStage) + stage.filter.size() +
+             stage.parameters.size() * sizeof(std::pair<std::string, FilterValue>);
+  return bytes;
+}
+
 size_t rigBytes(const Rig& rig) {
   size_t bytes = 0;
   for (const LightSetting& light : rig.lights)
@@ -21,11 +29,16 @@ size_t documentBytes(const Document& document, const Document& before) {
   size_t bytes = sizeof(Document) + document.source.native().size() + document.colorConfig.native().size() +
                  document.workingSpace.size() + rigBytes(document.rig);
   bytes += editBytes(document.edits, before.edits);
-  for (const FilterStage& stage : document.cameraLook.stages)
-    bytes += sizeof(FilterStage) + stage.filter.size() +
-             stage.parameters.size() * sizeof(std::pair<std::string, FilterValue>);
-  for (const SavedLook& look : document.looks)
+  bytes += cameraLookBytes(document.cameraLook) + document.cues.size() * sizeof(Cue);
+  for (size_t i = 0; i < document.looks.size(); ++i) {
+    const SavedLook& look = document.looks[i];
     bytes += sizeof(SavedLook) + look.name.size() + look.note.size() + rigBytes(look.rig);
+    if (!look.scene) continue;
+    // A version's edits are those that were there when it was kept.
+    const bool known = i < before.looks.size() && before.looks[i].scene;
+    bytes += editBytes(look.scene->edits, known ? before.looks[i].scene->edits : document.edits) +
+             cameraLookBytes(look.scene->cameraLook);
+  }
   return bytes;
 }
 

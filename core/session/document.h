@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/cue/cue_list.h"
 #include "core/edit/stack/edit.h"
 #include "core/filter/filter_pipeline.h"
 #include "core/look/saved_look.h"
@@ -26,7 +27,8 @@ struct Document {
   std::filesystem::path colorConfig;  ///< an OpenColorIO configuration, absolute; empty: none chosen
   DisplayChoice display;              ///< of the picture on the monitor
   FilterPipeline cameraLook;          ///< what the lit picture is seen through; without stages: nothing
-  std::vector<SavedLook> looks;       ///< the gallery
+  std::vector<SavedLook> looks;       ///< the gallery: looks and versions
+  CueList cues;                       ///< a show made of them
   bool operator==(const Document&) const = default;
 };
 

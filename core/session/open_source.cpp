@@ -103,10 +103,14 @@ SolvedSet openSource(const ColorConfig& config, const fs::path& path, const Solv
 }
 
 SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits) {
-  const EditStack fitted = fitEdits(edits, set->width(), set->height());
   ShadowOptions shadows;
-  shadows.thresholds = fitted.shadowThresholds;
-  return applyEdits(*set, fitted, shadowSource(set, shadows));
+  shadows.thresholds = edits.shadowThresholds;
+  return withEdits(set, edits, shadowSource(set, shadows));
+}
+
+SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits,
+                    const ShadowSource& shadows) {
+  return applyEdits(*set, fitEdits(edits, set->width(), set->height()), shadows);
 }
 
 }  // namespace swaplight

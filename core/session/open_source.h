@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/edit/mask/mask_context.h"
 #include "core/edit/stack/edit.h"
 #include "core/ocio/color_config.h"
 #include "core/set/solved_set.h"
@@ -34,5 +35,8 @@ enum class SourceKind { Capture, SolvedSet, Session, Folder, Other };
 /// A set with a session's edits: the one way in which frames with edits are made. Throws InputError as the
 /// edits say.
 [[nodiscard]] SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits);
+/// The same with shadows that were found before, for the thresholds of the stack.
+[[nodiscard]] SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits,
+                                  const ShadowSource& shadows);
 
 }  // namespace swaplight

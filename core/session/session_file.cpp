@@ -4,10 +4,13 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/cue/cue_list.h"
 #include "core/edit/mask/selection.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
+#include "core/session/gallery_json.h"
 #include "core/session/known_files.h"
+#include "core/session/session_parts.h"
 #include "core/session/unknown_keys.h"
 #include "core/set/set_color_space.h"
 
@@ -15,84 +18,25 @@ namespace swaplight {
 namespace {
 
 constexpr const char* kFormat = "swaplight-session";
-constexpr const char* kCameraLook = "camera_look";
-constexpr const char* kFolder = "folder";
-constexpr int kLargestSide = 1 << 16;
-constexpr int64_t kMostPixels = int64_t{1} << 28;  // no solved set of more fits into a machine of today
-
-std::string writtenPath(const std::filesystem::path& path, const std::filesystem::path& folder) {
-  if (path.empty() || folder.empty()) return path.generic_string();
-  return std::filesystem::absolute(path)
-      .lexically_normal()
-      .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
-      .generic_string();
-}
-
-std::filesystem::path readPath(const std::string& text, const std::filesystem::path& folder) {
-  if (text.empty()) return {};
-  return std::filesystem::absolute(folder / text).lexically_normal();
-}
-
-Json jsonFromDisplay(const DisplayChoice& display) {
-  Json json{{"display", display.display}, {"view", display.view}};
-  if (display.look) json["look"] = *display.look;
-  return json;
-}
-
-DisplayChoice displayFromJson(const Json& json, const std::string& where) {
-  JsonFields fields(json, where);
-  return {fields.text("display").value_or(""), fields.text("view").value_or(""), fields.text("look")};
-}
-
-Json jsonFromEdits(const EditStack& edits, const std::filesystem::path& folder) {
-  Json json =
-      jsonFromEditStack(withFiles(edits, [&](const std::string& file) { return writtenPath(file, folder); }));
-  json["size"] = {edits.width, edits.height};
-  return json;
-}
-
-EditStack editsFromJson(const Json& json, const std::filesystem::path& folder, const std::string& where) {
-  JsonFields fields(json, where);
-  const Json* size = fields.find("size");
-  const bool known = size && size->is_array() && size->size() == 2 && (*size)[0].is_number_integer() &&
-                     (*size)[1].is_number_integer();
-  const int width = known ? (*size)[0].get<int>() : 0;
-  const int height = known ? (*size)[1].get<int>() : 0;
-  if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide ||
-      int64_t{width} * height > kMostPixels)
-    throw InputError("{}: \"size\" is {}, expected [width, height] of the picture", where,
-                     size ? size->dump() : "missing");
-  return withFiles(editStackFromJson(json, width, height, where),
-                   [&](const std::string& file) { return readPath(file, folder).string(); });
-}
-
-/// As a .swaplook file has it, and the folder from which its files are named.
-Json jsonFromCameraLook(const FilterPipeline& look, const std::filesystem::path& folder) {
-  Json json = jsonFromPipeline(look);
-  if (look.name.empty()) json["name"] = kCameraLook;
-  if (!look.folder.empty()) json[kFolder] = writtenPath(look.folder, folder);
-  return json;
-}
-
-FilterPipeline cameraLookFromJson(Json json, const std::filesystem::path& folder, const std::string& where) {
-  const std::string files = JsonFields(json, where).text(kFolder).value_or("");
-  json.erase(kFolder);
-  FilterPipeline look = pipelineFromJson(json, where);
-  look.folder = readPath(files, folder);
-  if (!look.folder.has_filename()) look.folder = look.folder.parent_path();  // "FOLDER/." is "FOLDER/"
-  return look;
-}
 
 /// One of a newer version is kept, unread: a picture without it is better than no session.
 void readCameraLook(JsonFields& fields, const std::filesystem::path& folder, Session& session) {
-  const Json* look = fields.find(kCameraLook);
+  const Json* look = fields.find(kCameraLookKey);
   if (!look) return;
-  const std::string where = fields.where() + ": " + kCameraLook;
+  const std::string where = fields.where() + ": " + kCameraLookKey;
   if (JsonFields(*look, where).number("version", 1, 1e6).value_or(kPipelineVersion) > kPipelineVersion)
     session.warnings.push_back(
         where + " is of a newer Swaplight: it is kept when you save, but pictures are shown without it.");
   else
     session.document.cameraLook = cameraLookFromJson(*look, folder, where);
+}
+
+/// Cues keep their look's name: another program may have taken the look away.
+void sayMissingLooks(Session& session, const std::string& name) {
+  for (const Cue& cue : session.document.cues)
+    if (!findSavedLook(session.document.looks, cue.look))
+      session.warnings.push_back(fmt::format("{}: cue {}: the gallery has no look \"{}\"", name,
+                                             cueNumberText(cue.number), cue.look));
 }
 
 std::string workingSpaceFrom(JsonFields& fields) {
@@ -128,8 +72,9 @@ Json jsonFromSession(const Session& session, const std::filesystem::path& folder
   if (!document.selection.empty()) json["selection"] = jsonFromMask(document.selection);
   json["display"] = jsonFromDisplay(document.display);
   if (!document.cameraLook.stages.empty())
-    json[kCameraLook] = jsonFromCameraLook(document.cameraLook, folder);
-  if (!document.looks.empty()) json["looks"] = jsonFromSavedLooks(document.looks);
+    json[kCameraLookKey] = jsonFromCameraLook(document.cameraLook, folder);
+  if (!document.looks.empty()) json["looks"] = jsonFromGallery(document.looks, folder);
+  if (!document.cues.empty()) json["cues"] = jsonFromCues(document.cues);
   if (!session.studio.empty()) json["studio"] = session.studio.json();
   keepUnknownKeys(json, session.unknown.json());
   return json;
@@ -155,7 +100,9 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& folder, c
     session.document.display = displayFromJson(*display, name + ": display");
   readCameraLook(fields, folder, session);
   if (const Json* looks = fields.find("looks"))
-    session.document.looks = savedLooksFromJson(*looks, name + ": look");
+    session.document.looks = galleryFromJson(*looks, folder, session.document.edits, name + ": look");
+  if (const Json* cues = fields.find("cues")) session.document.cues = cuesFromJson(*cues, name + ": cue");
+  sayMissingLooks(session, name);
   if (const Json* studio = fields.find("studio")) session.studio = *studio;
 
   session.unknown = unknownKeys(json, jsonFromSession(session, folder));

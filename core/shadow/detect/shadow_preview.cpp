@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/image/shrunk_image.h"
+#include "core/set/shrunk_set.h"
 #include "core/shadow/detect/shadow_cut.h"
 #include "core/shadow/detect/shadow_evidence.h"
 #include "core/shadow/detect/shadow_regions.h"
@@ -19,21 +19,7 @@ constexpr double kPixels = 1.2e6;
 
 // What the search for shadows looks at, smaller by a whole factor.
 SolvedSet smallerSet(const SolvedSet& set, int factor, const Progress& progress) {
-  SolvedSet small;
-  small.capture = set.capture;
-  const int width = std::max(1, set.width() / factor);
-  const int height = std::max(1, set.height() / factor);
-  for (const Image& contribution : set.contributions) {
-    progress.update(0, "shrinking the set");
-    small.contributions.push_back(shrunkImage(contribution, width, height));
-  }
-  updateBeta(small);
-  if (set.quality.empty()) return small;
-  small.quality = shrunkImage(set.quality, width, height);
-  // The mean of many pixels is surer than one of them.
-  float* sigma = small.quality.plane(kSigma);
-  for (size_t p = 0; p < small.quality.pixelCount(); ++p) sigma[p] /= static_cast<float>(factor);
-  return small;
+  return shrunkSet(set, std::max(1, set.width() / factor), std::max(1, set.height() / factor), progress);
 }
 
 ShadowHistogram histogramOf(const cv::Mat& level, const cv::Mat& known, float lit) {
