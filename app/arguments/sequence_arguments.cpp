@@ -146,7 +146,7 @@ void checkOutputs(const std::vector<int>& frames, const std::string& output,
 
 void addTimingOptions(CLI::App& verb, CueTiming& timing) {
   constexpr const char* kGroup = "Sequences";
-  verb.add_option("--fps", timing.framesPerSecond, "Frames a second of a cue list")
+  verb.add_option("--cue-fps", timing.framesPerSecond, "Frames a second of a cue list")
       ->type_name("N")
       ->capture_default_str()
       ->group(kGroup);

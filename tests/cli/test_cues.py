@@ -53,7 +53,7 @@ class CuesTest(cli.CliTest):
         return cli.read_rgb(self.path(f'{name}.{number:04d}.exr'))
 
     def test_a_show_is_played_and_fades_evenly_in_linear_light(self):
-        frames = self.play(self.day_and_night(), '--cues', '--fps', FPS, '--hold', 0.25)['frames']
+        frames = self.play(self.day_and_night(), '--cues', '--cue-fps', FPS, '--hold', 0.25)['frames']
         self.assertEqual(len(frames), 1 + 4 + 16 + 2)
         day = self.lights[0] + self.lights[1]
         night = self.lights[0] / 8 + self.lights[1] * 2
@@ -63,9 +63,9 @@ class CuesTest(cli.CliTest):
 
     def test_its_keys_make_the_same_frames_to_the_bit(self):
         show = self.day_and_night()
-        self.play(show, '--cues', '--fps', FPS)
+        self.play(show, '--cues', '--cue-fps', FPS)
         keys = self.path('keys.json')
-        result = cli.run('cues', show, '--fps', FPS, '--keys', keys, '--json')
+        result = cli.run('cues', show, '--cue-fps', FPS, '--keys', keys, '--json')
         self.assertEqual(result.returncode, 0, result.stderr)
         listed = json.loads(result.stdout)
         self.assertEqual([(cue['id'], cue['first_whole_frame'], cue['last_frame']) for cue in listed['cues']],
@@ -82,8 +82,8 @@ class CuesTest(cli.CliTest):
 
     def test_a_part_of_it_is_the_same(self):
         show = self.day_and_night()
-        self.play(show, '--cues', '--fps', FPS)
-        self.play(show, '--cues', '--fps', FPS, '-F', '11-13', '--frame-index', 1, '--frame-count', 3, out='part.####.exr')
+        self.play(show, '--cues', '--cue-fps', FPS)
+        self.play(show, '--cues', '--cue-fps', FPS, '-F', '11-13', '--frame-index', 1, '--frame-count', 3, out='part.####.exr')
         self.assertTrue(np.array_equal(self.frame(12), self.frame(12, 'part')))
         self.assertFalse(os.path.exists(self.path('part.0011.exr')))
 
@@ -93,7 +93,7 @@ class CuesTest(cli.CliTest):
         show = self.session([{'name': 'Plain', 'rig': rig(0, 0), 'scene': {}},
                              {'name': 'Half', 'rig': rig(0, 0), 'scene': scene}],
                             [{'id': 1, 'look': 'Plain'}, {'id': 2, 'look': 'Half', 'fade': 1}])
-        self.play(show, '--cues', '--fps', FPS, '--hold', 0)
+        self.play(show, '--cues', '--cue-fps', FPS, '--hold', 0)
         for number, opacity in ((1, 0), (3, 0.25), (5, 0.5), (9, 1)):
             path = self.path('edits.json')
             with open(path, 'w') as file:
@@ -136,9 +136,11 @@ class CuesTest(cli.CliTest):
         self.deny('relight', show, '--cues', '--light', 'key=off', '-o', out, naming='--light')
         self.deny('relight', self.solved, '--cues', '-o', out, naming='session')
         self.deny('relight', show, '--cues', '-o', self.path('out.exr'), naming='%04d')
-        self.deny('relight', show, '--cues', '--fps', 0, '-o', out, naming='frames a second')
-        empty = self.session([], [], 'empty.swaplight')
-        self.deny('relight', empty, '--cues', '-o', out, naming='cue list is empty')
+        self.deny('relight', show, '--cues', '--cue-fps', 0, '-o', out, naming='frames a second')
+        empty = self.session([{'name': 'Day', 'rig': rig(0, 0)}], [], 'empty.swaplight')
+        refused = cli.run('relight', empty, '--cues', '-o', out)
+        self.assertEqual((refused.returncode, refused.stdout), (2, ''))
+        self.assertIn('the cue list is empty', refused.stderr.splitlines()[-1])
         lost = self.session([], [{'id': 1, 'look': 'Day'}], 'lost.swaplight')
         refused = cli.run('relight', lost, '--cues', '-o', out)
         self.assertEqual((refused.returncode, refused.stdout), (2, ''))

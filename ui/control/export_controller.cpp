@@ -6,7 +6,7 @@ namespace swaplight {
 namespace {
 
 bool isPicture(ExportKind kind) {
-  return kind == ExportKind::Frame || kind == ExportKind::Layers;
+  return kind == ExportKind::Frame || kind == ExportKind::Layers || kind == ExportKind::Sequence;
 }
 
 /// Null where the document has none.

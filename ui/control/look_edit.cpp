@@ -1,7 +1,10 @@
 #include "ui/control/look_edit.h"
 
+#include <fmt/core.h>
+
 #include "core/base/error.h"
 #include "core/look/rig_blend.h"
+#include "core/session/version.h"
 #include "ui/control/light_edit.h"
 
 namespace swaplight {
@@ -54,14 +57,46 @@ void keepLook(const LightsContext& lights) {
   editLooks(lights, "Keep " + name, std::move(looks));
 }
 
+void keepVersion(const LightsContext& lights) {
+  std::vector<SavedLook> looks = lights.document().looks;
+  const std::string name = freeLookName(looks, "Version");
+  looks.push_back(versionOf(lights.document(), name));
+  editLooks(lights, "Keep " + name, std::move(looks));
+}
+
 void recallLook(const LightsContext& lights, const SavedLook& look) {
-  editRig(lights, look.name, blendRigs(lights.document().rig, look.rig, 1));
+  lights.editor.edit(look.name, recalled(lights.document(), look));
 }
 
 void editLooks(const LightsContext& lights, const std::string& step, std::vector<SavedLook> looks) {
   Document next = lights.document();
   next.looks = std::move(looks);
   lights.editor.edit(step, std::move(next));
+}
+
+void renameLook(const LightsContext& lights, size_t look, const std::string& name) {
+  lights.editor.edit(lights.document().looks[look].name + ": rename",
+                     withLookNamed(lights.document(), look, name));
+}
+
+void removeLook(const LightsContext& lights, size_t look) {
+  const std::string name = lights.document().looks[look].name;
+  const size_t before = lights.document().cues.size();
+  lights.editor.edit("Remove " + name, withLookRemoved(lights.document(), look));
+  const size_t gone = before - lights.document().cues.size();
+  if (gone > 0)
+    lights.messages.info(fmt::format("{} is removed, and {} with it. Undo brings both back.", name,
+                                     gone == 1 ? "its cue" : fmt::format("its {} cues", gone)));
+}
+
+void replaceLook(const LightsContext& lights, size_t look) {
+  const Document& document = lights.document();
+  std::vector<SavedLook> looks = document.looks;
+  const SavedLook& before = looks[look];
+  SavedLook now = versionOf(document, before.name, before.note);
+  if (!before.scene) now.scene.reset();
+  looks[look] = std::move(now);
+  editLooks(lights, document.looks[look].name + ": replace", std::move(looks));
 }
 
 void wipeAgainstLook(const LightsContext& lights, const SavedLook& look) {
@@ -73,7 +108,8 @@ void wipeAgainstLook(const LightsContext& lights, const SavedLook& look) {
 
 void previewCrossfade(const LightsContext& lights, const SavedLook& a, const SavedLook& b, float amount) {
   Document next = lights.document();
-  next.rig = blendRigs(blendRigs(next.rig, a.rig, 1), b.rig, amount);
+  const Stage from = stageOf(a, stageOfDocument(next));
+  next = withStage(std::move(next), StageFade(from, stageOf(b, from)).at(amount));
   lights.editor.preview("Crossfade " + a.name + " – " + b.name, std::move(next));
 }
 

@@ -19,10 +19,17 @@ void previewBlend(const LightsContext& lights, float amount);
 
 /// Puts the lighting of now into the gallery.
 void keepLook(const LightsContext& lights);
-/// Lights the set as a look of the gallery says.
+/// Puts all there is now into the gallery: lighting, light edits, view and camera look.
+void keepVersion(const LightsContext& lights);
+/// Brings back a look of the gallery (its lighting) or a version (all of it).
 void recallLook(const LightsContext& lights, const SavedLook& look);
 /// The gallery with one change, as one step.
 void editLooks(const LightsContext& lights, const std::string& step, std::vector<SavedLook> looks);
+/// One look's name, and that of its cues; a look less, with its cues.
+void renameLook(const LightsContext& lights, size_t look, const std::string& name);
+void removeLook(const LightsContext& lights, size_t look);
+/// Puts what there is now in the place of a look or version, which stays what it is.
+void replaceLook(const LightsContext& lights, size_t look);
 /// Makes a look side B of the viewer, and wipes.
 void wipeAgainstLook(const LightsContext& lights, const SavedLook& look);
 /// Shows a lighting between two looks.

@@ -63,6 +63,8 @@ class SessionController {
   [[nodiscard]] const OpenSet* set() const { return m_set ? &*m_set : nullptr; }
   /// Counts up with every set; for those who cache what they make of it.
   [[nodiscard]] uint64_t setRevision() const { return m_setRevision; }
+  /// Counts up with every document that is opened or closed.
+  [[nodiscard]] uint64_t opened() const { return m_opened; }
   /// The session's file; empty while there is none.
   [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
   /// Something is open, with or without its pictures.

@@ -4,83 +4,105 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
-#include "core/look/rig_blend.h"
-#include "core/look/saved_look.h"
+#include "core/session/version.h"
 
 namespace swaplight {
 namespace {
 
-/// Where to, and in which time.
-struct GoWords {
-  std::string where;
-  std::optional<float> seconds;
-};
-
-float secondsFrom(std::string text) {
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  if (text.ends_with('s')) text.pop_back();
-  const std::optional<float> seconds = numberFromText(text);
-  if (!seconds || *seconds < 0 || *seconds > CuePlayer::kMostSeconds)
-    throw InputError("'{}' is no fade time: write seconds from 0 to {:.0f}, as go 3 in 2.5", text,
-                     CuePlayer::kMostSeconds);
-  return *seconds;
-}
-
-GoWords goWords(const std::string& text) {
-  const std::string padded = " " + text;
-  const size_t in = padded.rfind(" in ");
-  if (in == std::string::npos) return {text, std::nullopt};
-  return {in == 0 ? "" : text.substr(0, in - 1), secondsFrom(text.substr(in + 3))};
-}
-
 /// The place in the gallery; `last` is the look that was gone to before.
-size_t placeOf(const std::vector<SavedLook>& looks, const std::string& where, const std::string& last) {
-  if (looks.empty()) throw InputError("the gallery is empty: save lightings as looks first (Shift+K)");
+size_t lookPlace(const std::vector<SavedLook>& looks, const GoRequest& request, const std::string& last) {
+  if (looks.empty())
+    throw InputError("there are no cues, and the gallery is empty: record makes a cue of what is there");
   const SavedLook* before = findSavedLook(looks, last);
   const auto now = before ? static_cast<size_t>(before - looks.data()) : looks.size();
-  if (where.empty() || where == "next") {
+  if (request.where == GoRequest::Where::Next) {
     if (before && now + 1 == looks.size()) throw InputError("{} is the last look of the gallery", last);
     return before ? now + 1 : 0;
   }
-  if (where == "back") {
+  if (request.where == GoRequest::Where::Back) {
     if (!before || now == 0) throw InputError("there is no look before: go 1 begins");
     return now - 1;
   }
-  if (const SavedLook* named = findSavedLook(looks, where)) return static_cast<size_t>(named - looks.data());
-  const std::optional<float> number = numberFromText(where);
+  if (const SavedLook* named = findSavedLook(looks, request.name))
+    return static_cast<size_t>(named - looks.data());
+  const std::optional<float> number = numberFromText(request.name);
   if (!number || *number < 1 || *number > static_cast<float>(looks.size()) || *number != std::floor(*number))
     throw InputError("'{}' is no look of the gallery, which has {}: go, go back, go 2 or go with a name",
-                     where, looks.size());
+                     request.name, looks.size());
   return static_cast<size_t>(*number) - 1;
 }
 
 }  // namespace
 
 std::string CuePlayer::go(const LightsContext& studio, const std::string& where) {
-  const GoWords words = goWords(where);
+  const GoRequest request = goRequestFromText(where);
+  return studio.document().cues.empty() ? goToLook(studio, request) : goToCue(studio, request);
+}
+
+std::string CuePlayer::goToCue(const LightsContext& studio, const GoRequest& request) {
+  const Cue cue = cueOfRequest(studio.document().cues, request, m_current, m_loaded);
+  const float seconds = request.seconds.value_or(cue.fadeSeconds);
+  const std::string name = fmt::format("cue {} {}", cueNumberText(cue.number), cue.look);
+  // Who goes back wants to stay there: nothing follows.
+  const bool back = request.where == GoRequest::Where::Back;
+  begin(studio, name, lookOf(cue, studio.document().looks), seconds, back ? std::nullopt : cue.followSeconds);
+  m_current = cue.number;
+  m_loaded.reset();
+  return fmt::format("{} in {:g} s", name, seconds);
+}
+
+std::string CuePlayer::goToLook(const LightsContext& studio, const GoRequest& request) {
   const std::vector<SavedLook>& looks = studio.document().looks;
-  const size_t place = placeOf(looks, words.where, m_last);
+  const size_t place = lookPlace(looks, request, m_lastLook);
+  m_lookSeconds = request.seconds.value_or(m_lookSeconds);
+  m_lastLook = looks[place].name;
+  const SavedLook look = looks[place];
+  begin(studio, look.name, look, m_lookSeconds, std::nullopt);
+  return fmt::format("{} {} in {:g} s", place + 1, m_lastLook, m_lookSeconds);
+}
+
+void CuePlayer::begin(const LightsContext& studio, const std::string& name, const SavedLook& look,
+                      float seconds, std::optional<float> followSeconds) {
   studio.editor.commit();  // a fade that is under way ends where it is
-  m_seconds = words.seconds.value_or(m_seconds);
-  m_last = looks[place].name;
-  const Rig& from = studio.document().rig;
-  m_fade = Fade{m_last, from, blendRigs(from, looks[place].rig, 1), from, Clock::now(), m_seconds};
-  return fmt::format("{} {} in {:g} s", place + 1, m_last, m_seconds);
+  m_wait.reset();
+  const Stage from = stageOfDocument(studio.document());
+  m_fade = Fade{name, StageFade(from, stageOf(look, from)), from, Clock::now(), seconds, 0, followSeconds};
+}
+
+const Cue* CuePlayer::next(const CueList& cues) const {
+  const Cue* loaded = m_loaded ? findCue(cues, *m_loaded) : nullptr;
+  return loaded ? loaded : cueAfter(cues, m_current);
+}
+
+float CuePlayer::waitSeconds() const {
+  if (!m_wait) return 0;
+  return std::max(0.F, std::chrono::duration<float>(m_wait->until - Clock::now()).count());
 }
 
 void CuePlayer::show(const LightsContext& studio, float amount) {
-  m_fade->shown = blendRigs(m_fade->from, m_fade->to, amount);
-  Document next = studio.document();
-  next.rig = m_fade->shown;
-  studio.editor.preview("Go " + m_fade->name, std::move(next));
+  m_fade->amount = amount;
+  m_fade->shown = m_fade->stages.at(amount);
+  studio.editor.preview("Go " + m_fade->name, withStage(studio.document(), m_fade->shown));
 }
 
 void CuePlayer::update(const LightsContext& studio) {
-  if (!m_fade) return;
-  if (studio.document().rig != m_fade->shown) {  // somebody else has changed the lights
+  if (std::exchange(m_opened, studio.session.opened()) != studio.session.opened()) {
+    m_fade.reset();
+    m_wait.reset();
+    m_current.reset();
+    m_loaded.reset();
+    m_lastLook.clear();
+  }
+  if (m_fade) updateFade(studio);
+  if (m_wait) updateWait(studio);
+}
+
+void CuePlayer::updateFade(const LightsContext& studio) {
+  if (stageOfDocument(studio.document()) != m_fade->shown) {  // somebody else has changed the lights
     m_fade.reset();
     return;
   }
@@ -89,7 +111,26 @@ void CuePlayer::update(const LightsContext& studio) {
   show(studio, amount);
   if (amount < 1) return;
   studio.editor.commit();
+  if (m_fade->followSeconds && next(studio.document().cues)) {
+    const auto wait = std::chrono::duration<float>(*m_fade->followSeconds);
+    m_wait = Wait{m_fade->shown, Clock::now() + std::chrono::duration_cast<Clock::duration>(wait)};
+  }
   m_fade.reset();
+}
+
+void CuePlayer::updateWait(const LightsContext& studio) {
+  if (stageOfDocument(studio.document()) != m_wait->stage) {
+    m_wait.reset();
+    studio.messages.info("The lights were changed: the next cue does not follow by itself.");
+    return;
+  }
+  if (Clock::now() < m_wait->until) return;
+  m_wait.reset();
+  try {
+    go(studio, "next");
+  } catch (const InputError& error) {  // its look has been removed meanwhile
+    studio.messages.warn(error.what());
+  }
 }
 
 }  // namespace swaplight

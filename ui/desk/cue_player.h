@@ -4,39 +4,71 @@
 #include <optional>
 #include <string>
 
+#include "core/cue/cue_command.h"
+#include "core/cue/stage.h"
 #include "ui/control/lights_context.h"
 
 namespace swaplight {
 
-/// Goes through the gallery as through a cue list: from look to look in their order, each faded in as dimmers
-/// would do it. A fade is one step of the history; whoever touches the lights meanwhile ends it where it is.
+/// Plays the cue list: GO, BACK and follows, each cue faded in as dimmers would do it (core/cue/stage.h).
+/// While there are no cues it goes through the gallery in the same way. A fade is one step of the history;
+/// whoever touches lights or edits meanwhile ends it, or the wait for the next cue, where it is.
 class CuePlayer {
  public:
-  static constexpr float kUsualSeconds = 3;
-  static constexpr float kMostSeconds = 3600;
-
-  /// Which look is gone to: "" or "next", "back", a number from 1, or a name; then "in 2" or "in 2.5s" for a
-  /// fade time other than the last one, 0 to kMostSeconds. Returns what it does, in words. Throws InputError.
+  /// What follows `go` in a command (core/cue/cue_command.h); looks of the gallery by number or name. Returns
+  /// what it does, in words. Throws InputError.
   std::string go(const LightsContext& studio, const std::string& where);
-  /// To be called every frame: shows how far the fade is.
+  /// A cue stands already: it has been made of what there is.
+  void stand(int number) {
+    m_current = number;
+    m_loaded.reset();
+  }
+  /// Makes a cue the next one.
+  void load(int number) { m_loaded = number; }
+  /// To be called every frame: shows how far the fade is; goes on where a cue follows.
   void update(const LightsContext& studio);
+
   [[nodiscard]] bool fading() const { return m_fade.has_value(); }
-  [[nodiscard]] float seconds() const { return m_seconds; }
+  /// The next cue is going to come by itself.
+  [[nodiscard]] bool waiting() const { return m_wait.has_value(); }
+  /// How far the fade is, 0..1.
+  [[nodiscard]] float amount() const { return m_fade ? m_fade->amount : 0; }
+  /// Seconds until the next cue comes by itself.
+  [[nodiscard]] float waitSeconds() const;
+  /// The number of the cue that stands or comes in; nothing before the first GO.
+  [[nodiscard]] std::optional<int> current() const { return m_current; }
+  /// The cue that GO goes to; nullptr at the end.
+  [[nodiscard]] const Cue* next(const CueList& cues) const;
 
  private:
   using Clock = std::chrono::steady_clock;
   struct Fade {
     std::string name;
-    Rig from, to;
-    Rig shown;  ///< what the fade made last
+    StageFade stages;
+    Stage shown;  ///< what the fade made last
     Clock::time_point began;
     float seconds = 0;
+    float amount = 0;
+    std::optional<float> followSeconds;
   };
+  struct Wait {
+    Stage stage;  ///< as the cue left it
+    Clock::time_point until;
+  };
+  std::string goToCue(const LightsContext& studio, const GoRequest& request);
+  std::string goToLook(const LightsContext& studio, const GoRequest& request);
+  void begin(const LightsContext& studio, const std::string& name, const SavedLook& look, float seconds,
+             std::optional<float> followSeconds);
   void show(const LightsContext& studio, float amount);
+  void updateFade(const LightsContext& studio);
+  void updateWait(const LightsContext& studio);
 
   std::optional<Fade> m_fade;
-  std::string m_last;  ///< the name of the look that was gone to
-  float m_seconds = kUsualSeconds;
+  std::optional<Wait> m_wait;
+  std::optional<int> m_current, m_loaded;
+  uint64_t m_opened = 0;  ///< the document that they are of
+  std::string m_lastLook;
+  float m_lookSeconds = kUsualFadeSeconds;  ///< looks have no time of their own: the last one that was said
 };
 
 }  // namespace swaplight

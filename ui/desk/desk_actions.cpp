@@ -1,6 +1,7 @@
 #include "ui/desk/desk_actions.h"
 
 #include "core/base/error.h"
+#include "ui/desk/cue_edit.h"
 
 namespace swaplight {
 
@@ -22,12 +23,26 @@ void addDeskActions(ActionTable& actions, const LightsContext& studio, CommandLi
                      studio.messages.warn(error.what());
                    }
                  },
-                 [&studio] { return studio.set() && !studio.document().looks.empty(); }});
+                 [&studio] {
+                   const Document& document = studio.document();
+                   return studio.set() && !(document.looks.empty() && document.cues.empty());
+                 }});
   };
-  go("cues.go", "Go to the next look", "Ctrl+Enter",
-     "Fade to the next look of the gallery, in the fade time that was typed last: go 2 in 5.", "next");
-  go("cues.back", "Go back to the look before", "Ctrl+Backspace",
-     "Fade to the look before in the gallery, in the fade time that was typed last.", "back");
+  go("cues.go", "Go: the next cue", "Ctrl+Enter",
+     "Fade to the next cue in its time; without cues to the next look of the gallery, in the time that was "
+     "typed last: go 2 in 5.",
+     "next");
+  go("cues.back", "Back: the cue before", "Ctrl+Backspace",
+     "Fade to the cue before in its time; without cues to the look before in the gallery.", "back");
+  actions.add(
+      {"cues.record", "Record a cue", "Shift+R",
+       "Keep all there is now (lights, light edits, view, camera look) as a version, and add it to the "
+       "cue list.",
+       [&studio, &cues] {
+         cues.stand(recordCueLine(studio, ""));
+         studio.layout.cues = true;
+       },
+       [&studio] { return studio.set() && !studio.document().rig.lights.empty(); }});
 }
 
 }  // namespace swaplight

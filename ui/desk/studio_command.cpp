@@ -10,8 +10,11 @@
 #include "core/look/look.h"
 #include "core/look/rig_blend.h"
 #include "core/relight/light_command.h"
+#include "core/relight/light_command_words.h"
+#include "core/session/version.h"
 #include "ui/control/light_edit.h"
 #include "ui/control/look_edit.h"
+#include "ui/desk/cue_edit.h"
 
 namespace swaplight {
 namespace {
@@ -53,11 +56,22 @@ std::string runLook(const LightsContext& studio, const std::string& text) {
   const std::vector<SavedLook>& looks = studio.document().looks;
   const SavedLook* saved = lookOfNumber(looks, request.name);
   if (!saved) saved = findSavedLook(looks, request.name);
+  if (saved) {
+    const std::string name = saved->name;
+    studio.editor.edit(name, recalled(studio.document(), *saved, request.amount));
+    return name;
+  }
   const Rig before = studio.document().rig;
-  const std::string name = saved ? saved->name : findLook(request.name).name;
-  const Rig lit = saved ? saved->rig : applyLook(before, findLook(request.name), lightRatios(studio));
-  editRig(studio, name, blendRigs(before, lit, request.amount));
-  return name;
+  const Look& preset = findLook(request.name);
+  editRig(studio, preset.name,
+          blendRigs(before, applyLook(before, preset, lightRatios(studio)), request.amount));
+  return preset.name;
+}
+
+std::string runRecord(const LightsContext& studio, CuePlayer& cues, const std::string& text) {
+  const int number = recordCueLine(studio, text);
+  cues.stand(number);
+  return "Recorded cue " + cueNumberText(number);
 }
 
 std::string runAction(const LightsContext& studio, const Action& action) {
@@ -99,11 +113,23 @@ StudioCommandEnds lookEnds(const LightsContext& studio, const std::string& line,
   return ends;
 }
 
+StudioCommandEnds cueEnds(const std::string& line) {
+  StudioCommandEnds ends{line.rfind(' ') + 1, {}};
+  for (const char* word : {"time", "follow", "look", "number", "remove", "thru", "off"})
+    addEnd(ends, line.substr(ends.from), word);
+  return ends;
+}
+
 }  // namespace
 
 std::string runStudioCommand(const LightsContext& studio, CuePlayer& cues, const std::string& line) {
   const std::string command = trimmedLine(line);
   if (const auto where = after(command, "go")) return cues.go(studio, *where);
+  // Many sets have a light called back: then the word means that light, and "go back" goes back.
+  if (const auto in = after(command, "back"); in && !lightsOfWord(studio.document().rig, {"back"}))
+    return cues.go(studio, trimmedLine("back " + *in));
+  if (const auto cue = after(command, "cue")) return runCueLine(studio, *cue);
+  if (const auto words = after(command, "record")) return runRecord(studio, cues, *words);
   if (const auto look = after(command, "look")) return runLook(studio, *look);
   for (const char* word : {"undo", "redo"})
     if (lowered(command) == word) return runAction(studio, *studio.actions.find(std::string("edit.") + word));
@@ -112,12 +138,13 @@ std::string runStudioCommand(const LightsContext& studio, CuePlayer& cues, const
 }
 
 StudioCommandEnds studioCommandEnds(const LightsContext& studio, const std::string& line) {
+  if (after(line, "cue") && line.size() > 3) return cueEnds(line);
   if (const auto look = after(line, "look"); look && line.size() > 4) return lookEnds(studio, line, *look);
   LightCommandEnds lights = lightCommandEnds(studio.document().rig, line);
   if (lights.words.size() > kMostEnds) lights.words.resize(kMostEnds);
   StudioCommandEnds ends{lights.from, std::move(lights.words)};
   if (ends.from != 0 || line.empty()) return ends;
-  for (const char* word : {"go", "look", "undo", "redo"}) addEnd(ends, line, word);
+  for (const char* word : {"go", "back", "cue", "record", "look", "undo", "redo"}) addEnd(ends, line, word);
   if (ends.words.empty())  // an action's id is the rarest of all that begins so
     for (const Action& action : studio.actions.actions()) addEnd(ends, line, action.id);
   return ends;

@@ -8,7 +8,10 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/cue/cue_timeline.h"
+#include "core/file/frame_range.h"
 #include "core/ocio/color_config.h"
+#include "core/session/version.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/manners.h"
 #include "ui/kit/theme.h"
@@ -21,6 +24,7 @@ namespace {
 constexpr const char* kExportTitle = "Export";
 constexpr float kLabel = 130;
 constexpr float kField = 250;
+constexpr float kSecondsField = 90;
 
 struct KindWords {
   const char* name;
@@ -28,7 +32,7 @@ struct KindWords {
   const char* words;
   const char* ending;  ///< of the suggested name
 };
-constexpr std::array<KindWords, 5> kKinds = {
+constexpr std::array<KindWords, 6> kKinds = {
     {{"Frame", "frame", "The relit picture.", ""},
      {"Lights as layers", "layers",
       "Every light at its current setting as a layer, for Nuke, Resolve or Blender. The layers add up to the "
@@ -39,7 +43,11 @@ constexpr std::array<KindWords, 5> kKinds = {
       "The part of the look that is the same for every pixel: one gain per channel, and the view. What a "
       "single light does cannot be stored in a LUT.",
       "_look"},
-     {"Report", "report", "A printable page about the set and its lighting.", "_report"}}};
+     {"Report", "report", "A printable page about the set and its lighting.", "_report"},
+     {"Cues", "sequence",
+      "The cue list as numbered frames: lights and light edits fade as they are played. View and camera look "
+      "are those of now.",
+      ".####"}}};
 
 struct Choice {
   const char* value;
@@ -115,12 +123,20 @@ void ExportDialog::take(const std::string& file) {
   if (std::find(known.begin(), known.end(), extension) != known.end()) m_choices.format() = extension;
 }
 
+/// The file, or the first one of a sequence.
+std::string ExportDialog::firstFile() const {
+  return m_choices.kind == ExportKind::Sequence ? frameName(m_file, CueTiming{}.firstFrame) : m_file;
+}
+
 std::string ExportDialog::mistake() const {
   const fs::path file = m_file;
   std::error_code error;
   if (!file.has_filename()) return "Enter a file name.";
   if (!fs::is_directory(file.has_parent_path() ? file.parent_path() : fs::path("."), error))
     return "There is no folder " + file.parent_path().string();
+  if (m_choices.kind == ExportKind::Sequence && !m_cueMistake.empty()) return m_cueMistake;
+  if (m_choices.kind == ExportKind::Sequence && !hasFrameNumber(m_file))
+    return "The name needs a place for the frame's number: name.####.exr";
   const std::vector<std::string>& known = formatsOf(m_choices.kind);
   if (std::find(known.begin(), known.end(), file.extension().string()) == known.end())
     return "The name must end in " + fmt::format("{}", fmt::join(known, ", ")) + ".";
@@ -175,6 +191,8 @@ void ExportDialog::drawColorSpaces() {
 void ExportDialog::drawFrame(const ColorConfig& config, const Document& document) {
   drawFormats();
   const std::string& format = m_choices.format();
+  const bool sequence = m_choices.kind == ExportKind::Sequence;
+  if (sequence) drawTiming(document);
   if (format == ".exr")
     check("32-bit float", "float", &m_choices.floatFrame,
           "Instead of half float, which holds values up to 65504.");
@@ -188,13 +206,40 @@ void ExportDialog::drawFrame(const ColorConfig& config, const Document& document
                                                     {"drago", "Drago: adaptive logarithm"},
                                                     {"mantiuk", "Mantiuk: contrast"},
                                                     {"reinhard", "Reinhard: as the eye adapts"}}};
-  list("View", "tone", kTones, m_choices.tone,
-       "The viewer's display and view, or a tone mapping of the whole picture (plain sRGB).");
-  if (m_choices.tone.empty()) {
+  if (sequence)
+    label("View");
+  else
+    list("View", "tone", kTones, m_choices.tone,
+         "The viewer's display and view, or a tone mapping of the whole picture (plain sRGB).");
+  if (m_choices.tone.empty() || sequence) {
     const DisplayChoice seen = namedDisplay(config, displayWithin(config, document.display));
-    ImGui::Dummy(ImVec2(0, 0));
-    ImGui::SameLine(px(kLabel));
+    if (!sequence) ImGui::Dummy(ImVec2(0, 0));
+    if (!sequence) ImGui::SameLine(px(kLabel));
     hint(displayWords(seen));
+  }
+}
+
+void ExportDialog::drawTiming(const Document& document) {
+  label("Frames a second");
+  ImGui::SetNextItemWidth(px(kSecondsField));
+  if (ImGui::InputFloat("##fps", &m_choices.framesPerSecond, 0, 0, "%g"))
+    m_choices.framesPerSecond = std::clamp(m_choices.framesPerSecond, 1.F, kMostRate);
+  markItem("export.fps");
+  tooltip("How many frames make a second of the cues' times.");
+  label("Hold");
+  ImGui::SetNextItemWidth(px(kSecondsField));
+  if (ImGui::InputFloat("##hold", &m_choices.holdSeconds, 0, 0, "%g s"))
+    m_choices.holdSeconds = std::clamp(m_choices.holdSeconds, 0.F, kMostCueSeconds);
+  markItem("export.hold");
+  tooltip("How long a cue stands that waits for GO. Cues with a follow time stand that long.");
+  ImGui::SameLine(0, px(12));
+  try {
+    const CueTiming timing = requestOf(m_choices, m_file).timing;
+    const CueTimeline timeline(document.cues, document.looks, stageOfDocument(document), timing);
+    hint(fmt::format("{} cues, {} frames", document.cues.size(), timeline.lastFrame()));
+    m_cueMistake.clear();
+  } catch (const InputError& error) {
+    m_cueMistake = error.what();
   }
 }
 
@@ -219,7 +264,8 @@ void ExportDialog::drawLayers() {
 }
 
 void ExportDialog::drawCameraLook(const Document& document) {
-  const bool picture = m_choices.kind == ExportKind::Frame || m_choices.kind == ExportKind::Layers;
+  const bool picture = m_choices.kind == ExportKind::Frame || m_choices.kind == ExportKind::Layers ||
+                       m_choices.kind == ExportKind::Sequence;
   const FilterPipeline& look = document.cameraLook;
   if (!picture || look.stages.empty()) return;
   const bool layers = m_choices.kind == ExportKind::Layers;
@@ -250,10 +296,12 @@ void ExportDialog::drawFile(const Answers& answers) {
 void ExportDialog::drawFooter(const Answers& answers) {
   const std::string wrong = mistake();
   std::error_code error;
-  const bool exists = wrong.empty() && fs::exists(m_file, error);
+  const bool exists = wrong.empty() && fs::exists(firstFile(), error);
   ImGui::Dummy(ImVec2(0, px(4)));
   ImGui::AlignTextToFramePadding();
-  hint(!wrong.empty() ? wrong : exists ? "The file exists and will be replaced." : "");
+  const char* replaces = m_choices.kind == ExportKind::Sequence ? "Frames exist and will be replaced."
+                                                                : "The file exists and will be replaced.";
+  hint(!wrong.empty() ? wrong : exists ? replaces : "");
   const float button = px(110);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
   const bool go = defaultButton(exists ? "Replace" : "Export", button, wrong.empty());
@@ -285,7 +333,7 @@ void ExportDialog::draw(const ColorConfig& config, const Document& document, con
     return;
   beginTabStops();
   drawKinds();
-  if (m_choices.kind == ExportKind::Frame)
+  if (m_choices.kind == ExportKind::Frame || m_choices.kind == ExportKind::Sequence)
     drawFrame(config, document);
   else if (m_choices.kind == ExportKind::Layers)
     drawLayers();

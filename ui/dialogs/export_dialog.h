@@ -35,6 +35,7 @@ class ExportDialog {
  private:
   void drawKinds();
   void drawFrame(const ColorConfig& config, const Document& document);
+  void drawTiming(const Document& document);
   void drawLayers();
   void drawCameraLook(const Document& document);
   void drawFormats();
@@ -43,15 +44,17 @@ class ExportDialog {
   void drawFooter(const Answers& answers);
   void suggest();
   void take(const std::string& file);
+  [[nodiscard]] std::string firstFile() const;
   [[nodiscard]] std::string mistake() const;
   void accept(const Answers& answers);
 
   std::filesystem::path m_memory;  ///< the file that remembers
   ExportChoices m_choices;
   bool m_open = false;
-  bool m_focus = false;  ///< the file's name is to be typed
-  std::string m_name;    ///< of the session
-  std::string m_file;    ///< as typed
+  bool m_focus = false;      ///< the file's name is to be typed
+  std::string m_name;        ///< of the session
+  std::string m_file;        ///< as typed
+  std::string m_cueMistake;  ///< why the cue list makes no frames; empty: it does
 };
 
 }  // namespace swaplight

@@ -31,6 +31,13 @@ float cardWidth(const LightsContext& studio, float height) {
   return std::floor(std::clamp(height * aspectOf(studio), height / 2, 2.5F * height));
 }
 
+/// Whether recalling it would change nothing.
+bool isCurrent(const Document& document, const SavedLook& look) {
+  const bool lit = blendRigs(document.rig, look.rig, 1) == document.rig;
+  return lit &&
+         (!look.scene || *look.scene == VersionScene{document.edits, document.display, document.cameraLook});
+}
+
 void lookMenu(LightsContext& studio, size_t index) {
   const std::vector<SavedLook>& looks = studio.document().looks;
   LookState& state = studio.looks;
@@ -39,11 +46,6 @@ void lookMenu(LightsContext& studio, size_t index) {
     state.name = looks[index].name;
     state.note = looks[index].note;
   }
-  const auto changed = [&](const std::string& step, const auto& change) {
-    std::vector<SavedLook> next = looks;
-    change(next[index]);
-    editLooks(studio, looks[index].name + ": " + step, std::move(next));
-  };
   ImGui::SetNextItemWidth(px(220));
   if (ImGui::InputTextWithHint("##name", "Name", &state.name, ImGuiInputTextFlags_EnterReturnsTrue) &&
       !state.name.empty()) {
@@ -51,28 +53,26 @@ void lookMenu(LightsContext& studio, size_t index) {
     if (other && other != &looks[index])
       studio.messages.warn("There is a look \"" + other->name + "\" already.");
     else
-      changed("rename", [&](SavedLook& look) { look.name = state.name; });
+      renameLook(studio, index, state.name);
     ImGui::CloseCurrentPopup();
   }
   markItem("gallery.name");
   ImGui::SetNextItemWidth(px(220));
   if (ImGui::InputTextWithHint("##note", "Note", &state.note, ImGuiInputTextFlags_EnterReturnsTrue)) {
-    changed("note", [&](SavedLook& look) { look.note = state.note; });
+    std::vector<SavedLook> next = looks;
+    next[index].note = state.note;
+    editLooks(studio, looks[index].name + ": note", std::move(next));
     ImGui::CloseCurrentPopup();
   }
   markItem("gallery.note");
   ImGui::Separator();
-  if (ImGui::MenuItem("Update with current lighting"))
-    changed("replace", [&](SavedLook& look) { look.rig = studio.document().rig; });
+  if (ImGui::MenuItem(looks[index].scene ? "Update with all there is now" : "Update with current lighting"))
+    replaceLook(studio, index);
   markItem("gallery.replace");
   if (ImGui::MenuItem("Use as A")) state.sideA = index;
   if (ImGui::MenuItem("Use as B")) state.sideB = index;
   ImGui::Separator();
-  if (ImGui::MenuItem("Remove")) {
-    std::vector<SavedLook> next = looks;
-    next.erase(next.begin() + static_cast<ptrdiff_t>(index));
-    editLooks(studio, "Remove " + looks[index].name, std::move(next));
-  }
+  if (ImGui::MenuItem("Remove")) removeLook(studio, index);
   markItem("gallery.remove");
 }
 
@@ -141,13 +141,16 @@ unsigned GalleryPanel::thumbnail(LightsContext& studio, size_t index, int width,
   Thumbnail& made = m_thumbnails[index];
   const std::string& colorSpace = set.solved().colorSpace();
   const auto table = studio.table.table(studio.colors.config(), colorSpace, document.display);
-  if (made.texture.id() != 0 && made.rig == look.rig && made.set == studio.session.setRevision() &&
-      made.table == table)
+  if (made.texture.id() != 0 && made.rig == look.rig && made.scene == look.scene &&
+      made.set == studio.session.setRevision() && made.table == table)
     return made.texture.id();
-  const SmallPicture picture =
-      framePicture(set.solved(), set.pictures(), *studio.colors.config(), *table, look.rig, width, height);
+  const SmallPicture picture = look.scene
+                                   ? m_versions.draw(studio, look, *table, width, height)
+                                   : framePicture(set.solved(), set.pictures(), *studio.colors.config(),
+                                                  *table, look.rig, width, height);
   made.texture.update(width, height, picture.rgba.data());
   made.rig = look.rig;
+  made.scene = look.scene;
   made.set = studio.session.setRevision();
   made.table = table;
   return made.texture.id();
@@ -168,7 +171,8 @@ void GalleryPanel::drawLook(LightsContext& studio, size_t index, float height) {
   if (ImGui::InvisibleButton("##look", size)) recallLook(studio, look);
   markItem(mark);
   tooltip((look.name + (look.note.empty() ? "" : "\n" + look.note) +
-           "\nClick to apply this lighting. Light edits are not changed.")
+           (look.scene ? "\nVersion. Click to bring back lighting, light edits, view and camera look."
+                       : "\nClick to apply this lighting. Light edits are not changed."))
               .c_str());
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 high(at.x + size.x, at.y + size.y);
@@ -177,12 +181,12 @@ void GalleryPanel::drawLook(LightsContext& studio, size_t index, float height) {
                       at.y + std::floor((size.y - static_cast<float>(rows)) / 2));
   drawTexture(texture, corner,
               ImVec2(corner.x + static_cast<float>(width), corner.y + static_cast<float>(rows)));
-  const bool current = blendRigs(studio.document().rig, look.rig, 1) == studio.document().rig;
+  const bool current = isCurrent(studio.document(), look);
   if (current || ImGui::IsItemHovered()) draw->AddRect(at, high, current ? kAccent : kText, 0, 0, px(2));
   const float side = px(kNameHeight);
   const ImVec2 clip = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(clip, ImVec2(clip.x + size.x - 2 * side - px(6), clip.y + side), true);
-  hint(fmt::format("{}  {}", index + 1, look.name));
+  hint(fmt::format("{}  {}{}", index + 1, look.scene ? std::string(kIconLayers) + " " : "", look.name));
   ImGui::PopClipRect();
   ImGui::SetCursorScreenPos(ImVec2(clip.x + size.x - 2 * side - px(2), clip.y));
   const CompareState& compare = studio.view.compare;
@@ -206,25 +210,38 @@ void GalleryPanel::drawLook(LightsContext& studio, size_t index, float height) {
   ImGui::PopID();
 }
 
+void GalleryPanel::drawKeepButtons(const LightsContext& studio, float width, float height) {
+  const float gap = px(kTileGap);
+  const ImVec2 size(width, std::floor((height - gap) / 2));
+  ImGui::BeginGroup();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+  if (ImGui::Button("+ Look", size)) studio.actions.run("looks.keep");
+  markItem("gallery.keep");
+  tooltip(
+      "Save the current lighting as a look: colours, levels and switches. Light edits (F4) are not included. "
+      "(Shift+K)");
+  if (ImGui::Button("+ Version", size)) studio.actions.run("looks.keep_version");
+  markItem("gallery.keep_version");
+  tooltip("Save all there is now as a version: lighting, light edits, view and camera look. (Shift+V)");
+  ImGui::PopStyleVar();
+  ImGui::EndGroup();
+}
+
 void GalleryPanel::draw(LightsContext& studio) {
   if (m_thumbnails.size() > studio.document().looks.size())
     m_thumbnails.resize(studio.document().looks.size());
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float button = px(46);
-  if (ImGui::Button(kIconAdd, ImVec2(button, room.y))) studio.actions.run("looks.keep");
-  markItem("gallery.keep");
-  tooltip(
-      "Save the current lighting as a look: colours, levels and switches. Light edits (F4) are not included. "
-      " "
-      "(Shift+K)");
+  const float button = px(72);
+  drawKeepButtons(studio, button, room.y);
   ImGui::SameLine(0, px(kTileGap));
   ImGui::BeginChild("##looks", ImVec2(room.x - button - px(kFaderWidth) - 2 * px(kTileGap), room.y), false,
                     ImGuiWindowFlags_HorizontalScrollbar);
   const size_t count = studio.document().looks.size();
   if (count == 0) {
     ImGui::TextDisabled(
-        "No looks yet. Click + to save the current lighting: colours, levels and switches, but not light "
-        "edits.");
+        "Nothing is kept yet. + Look saves the current lighting: colours, levels and switches; + Version "
+        "saves "
+        "light edits, view and camera look, too.");
   }
   // Pictures as high as there is room, less a bar where they do not fit side by side.
   float height = room.y - px(kNameHeight) - ImGui::GetStyle().ItemSpacing.y;

@@ -12,6 +12,13 @@ void addLookActions(ActionTable& actions, LightsContext& studio) {
                  studio.layout.gallery = true;
                },
                [&studio] { return studio.set() && !studio.document().rig.lights.empty(); }});
+  actions.add({"looks.keep_version", "Save all as a version", "Shift+V",
+               "Adds a version to the gallery: lighting, light edits, view and camera look.",
+               [&studio] {
+                 keepVersion(studio);
+                 studio.layout.gallery = true;
+               },
+               [&studio] { return studio.set() && !studio.document().rig.lights.empty(); }});
 }
 
 }  // namespace swaplight

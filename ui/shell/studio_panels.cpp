@@ -206,6 +206,18 @@ std::vector<PanelInfo> StudioWindow::allPanels() {
        0,
        hasSet,
        [this] { drawCameraLookPanel(m_context, m_chooser); }},
+      {"view.cues",
+       "Cues",
+       "Shift+F8",
+       "Show or hide the cue list: versions that fade in one after the other.",
+       &Layout::cues,
+       Dock::Left,
+       CuePanel::kWidth,
+       {},
+       {10, 10},
+       0,
+       canEdit,
+       [this] { m_cuePanel.draw(m_lights, m_cues); }},
   };
 }
 

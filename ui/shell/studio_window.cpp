@@ -237,7 +237,7 @@ void StudioWindow::update() {
   if (!m_layout.cameraLook) m_viewer.filterAlone.reset();  // its button is gone
   const bool marches = m_editing.selection.marching;
   if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_window.requestFrames(1);
-  if (listMoves() || m_cues.fading()) m_window.requestFrames(1);
+  if (listMoves() || m_cues.fading() || m_cues.waiting()) m_window.requestFrames(1);
   for (const fs::path& dropped : m_window.takeDropped())
     if (!takeDroppedLook(m_context, dropped)) whenSaved([this, dropped] { open(dropped); });
   if (m_window.closeAsked()) askToQuit();
@@ -371,7 +371,7 @@ void StudioWindow::frame() {
   markState("title", m_title);
   markState("popups", std::to_string(openPopups()));
   markState("busy", busy() || listMoves() ? "yes" : "no");
-  markState("desk.fading", m_cues.fading() ? "yes" : "no");
+  markState("desk.fading", m_cues.fading() ? "yes" : m_cues.waiting() ? "waiting" : "no");
   markState("camera_look.drawn", m_seen.words());
   markState("camera_look.thumbnails", std::to_string(m_thumbnails.pending()));
   markState("colors", m_colors.config()->title());

@@ -9,6 +9,7 @@
 #include "ui/control/lights_context.h"
 #include "ui/control/viewer_context.h"
 #include "ui/desk/command_line.h"
+#include "ui/desk/cue_panel.h"
 #include "ui/desk/cue_player.h"
 #include "ui/dialogs/capture_wizard.h"
 #include "ui/dialogs/dialogs.h"
@@ -58,9 +59,9 @@ class StudioWindow {
   void askToQuit();
   /// Ends it without asking.
   void quit() { m_done = true; }
-  [[nodiscard]] bool done() const { return m_done; }
   /// Ends it at once; what is unsaved is offered at the next start.
   void leave();
+  [[nodiscard]] bool done() const { return m_done; }
   void exportFrame(const std::filesystem::path& file);
   void exportAs(const ExportRequest& request);
   [[nodiscard]] Window& window() { return m_window; }
@@ -131,6 +132,7 @@ class StudioWindow {
   GalleryPanel m_gallery;
   CommandLine m_commandLine;
   CuePlayer m_cues;
+  CuePanel m_cuePanel;
   ViewerContext m_context;
   LightsContext m_lights;
   LampReader m_lamps;

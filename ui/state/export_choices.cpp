@@ -10,7 +10,7 @@
 namespace swaplight {
 namespace {
 
-constexpr std::array<const char*, 5> kKindNames = {"frame", "layers", "beta", "look", "report"};
+constexpr std::array<const char*, 6> kKindNames = {"frame", "layers", "beta", "look", "report", "sequence"};
 
 /// The value where it is one of the list, else what there was.
 void take(std::string& value, const std::string& found, const std::vector<std::string>& known) {
@@ -20,8 +20,12 @@ void take(std::string& value, const std::string& found, const std::vector<std::s
 }  // namespace
 
 const std::vector<std::string>& formatsOf(ExportKind kind) {
-  static const std::array<std::vector<std::string>, 5> formats = {
-      {{".exr", ".png", ".tif", ".jpg", ".hdr"}, {".exr"}, {".exr", ".png"}, {".cube", ".ccc"}, {".html"}}};
+  static const std::array<std::vector<std::string>, 6> formats = {{{".exr", ".png", ".tif", ".jpg", ".hdr"},
+                                                                   {".exr"},
+                                                                   {".exr", ".png"},
+                                                                   {".cube", ".ccc"},
+                                                                   {".html"},
+                                                                   {".exr", ".png", ".tif", ".jpg"}}};
   return formats.at(static_cast<size_t>(kind));
 }
 
@@ -30,12 +34,14 @@ ExportRequest requestOf(const ExportChoices& choices, const std::filesystem::pat
   request.kind = choices.kind;
   request.file = file;
   const std::string extension = file.extension().string();
-  const bool sceneLinear = request.kind == ExportKind::Frame && isSceneLinear(file);
+  const bool picture = request.kind == ExportKind::Frame || request.kind == ExportKind::Sequence;
+  const bool sceneLinear = picture && isSceneLinear(file);
   if (extension == ".exr" && choices.floatFrame) request.frame.write.pixelType = "float";
   if (extension == ".png" || extension == ".tif")
     request.frame.write.pixelType = choices.sixteenBits ? "uint16" : "uint8";
   if (sceneLinear) request.frame.colorSpace = choices.colorSpace;
-  if (!sceneLinear && !choices.tone.empty()) request.frame.tone = stillToneFromText(choices.tone);
+  if (request.kind == ExportKind::Frame && !sceneLinear && !choices.tone.empty())
+    request.frame.tone = stillToneFromText(choices.tone);
   request.layers.naming = choices.naming == "blender" ? LayerNaming::Blender : LayerNaming::Layers;
   request.layers.multipart = choices.naming == "multi";
   request.layers.compression = choices.compression;
@@ -44,6 +50,8 @@ ExportRequest requestOf(const ExportChoices& choices, const std::filesystem::pat
   request.layers.beta = choices.beta;
   request.layers.quality = choices.quality;
   request.seesLook = choices.cameraLook;
+  request.timing.framesPerSecond = static_cast<double>(choices.framesPerSecond);
+  request.timing.holdSeconds = static_cast<double>(choices.holdSeconds);
   return request;
 }
 
@@ -66,6 +74,8 @@ ExportChoices readExportChoices(const std::filesystem::path& file) {
     choices.beta = json.value("beta", choices.beta);
     choices.quality = json.value("quality", choices.quality);
     choices.cameraLook = json.value("camera_look", choices.cameraLook);
+    choices.framesPerSecond = std::clamp(json.value("fps", choices.framesPerSecond), 1.F, kMostRate);
+    choices.holdSeconds = std::clamp(json.value("hold", choices.holdSeconds), 0.F, kMostCueSeconds);
     choices.folder = json.value("folder", "");
   } catch (const std::exception&) {
     return {};
@@ -90,6 +100,8 @@ void writeExportChoices(const ExportChoices& choices, const std::filesystem::pat
                    {"beta", choices.beta},
                    {"quality", choices.quality},
                    {"camera_look", choices.cameraLook},
+                   {"fps", choices.framesPerSecond},
+                   {"hold", choices.holdSeconds},
                    {"folder", choices.folder.string()}},
               file);
   } catch (const std::exception&) {

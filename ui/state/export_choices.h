@@ -8,12 +8,14 @@
 
 namespace swaplight {
 
+inline constexpr float kMostRate = 1000;  ///< frames a second
+
 /// What was chosen in the export dialog: remembered from one time to the next.
 struct ExportChoices {
   ExportKind kind = ExportKind::Frame;
   /// The format of each kind, as its extension.
-  std::array<std::string, 5> formats = {".exr", ".exr", ".exr", ".cube", ".html"};
-  bool floatFrame = false;     ///< EXR: float instead of half
+  std::array<std::string, 6> formats = {".exr", ".exr", ".exr", ".cube", ".html", ".exr"};
+  bool floatFrame = false;     ///< frame, sequence: EXR in float instead of half
   bool sixteenBits = false;    ///< PNG, TIFF: instead of 8
   std::string colorSpace;      ///< frame, layers: primaries of scene-linear light; empty: the set's
   std::string tone;            ///< frame through a view: a tone mapping instead of it
@@ -21,6 +23,8 @@ struct ExportChoices {
   bool floatLayers = false;
   std::string compression = "zip";
   bool beta = false, quality = false;
+  float framesPerSecond = 24;    ///< sequence
+  float holdSeconds = 1;         ///< sequence: of cues that nothing follows
   bool cameraLook = true;        ///< frame, layers: seen through the session's camera look, where it has one
   std::filesystem::path folder;  ///< where the last file went
   bool operator==(const ExportChoices&) const = default;

@@ -31,6 +31,7 @@ struct PanelLayout {
   bool cameraLook = false;
   bool threePoint = false;  ///< in the place of the light's colour
   bool commandLine = false;
+  bool cues = false;
   bool hidden = false;  ///< everything but the viewer
   float mixerWidth = 372;
   float scopesHeight = 220;
@@ -39,7 +40,7 @@ struct PanelLayout {
 };
 
 /// The panels, by their names in the file.
-inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 9> kPanelNames = {
+inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 10> kPanelNames = {
     {{"mixer", &PanelLayout::mixer},
      {"scopes", &PanelLayout::scopes},
      {"tools", &PanelLayout::tools},
@@ -48,7 +49,8 @@ inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 9> kPan
      {"gallery", &PanelLayout::gallery},
      {"camera_look", &PanelLayout::cameraLook},
      {"three_point", &PanelLayout::threePoint},
-     {"command_line", &PanelLayout::commandLine}}};
+     {"command_line", &PanelLayout::commandLine},
+     {"cues", &PanelLayout::cues}}};
 
 /// Defaults where the file is not there or cannot be read.
 [[nodiscard]] PanelLayout readPanelLayout(const std::filesystem::path& file);
