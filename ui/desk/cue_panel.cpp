@@ -96,18 +96,17 @@ void CuePanel::drawButtons(const LightsContext& studio, const CuePlayer& cues) {
 void CuePanel::drawSeconds(const LightsContext& studio, const Cue& cue, const char* words,
                            const std::string& shown, const char* tip) {
   const std::string field = fmt::format("{}.{}", markOf(cue), words);
-  std::string typed = m_field == field ? m_typed : shown;
+  const auto kept = m_typed.find(field);
+  std::string typed = kept == m_typed.end() ? shown : kept->second;
   ImGui::SetNextItemWidth(px(kSecondsWidth));
   ImGui::InputTextWithHint(("##" + field).c_str(), "\u2013", &typed, ImGuiInputTextFlags_AutoSelectAll);
   const bool active = ImGui::IsItemActive(), left = ImGui::IsItemDeactivatedAfterEdit();
   markItem(field);
   tooltip(tip);
-  if (active) {
-    m_field = field;
-    m_typed = typed;
-  } else if (m_field == field) {
-    m_field.clear();
-  }
+  if (active)
+    m_typed[field] = typed;
+  else
+    m_typed.erase(field);
   if (!left || typed == shown) return;
   std::erase(typed, '"');
   const std::string value = typed.empty() ? "off" : '"' + typed + '"';  // one word, whatever it is

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "ui/control/lights_context.h"
@@ -23,8 +24,8 @@ class CuePanel {
   void drawSeconds(const LightsContext& studio, const Cue& cue, const char* words, const std::string& shown,
                    const char* tip);
 
-  std::string m_field;  ///< the one that is typed into; empty: none
-  std::string m_typed;
+  /// What stands in fields that are typed into. Two in the frame in which a click leads from one to another.
+  std::map<std::string, std::string> m_typed;
 };
 
 }  // namespace swaplight
