@@ -220,7 +220,7 @@ void ExportDialog::drawFrame(const ColorConfig& config, const Document& document
 }
 
 void ExportDialog::drawTiming(const Document& document) {
-  label("Frames a second");
+  label("Frames per s");
   ImGui::SetNextItemWidth(px(kSecondsField));
   if (ImGui::InputFloat("##fps", &m_choices.framesPerSecond, 0, 0, "%g"))
     m_choices.framesPerSecond = std::clamp(m_choices.framesPerSecond, 1.F, kMostRate);

@@ -231,7 +231,7 @@ void GalleryPanel::draw(LightsContext& studio) {
   if (m_thumbnails.size() > studio.document().looks.size())
     m_thumbnails.resize(studio.document().looks.size());
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float button = px(72);
+  const float button = px(92);
   drawKeepButtons(studio, button, room.y);
   ImGui::SameLine(0, px(kTileGap));
   ImGui::BeginChild("##looks", ImVec2(room.x - button - px(kFaderWidth) - 2 * px(kTileGap), room.y), false,
