@@ -77,6 +77,12 @@ bool saysLevel(std::string_view text) {
   return text.starts_with('@') || text.ends_with('%') || text == "full" || text == "out";
 }
 
+/// A gel's number alone, as gaffers say it.
+bool isGel(const std::string& lower) {
+  const std::vector<Gel>& gels = allGels();
+  return std::any_of(gels.begin(), gels.end(), [&](const Gel& gel) { return lowerCase(gel.id) == lower; });
+}
+
 void applyPart(LightSetting& setting, std::string_view part) {
   using Kind = LightColor::Kind;
   const std::string lower = lowerCase(part);
@@ -118,6 +124,8 @@ void applyPart(LightSetting& setting, std::string_view part) {
     setting.multiplier = numberIn(after(1), 0, kMostFactor, part, "a factor from 0 to 1e9, as x1.7");
   } else if (const std::optional<double> level = saysLevel(text) ? levelFromText(text) : std::nullopt) {
     setLevel(setting, *level);
+  } else if (isGel(lower)) {
+    setting.color.gel = findGel(std::string(part)).id;
   } else {
     throw InputError("'{}' is no light setting; known are {}", part, kSettingGrammar);
   }

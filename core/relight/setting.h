@@ -22,7 +22,7 @@ inline constexpr const char* kSettingGrammar =
 ///                    are 0..1
 ///   3200K            white of that temperature, 1000..25000
 ///   green:+0.25      plus or minus green, -1..1, 1 = a full gel
-///   gel:L201         a gel in front of the lamp; gel:none takes it away
+///   gel:L201, L201   a gel in front of the lamp; gel:none takes it away
 ///   +1.5st, -2st     stops, -30..30
 ///   x1.7             multiplier, 0 or more
 ///   50%, @50         the whole level in per cent of the captured one: stops and multiplier

@@ -73,6 +73,7 @@ TEST(Setting, GreenMovesAcrossTheLocusAndKeepsLuminance) {
 
 TEST(Setting, AGelLiesOverTheLampInWhateverOrderTheyAreNamed) {
   EXPECT_EQ(factor("3200K,gel:L201"), factor("gel:l201,3200K"));
+  EXPECT_EQ(factor("3200K,gel:L201"), factor("l201,3200K"));
   const double kelvin = correlatedTemperature(xyFromRec709(factor("3200K,gel:L201"))).kelvin;
   EXPECT_NEAR(kelvin, 5700, 60);
   EXPECT_NEAR(correlatedTemperature(xyFromRec709(factor("gel:L204"))).kelvin, 3200, 20);
