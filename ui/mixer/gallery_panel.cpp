@@ -238,10 +238,11 @@ void GalleryPanel::draw(LightsContext& studio) {
                     ImGuiWindowFlags_HorizontalScrollbar);
   const size_t count = studio.document().looks.size();
   if (count == 0) {
+    ImGui::PushTextWrapPos(ImGui::GetWindowWidth());
     ImGui::TextDisabled(
         "Nothing is kept yet. + Look saves the current lighting: colours, levels and switches; + Version "
-        "saves "
-        "light edits, view and camera look, too.");
+        "saves light edits, view and camera look, too.");
+    ImGui::PopTextWrapPos();
   }
   // Pictures as high as there is room, less a bar where they do not fit side by side.
   float height = room.y - px(kNameHeight) - ImGui::GetStyle().ItemSpacing.y;
