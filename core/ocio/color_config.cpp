@@ -184,7 +184,7 @@ OCIO::ConstCPUProcessorRcPtr ColorConfig::Impl::view(const std::string& from,
 
 OCIO::ConstCPUProcessorRcPtr ColorConfig::Impl::shownLight(const DisplayChoice& choice) const {
   const std::lock_guard lock(processorMutex());
-  return inWords(name, [&]() -> OCIO::ConstCPUProcessorRcPtr {
+  try {
     const std::string own = config->getDisplayViewColorSpaceName(choice.display.c_str(), choice.view.c_str());
     const auto space =
         config->getColorSpace((own == OCIO::OCIO_VIEW_USE_DISPLAY_NAME ? choice.display : own).c_str());
@@ -194,7 +194,9 @@ OCIO::ConstCPUProcessorRcPtr ColorConfig::Impl::shownLight(const DisplayChoice& 
     const auto from = space->getTransform(OCIO::COLORSPACE_DIR_FROM_REFERENCE);
     if (!from) return nullptr;
     return config->getProcessor(from, OCIO::TRANSFORM_DIR_INVERSE)->getDefaultCPUProcessor();
-  });
+  } catch (const OCIO::Exception&) {
+    return nullptr;  // a transform that cannot be turned round
+  }
 }
 
 OCIO::ConstGPUProcessorRcPtr ColorConfig::Impl::shaderView(const std::string& from,

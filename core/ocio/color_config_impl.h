@@ -37,7 +37,8 @@ struct ColorConfig::Impl {
   [[nodiscard]] OCIO::ConstCPUProcessorRcPtr conversion(const std::string& from, const std::string& to) const;
   [[nodiscard]] OCIO::ConstCPUProcessorRcPtr view(const std::string& from, const DisplayChoice& choice) const;
   /// From a view's codes to the light of its display, CIE XYZ with 1 for 100 cd/m2; null where the
-  /// configuration does not say: a view whose colour space is no display's.
+  /// configuration does not say: a view whose colour space is no display's, or a display whose transform has
+  /// no inverse. Does not throw.
   [[nodiscard]] OCIO::ConstCPUProcessorRcPtr shownLight(const DisplayChoice& choice) const;
   /// For a shader.
   [[nodiscard]] OCIO::ConstGPUProcessorRcPtr shaderView(const std::string& from,

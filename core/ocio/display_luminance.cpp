@@ -13,9 +13,7 @@ constexpr float kNitsOfOne = 100;
 }  // namespace
 
 DisplayLuminance::DisplayLuminance(const ColorConfig& config, const DisplayChoice& choice) {
-  const DisplayChoice named = namedDisplay(config, choice);
-  config.checkView(named);
-  const OCIO::ConstCPUProcessorRcPtr light = config.impl().shownLight(named);
+  const OCIO::ConstCPUProcessorRcPtr light = config.impl().shownLight(namedDisplay(config, choice));
   if (!light) return;
   float brightest = 0;
   for (size_t i = 0; i <= kSteps; ++i) {

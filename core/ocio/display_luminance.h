@@ -12,8 +12,8 @@ class DisplayLuminance {
  public:
   /// Of no display: not known.
   DisplayLuminance() = default;
-  /// Throws InputError as ColorConfig::checkView does. Not known where the view's codes are no display's: a
-  /// log view.
+  /// Not known where the view's codes are no display's (a log view), where its transform has no inverse, and
+  /// where there is no such view.
   DisplayLuminance(const ColorConfig& config, const DisplayChoice& choice);
 
   [[nodiscard]] bool known() const { return !m_nits.empty(); }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/support/temporary_folder.h"
+
 namespace swaplight {
 namespace {
 
@@ -39,6 +41,32 @@ TEST(DisplayLuminance, IsNotKnownOfCodesThatAreNoDisplays) {
   EXPECT_FALSE(luminanceOf({"sRGB", "Log"}).known());
   EXPECT_FALSE(luminanceOf({"sRGB", "Raw"}).known());
   EXPECT_FALSE(DisplayLuminance().known());
+}
+
+TEST(DisplayLuminance, IsNotKnownWhereTheDisplaysTransformHasNoInverse) {
+  const test::TemporaryFolder folder;
+  test::writeBytes(folder / "config.ocio", R"(ocio_profile_version: 2
+roles: {default: lin, scene_linear: lin}
+file_rules:
+  - !<Rule> {name: Default, colorspace: default}
+displays:
+  monitor:
+    - !<View> {name: grey, view_transform: plain, display_colorspace: shown}
+view_transforms:
+  - !<ViewTransform>
+    name: plain
+    from_scene_reference: !<MatrixTransform> {matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}
+display_colorspaces:
+  - !<ColorSpace>
+    name: shown
+    from_display_reference: !<MatrixTransform> {matrix: [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1]}
+colorspaces:
+  - !<ColorSpace> {name: lin, isdata: false}
+)");
+  const ColorConfig config((folder / "config.ocio").string());
+  config.checkView({"monitor", "grey"});
+  EXPECT_FALSE(DisplayLuminance(config, {"monitor", "grey"}).known());
+  EXPECT_FALSE(DisplayLuminance(config, {"monitor", "none"}).known());
 }
 
 }  // namespace
