@@ -32,6 +32,13 @@ std::map<std::string, std::string> FlatArguments::lamps(const std::filesystem::p
   return lamps;
 }
 
+std::vector<std::filesystem::path> FlatArguments::files() const {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& text : m_lamps) files.emplace_back(text.substr(text.find('=') + 1));
+  if (!m_lens.empty()) files.emplace_back(m_lens);
+  return files;
+}
+
 std::string FlatArguments::lens(const std::filesystem::path& folder) const {
   return m_lens.empty() ? "" : pathInManifest(folder, m_lens);
 }

@@ -17,6 +17,8 @@ class FlatArguments {
   void addTo(CLI::App& verb);
   /// Light: its picture, as the manifest in `folder` names it. Throws InputError that quotes the option.
   [[nodiscard]] std::map<std::string, std::string> lamps(const std::filesystem::path& folder) const;
+  /// The pictures, as given: no output may replace them.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const;
   /// "" where there is none.
   [[nodiscard]] std::string lens(const std::filesystem::path& folder) const;
 

@@ -69,7 +69,9 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   capture = withFlats(capture, arguments.flats.lamps(capture.folder), arguments.flats.lens(capture.folder));
   sayWarnings(capture.warnings, terminal);
   checkSetColorSpace(arguments.colorSpace);
-  const std::vector<std::filesystem::path> inputs = filesOfSource(arguments.capture);
+  std::vector<std::filesystem::path> inputs = filesOfSource(arguments.capture);
+  for (const std::filesystem::path& flat : arguments.flats.files()) inputs.push_back(flat);
+  if (!arguments.response.empty()) inputs.emplace_back(arguments.response);
   checkSolvedFile(arguments.output);
   checkOutput(arguments.output, inputs);
   if (!arguments.report.empty()) checkOutput(arguments.report, inputs);

@@ -85,6 +85,9 @@ class FlatFields(cli.CliTest):
         cards = self.capture.manifest['flats'] = {'key': '../cards/flat_key.exr'}
         self.capture.save()
         self.deny('solve', self.capture.path, '-o', self.path('set', cards['key']), naming='flat_key.exr')
+        card = self.path('cards', 'flat_fill.exr')
+        self.deny('solve', self.capture.path, '-o', card, '--flat', 'fill=' + card, naming='flat_fill.exr')
+        self.assertEqual(cli.read_image(card)['R'].shape, (SIZE['height'], SIZE['width']))
         result = self.succeed('solve', self.capture.path, *out, '--vignetting', self.path('set', 'shot_01.exr'))
         self.assertIn('even grey surface', result.stderr)
 
