@@ -234,6 +234,17 @@ std::string linearSpaceOf(const std::string& colorSpace) {
   return chromaticitiesOf(colorSpace) ? colorSpace : "lin_rec709";
 }
 
+CapturePixels withoutShots(const CapturePixels& pixels) {
+  return {{},
+          pixels.ambient ? std::optional(pixels.ambient->clone()) : std::nullopt,
+          pixels.clipLevel,
+          pixels.quantum,
+          pixels.encoded,
+          pixels.codingError,
+          pixels.carried,
+          pixels.warnings};
+}
+
 CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& capture, const Progress& progress) {
   std::optional<ResponseCurve> response;
   if (isResponseFile(capture.colorSpace)) response = readResponse(capture.folder / capture.colorSpace);

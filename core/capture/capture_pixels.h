@@ -39,6 +39,9 @@ struct CapturePixels {
   [[nodiscard]] int height() const { return shots.empty() ? 0 : shots.front().height(); }
 };
 
+/// All that is known of the shots, without them.
+[[nodiscard]] CapturePixels withoutShots(const CapturePixels& pixels);
+
 /// The primaries that a capture's pictures have in linear light, and its light colours, by its colour space:
 /// lin_rec709, acescg and aces2065_1 stay, anything else becomes lin_rec709.
 [[nodiscard]] std::string linearSpaceOf(const std::string& colorSpace);

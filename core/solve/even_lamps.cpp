@@ -42,14 +42,8 @@ std::vector<std::vector<Rgb>> colorsOf(const Capture& capture, const SolveReport
 /// The shots of lamps that are uneven, and of the same lamps if they were not.
 class EvenedShots {
  public:
-  EvenedShots(const CapturePixels& uneven, const FlatFields& fields) : m_uneven(uneven), m_fields(fields) {
-    m_even.clipLevel = uneven.clipLevel;
-    m_even.quantum = uneven.quantum;
-    m_even.encoded = uneven.encoded;
-    m_even.codingError = uneven.codingError;
-    m_even.carried = uneven.carried;
-    m_even.warnings = uneven.warnings;
-    if (uneven.ambient) m_even.ambient = uneven.ambient->clone();
+  EvenedShots(const CapturePixels& uneven, const FlatFields& fields)
+      : m_uneven(uneven), m_fields(fields), m_even(withoutShots(uneven)) {
     for (const Image& shot : uneven.shots) m_even.shots.push_back(shot.clone());
     // What is added makes no pixel saturated, and takes from none that it is.
     for (size_t k = 0; k < m_even.clipLevel.size(); ++k) m_even.clipLevel[k] *= roomOf(fields.lamps[k]);

@@ -58,21 +58,12 @@ float signalScale(const CapturePixels& pixels, const std::string& where) {
 }
 
 CapturePixels scaledSignal(const CapturePixels& pixels, float scale) {
-  const auto times = [scale](const Image& image) {
-    Image scaled = image.clone();
-    multiply(scaled, scale);
-    return scaled;
-  };
-  CapturePixels scaled;
-  for (const Image& shot : pixels.shots) scaled.shots.push_back(times(shot));
-  if (pixels.ambient) scaled.ambient = times(*pixels.ambient);
-  for (const float clip : pixels.clipLevel) scaled.clipLevel.push_back(clip * scale);
-  for (const float step : pixels.quantum) scaled.quantum.push_back(step * scale);
-  scaled.encoded = pixels.encoded;
-  for (const ValueVariance& at : pixels.codingError)
-    scaled.codingError.push_back({at.value * scale, at.variance * scale * scale});
-  scaled.carried = pixels.carried;
-  scaled.warnings = pixels.warnings;
+  CapturePixels scaled = withoutShots(pixels);
+  for (const Image& shot : pixels.shots) multiply(scaled.shots.emplace_back(shot.clone()), scale);
+  if (scaled.ambient) multiply(*scaled.ambient, scale);
+  for (float& clip : scaled.clipLevel) clip *= scale;
+  for (float& step : scaled.quantum) step *= scale;
+  for (ValueVariance& at : scaled.codingError) at = {at.value * scale, at.variance * scale * scale};
   return scaled;
 }
 

@@ -187,13 +187,7 @@ bool worthMoving(const ShotShift& shift) {
 }
 
 CapturePixels movedShots(const CapturePixels& pixels, const std::vector<ShotShift>& shifts) {
-  CapturePixels moved;
-  moved.clipLevel = pixels.clipLevel;
-  moved.quantum = pixels.quantum;
-  moved.encoded = pixels.encoded;
-  moved.codingError = pixels.codingError;
-  moved.warnings = pixels.warnings;
-  if (pixels.ambient) moved.ambient = pixels.ambient->clone();
+  CapturePixels moved = withoutShots(pixels);
   for (size_t k = 0; k < pixels.shots.size(); ++k) {
     const Image& shot = pixels.shots[k];
     if (!worthMoving(shifts[k])) {
