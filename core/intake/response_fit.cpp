@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/color/srgb.h"
 #include "core/image/io/image_io.h"
 #include "core/image/rgb_image.h"
 #include "core/intake/log_response.h"
+#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {
@@ -73,19 +73,17 @@ void fitChannel(const ResponseSamples& samples, int c, ResponseFit& fit) {
 }
 
 void compareWithUsual(ResponseFit& fit) {
-  const std::pair<const char*, float (*)(float)> usual[] = {
-      {"srgb", [](float v) { return linearFromSrgb(v); }},
-      {"lin_rec709", [](float v) { return v; }},
-      {"gamma22", [](float v) { return std::pow(v, 2.2F); }},
-      {"gamma24", [](float v) { return std::pow(v, 2.4F); }},
-      {"rec709", [](float v) { return v < 0.081F ? v / 4.5F : std::pow((v + 0.099F) / 1.099F, 1 / 0.45F); }}};
+  static const ColorConfig builtin("");
   fit.nearestDifference = INFINITY;
-  for (const auto& [name, coding] : usual) {
+  for (const char* name : {"srgb", "lin_rec709", "gamma22", "gamma24", "rec709"}) {
+    Image usual(ImageSpec::rgb(kResponseLevels, 1));
+    for (int c = 0; c < 3; ++c)
+      for (int z = 0; z < kResponseLevels; ++z) usual.plane(c)[z] = float(z) / (kResponseLevels - 1);
+    builtin.convert(usual.span(), name, "lin_rec709");
     double largest = 0;
     for (const std::vector<float>& curve : fit.curve.light)
-      for (int z = 0; z < kResponseLevels; ++z)
-        largest = std::max(largest, double(std::abs(curve[static_cast<size_t>(z)] -
-                                                    coding(float(z) / (kResponseLevels - 1)))));
+      for (size_t z = 0; z < curve.size(); ++z)
+        largest = std::max(largest, double(std::abs(curve[z] - usual.plane(0)[z])));
     if (largest < fit.nearestDifference) fit.nearest = name, fit.nearestDifference = largest;
   }
 }
