@@ -10,8 +10,6 @@
 namespace swaplight {
 namespace {
 
-constexpr const char* kAmbientName = "ambient";
-
 /// A light's settings, frame after frame, as the fewest keys that say the same: of frames that are alike the
 /// first and the last.
 std::vector<RigAnimation::Key> keysOf(const std::vector<std::string>& settings, int firstFrame) {

@@ -61,16 +61,16 @@ LightSetting settingAt(const LightSetting& light, const std::vector<RigAnimation
 }
 
 bool isAmbient(const Rig& rig, const std::string& name) {
-  return name == "ambient" &&
+  return name == kAmbientName &&
          std::none_of(rig.lights.begin(), rig.lights.end(),
-                      [](const LightSetting& light) { return light.light == "ambient"; });
+                      [](const LightSetting& light) { return light.light == kAmbientName; });
 }
 
 /// The ambient light's level, as that of a light without colour.
 float ambientAt(float level, const std::vector<RigAnimation::Key>& keys, RigAnimation::Between between,
                 int frame) {
   LightSetting ambient;
-  ambient.light = "ambient";
+  ambient.light = kAmbientName;
   ambient.multiplier = level;
   ambient = settingAt(ambient, keys, between, frame);
   if (ambient.color != LightColor())

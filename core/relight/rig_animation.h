@@ -10,6 +10,9 @@
 namespace swaplight {
 
 /// Lights that change over the frames of a sequence: settings at key frames, and what lies between.
+/// What keys of the ambient light stand under, where no light is called so.
+inline constexpr const char* kAmbientName = "ambient";
+
 struct RigAnimation {
   /// Linear: evenly from key to key. Smooth: at rest at every key (t^2 (3 - 2t) of the way).
   enum class Between { Linear, Smooth };

@@ -18,8 +18,6 @@ class EditFade {
   /// amount 0..1: at 0 and 1 the stacks as they are. Between them there are the new lights of both; what has
   /// no opacity (thresholds of shadows) is that of the first.
   [[nodiscard]] EditStack at(float amount) const;
-  [[nodiscard]] const EditStack& from() const { return m_from; }
-  [[nodiscard]] const EditStack& to() const { return m_to; }
 
  private:
   /// An edit on its way; one of them may be missing.
