@@ -23,11 +23,15 @@ enum class ExportKind {
   Sequence,  ///< the cue list as numbered frames
 };
 
+/// Whether it is made of pictures that a camera look can be put on.
+[[nodiscard]] constexpr bool hasPictures(ExportKind kind) {
+  return kind == ExportKind::Frame || kind == ExportKind::Layers || kind == ExportKind::Sequence;
+}
+
 struct ExportRequest {
   ExportKind kind = ExportKind::Frame;
   std::filesystem::path file;
-  FrameOptions
-      frame;  ///< Frame, Sequence; the document's view where nothing is asked for: see frameOptionsFor
+  FrameOptions frame;    ///< Frame, Sequence; where nothing is asked for the document's view
   LayerOptions layers;   ///< Layers; its text is filled in
   CueTiming timing;      ///< Sequence; its file is a pattern, as name.####.exr
   bool seesLook = true;  ///< Frame, Layers, Sequence: the document's camera look is put on, where it has one

@@ -5,10 +5,6 @@
 namespace swaplight {
 namespace {
 
-bool isPicture(ExportKind kind) {
-  return kind == ExportKind::Frame || kind == ExportKind::Layers || kind == ExportKind::Sequence;
-}
-
 /// Null where the document has none.
 std::shared_ptr<CameraLook> cameraLookOf(const Document& document) {
   const FilterPipeline& look = document.cameraLook;
@@ -27,7 +23,7 @@ void ExportController::start(std::shared_ptr<const ColorConfig> config, std::sha
       [config = std::move(config), set = std::move(set), document,
        request = request](const Progress& progress) mutable -> Exported {
         const std::shared_ptr<CameraLook> look =
-            isPicture(request.kind) && request.seesLook ? cameraLookOf(document) : nullptr;
+            hasPictures(request.kind) && request.seesLook ? cameraLookOf(document) : nullptr;
         request.cameraLook = look;
         std::vector<std::filesystem::path> files = exportDocument(*config, set, document, request, progress);
         return {std::move(files), look ? look->leftOut() : std::vector<std::string>{}};

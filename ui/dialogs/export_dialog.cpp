@@ -264,10 +264,8 @@ void ExportDialog::drawLayers() {
 }
 
 void ExportDialog::drawCameraLook(const Document& document) {
-  const bool picture = m_choices.kind == ExportKind::Frame || m_choices.kind == ExportKind::Layers ||
-                       m_choices.kind == ExportKind::Sequence;
   const FilterPipeline& look = document.cameraLook;
-  if (!picture || look.stages.empty()) return;
+  if (!hasPictures(m_choices.kind) || look.stages.empty()) return;
   const bool layers = m_choices.kind == ExportKind::Layers;
   check(((layers ? "Layer of the camera look: " : "Camera look: ") + look.name).c_str(), "camera_look",
         &m_choices.cameraLook,
