@@ -144,11 +144,12 @@ unsigned GalleryPanel::thumbnail(LightsContext& studio, size_t index, int width,
   if (made.texture.id() != 0 && made.rig == look.rig && made.scene == look.scene &&
       made.set == studio.session.setRevision() && made.table == table)
     return made.texture.id();
-  const SmallPicture picture = look.scene
-                                   ? m_versions.draw(studio, look, *table, width, height)
-                                   : framePicture(set.solved(), set.pictures(), *studio.colors.config(),
-                                                  *table, look.rig, width, height);
-  made.texture.update(width, height, picture.rgba.data());
+  const std::optional<SmallPicture> picture =
+      look.scene ? m_versions.picture(studio, look, table, width, height)
+                 : framePicture(set.solved(), set.pictures(), *studio.colors.config(), *table, look.rig,
+                                width, height);
+  if (!picture) return made.texture.id();
+  made.texture.update(width, height, picture->rgba.data());
   made.rig = look.rig;
   made.scene = look.scene;
   made.set = studio.session.setRevision();

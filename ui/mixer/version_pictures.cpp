@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/session/open_source.h"
 #include "core/set/shrunk_set.h"
+#include "ui/jobs/take_or_report.h"
 #include "ui/pictures/frame_picture.h"
 
 namespace swaplight {
@@ -30,16 +31,37 @@ std::shared_ptr<const SolvedSet> editedCopy(const std::shared_ptr<const SolvedSe
 
 }  // namespace
 
-SmallPicture VersionPictures::draw(const LightsContext& studio, const SavedLook& version,
-                                   const DisplayTable& table, int width, int height) {
-  const OpenSet& set = *studio.set();
-  if (m_original != set.original) {
-    m_original = set.original;
-    m_small = smallCopy(*m_original);
-  }
-  const auto edited = editedCopy(m_small, version.scene->edits);
-  return framePicture(*edited, ViewPictures(edited), *studio.colors.config(), table, version.rig, width,
-                      height);
+VersionPictures::Drawn VersionPictures::draw(Request request, std::shared_ptr<const SolvedSet> small) {
+  if (!small) small = smallCopy(*request.original);
+  const auto edited = editedCopy(small, request.edits);
+  SmallPicture picture = framePicture(*edited, ViewPictures(edited), *request.config, *request.table,
+                                      request.rig, request.width, request.height);
+  return {std::move(request), std::move(small), std::move(picture)};
+}
+
+void VersionPictures::update(Messages& messages) {
+  takeOrReport(m_job, messages, "the picture of a version",
+               [this](Drawn drawn) { m_drawn = std::move(drawn); });
+}
+
+std::optional<SmallPicture> VersionPictures::picture(const LightsContext& studio, const SavedLook& version,
+                                                     const std::shared_ptr<const DisplayTable>& table,
+                                                     int width, int height) {
+  Request request{studio.set()->original,
+                  studio.colors.config(),
+                  table,
+                  version.rig,
+                  version.scene->edits,
+                  width,
+                  height};
+  if (m_drawn && m_drawn->of == request) return m_drawn->picture;
+  if (m_job.running() || m_asked == request) return std::nullopt;
+  const bool known = m_drawn && m_drawn->of.original == request.original;
+  m_asked = request;
+  m_job.start([request = std::move(request),
+               small = known ? m_drawn->small : nullptr](const Progress&) { return draw(request, small); },
+              m_wake);
+  return std::nullopt;
 }
 
 }  // namespace swaplight

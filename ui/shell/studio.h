@@ -19,8 +19,8 @@ struct StudioOptions {
   std::filesystem::path layoutProbe;    ///< where named widgets lie goes here, for tests
   double frameSeconds = 0;              ///< a frame takes at least as long: a slow machine, for tests
   std::filesystem::path samplesFolder;  ///< offered on the first screen
-  const std::atomic<bool>* stop =
-      nullptr;  ///< once true (a signal), the studio ends at once; nothing is lost
+  /// Once true (a signal) the studio ends at once; nothing is lost.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// The desktop application, until the person closes it. Throws InputError where the file, the script or the

@@ -57,6 +57,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
                 m_table,
                 m_messages},
                [&window] { window.wake(); }),
+      m_gallery([&window] { window.wake(); }),
       m_context{{{m_editor, m_view},
                  m_session,
                  m_messages,
@@ -231,6 +232,7 @@ void StudioWindow::update() {
   m_wizard.update(m_messages);
   m_subjects.update(m_messages);
   m_seen.update(m_messages);
+  m_gallery.update(m_messages);
   drawThumbnails();
   if (m_messages.expire()) m_window.requestFrames();
   keepLayout();

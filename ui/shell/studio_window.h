@@ -52,7 +52,7 @@ class StudioWindow {
   /// Something is being read, solved, guessed, looked for, saved or exported.
   [[nodiscard]] bool busy() const {
     return m_sets.busy() || m_wizard.busy() || m_edits.busy() || m_shadows.busy() || m_session.saving() ||
-           m_exports.busy() || m_lamps.busy() || m_seen.busy();
+           m_exports.busy() || m_lamps.busy() || m_seen.busy() || m_gallery.busy();
   }
 
   /// Ends the studio, after asking what to do with unsaved work.
