@@ -20,7 +20,7 @@ namespace {
 constexpr float kHeight = 20, kWidth = 22, kGap = 4, kBetween = 12;
 constexpr int kColumns = 8;  // of the menu
 
-/// A colour that can be clicked. What it asks for is done once the lists are no longer walked through.
+/// A colour that can be clicked: a copy, for the click may change the lists.
 struct Swatch {
   LightColor color;
   bool kept;

@@ -13,9 +13,10 @@ namespace swaplight {
 ///
 ///   1 thru 3 @ 50              what becomes of which lights (core/relight/light_command.h)
 ///   1 thru 3                   chooses them
-///   look 2, look moonlight:60% a look or version of the gallery by its number or name, or one that comes
-///   along go, go back, go 3 in 2.5   from cue to cue, faded; back too, where no light is called so; without
-///   cues, from look to look (cue_player.h) cue 3 time 4 follow 2      the cue list (core/cue/cue_command.h)
+///   look 2, look moonlight:60% of the gallery by number or name, or one that comes along
+///   go, go back, go 3 in 2.5   from cue to cue, faded; without cues from look to look (cue_player.h)
+///   back                       the same as go back, where no light is called so
+///   cue 3 time 4 follow 2      the cue list (core/cue/cue_command.h)
 ///   record, record 3           what there is now as a new cue, or in the place of one
 ///   undo, redo
 ///   view.fit                   any action by its id

@@ -17,32 +17,27 @@ namespace {
 constexpr float kTourWidth = 330, kTourHeight = 170, kTourGap = 14;
 
 struct TourStep {
-  const char*
-      item;  ///< what it is about, by its name in layout_probe.h; "LIGHT" stands for the first light's
+  /// What it is about, by its name in layout_probe.h; "LIGHT" stands for the first light's.
+  const char* item;
   const char* title;
   const char* words;
 };
 constexpr std::array<TourStep, 5> kTourSteps = {{
     {"mixer.LIGHT.stops", "Every row is a lamp of the set",
      "Drag its slider: that lamp alone gets brighter or darker, as if it had been dimmed on the set. M mutes "
-     "it, S shows "
-     "it alone. Double-click the number to type 50% or -1st."},
+     "it, S shows it alone. Double-click the number to type 50% or -1st."},
     {"light.disc", "Its colour",
      "Drag in the disc, or give it a white below, say 3200 K, or a gel by its number. The field with the # "
-     "takes words: "
-     "3200K, L201, +1st."},
+     "takes words: 3200K, L201, +1st."},
     {"viewer.picture", "Look closely",
      "The wheel zooms, a drag pans, F fits. Hold Q and point: which light is this? O shows the photograph as "
-     "it was "
-     "taken, W wipes between two lightings."},
+     "it was taken, W wipes between two lightings."},
     {"button.brush.take", "Paint with light",
      "Shift+B paints with a lamp. F3 finds its shadows, to lighten or soften them; F4 lists every edit, each "
-     "of which "
-     "can be changed or switched off again. Ctrl+Z takes back anything."},
+     "of which can be changed or switched off again. Ctrl+Z takes back anything."},
     {"menu.File", "Keep it, and take it along",
      "Shift+K keeps the lighting in the gallery (F8), Ctrl+S saves everything as a session, Ctrl+E exports "
-     "the frame: EXR "
-     "in light, or PNG as you see it."},
+     "the frame: EXR in light, or PNG as you see it."},
 }};
 
 std::optional<ItemRect> placeOf(const TourStep& step, const std::string& light) {
