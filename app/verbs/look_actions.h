@@ -33,6 +33,7 @@ int listFilters(const LookArguments& arguments, Terminal& terminal);
 int showFilter(const LookArguments& arguments, Terminal& terminal);
 int lintFilters(const LookArguments& arguments, Terminal& terminal);
 int applyFilters(const LookArguments& arguments, Terminal& terminal);
+int starLooks(const LookArguments& arguments, Terminal& terminal);
 int keepFilterAs(const LookArguments& arguments, Terminal& terminal);
 int filterLightOfSet(const LookArguments& arguments, Terminal& terminal);
 int drawThumbnails(const LookArguments& arguments, Terminal& terminal);

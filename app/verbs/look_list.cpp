@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/verbs/look_actions.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/filter/favourite_looks.h"
 #include "core/filter/filter_pipeline.h"
 
 namespace swaplight {
@@ -90,16 +92,25 @@ std::string textFromStage(const FilterStage& stage) {
   return text;
 }
 
-int showLook(const std::string& file, Terminal& terminal) {
-  const FilterPipeline pipeline = readPipeline(file);
+int showLook(const FilterPipeline& pipeline, const std::string& where, Terminal& terminal) {
   std::string text = pipeline.name;
   const FilterLibrary library = installedFilters();
   for (const FilterStage& stage : pipeline.stages) {
-    static_cast<void>(resolveStage(library, stage, pipeline.folder, file));
+    static_cast<void>(resolveStage(library, stage, pipeline.folder, where));
     text += '\n' + textFromStage(stage);
   }
   terminal.result(text, jsonFromPipeline(pipeline));
   return 0;
+}
+
+/// A camera look of this name, where no filter has it.
+std::optional<FilterPipeline> lookNamed(const std::string& name, const FilterLibrary& library) {
+  const std::string key = filterKey(name);
+  for (const auto& filter : library.filters())
+    if (filterKey(filter->name) == key) return std::nullopt;
+  for (FilterPipeline& look : pipelinesIn(installedLookFolders()))
+    if (filterKey(look.name) == key) return std::move(look);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -118,23 +129,30 @@ int listFilters(const LookArguments& arguments, Terminal& terminal) {
   if (filters.empty())
     throw InputError("look list: no filter has {} in its name or description", joined(arguments.names));
   Json looks = Json::array();
+  const std::vector<std::string> favourites = readFavouriteLooks(favouriteLooksFile());
   for (const FilterPipeline& pipeline : pipelinesIn(installedLookFolders())) {
     looks.push_back(pipeline.name);
+    const char* kind = isFavourite(favourites, pipeline.name) ? "camera look *" : "camera look";
     if (arguments.names.empty())
-      text += fmt::format("{:<24} {:<13} {}\n", pipeline.name, "camera look", filtersOf(pipeline));
+      text += fmt::format("{:<24} {:<13} {}\n", pipeline.name, kind, filtersOf(pipeline));
   }
   text.pop_back();
   terminal.result(text, {{"filters", std::move(filters)},
                          {"camera_looks", std::move(looks)},
+                         {"favourites", favourites},
                          {"problems", library.problems()}});
   return 0;
 }
 
 int showFilter(const LookArguments& arguments, Terminal& terminal) {
-  if (arguments.names.size() != 1) throw InputError("look show: name one filter, or a .swaplook file");
+  if (arguments.names.size() != 1)
+    throw InputError("look show: name one filter, one camera look, or a .swaplook file");
   const std::string& name = arguments.names[0];
-  if (name.ends_with(".swaplook")) return showLook(name, terminal);
-  const auto filter = installedFilters().find(name, std::filesystem::current_path());
+  if (name.ends_with(".swaplook")) return showLook(readPipeline(name), name, terminal);
+  const FilterLibrary library = installedFilters();
+  if (const std::optional<FilterPipeline> look = lookNamed(name, library))
+    return showLook(*look, look->name, terminal);
+  const auto filter = library.find(name, std::filesystem::current_path());
   terminal.result(textFromFilter(*filter), jsonFromFilter(*filter));
   return 0;
 }

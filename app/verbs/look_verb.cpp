@@ -12,10 +12,12 @@ int run(const LookArguments& arguments, Terminal& terminal) {
   if (arguments.action == "show") return showFilter(arguments, terminal);
   if (arguments.action == "lint") return lintFilters(arguments, terminal);
   if (arguments.action == "apply") return applyFilters(arguments, terminal);
+  if (arguments.action == "star" || arguments.action == "unstar") return starLooks(arguments, terminal);
   if (arguments.action == "keep") return keepFilterAs(arguments, terminal);
   if (arguments.action == "light") return filterLightOfSet(arguments, terminal);
   if (arguments.action == "thumbnails") return drawThumbnails(arguments, terminal);
-  throw InputError("look {}: expected list, show, lint, apply, keep, light or thumbnails", arguments.action);
+  throw InputError("look {}: expected list, show, star, unstar, lint, apply, keep, light or thumbnails",
+                   arguments.action);
 }
 
 }  // namespace
@@ -26,11 +28,12 @@ void addLookVerb(Program& program) {
       program.addVerb("look", "Camera shaders: list, show and check filters, and apply them to a frame",
                       [a](Terminal& terminal) { return run(*a, terminal); });
   verb.add_option("ACTION", a->action,
-                  "list, show NAME, lint FILES, apply FRAME, keep NAME,param=value, light SOLVED, or "
-                  "thumbnails FRAME [LOOKS]")
+                  "list, show NAME, star LOOKS, unstar LOOKS, lint FILES, apply FRAME, "
+                  "keep NAME,param=value, light SOLVED, or thumbnails FRAME [LOOKS]")
       ->required();
   verb.add_option("NAME", a->names,
-                  "list: words to look for; show: a filter or .swaplook; "
+                  "list: words to look for; show: a filter, a camera look or .swaplook; star, unstar: camera "
+                  "looks that are favourites in the studio's mixer, or are not any more; "
                   "lint: files or folders; apply: the frame; thumbnails: the frame, and camera looks");
   verb.add_option("--look", a->request.look, "apply, light: a camera look, by name or file")
       ->type_name("NAME");

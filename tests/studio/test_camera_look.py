@@ -191,6 +191,53 @@ class CameraLook(StudioTest):
         self.assertGreater(seen[..., 1].mean(), 1.5 * seen[..., 0].mean(), 'green')
         self.assertGreater(np.abs(seen - plain).max(), 20)
 
+    def test_scene_types_are_one_click_in_the_mixer(self):
+        studio = self.open_sample('three_point')
+        plain = self.seen('scene_type_plain')
+        studio.click('favourite.Twilight')
+        self.move_away()
+        seen = self.seen('scene_type_twilight')
+        self.assertLess(seen.mean(), .85 * plain.mean(), 'darker')
+        self.assertGreater(seen[..., 2].mean() / seen[..., 0].mean(), 1.1 * plain[..., 2].mean() / plain[..., 0].mean(), 'bluer')
+        self.assertEqual(self.filters()[1]['name'], 'Twilight')
+        studio.key('ctrl+z')
+        self.assertLess(np.abs(self.seen('scene_type_undone') - plain).max(), 2)
+        studio.key('ctrl+shift+z')
+        self.assertLess(np.abs(self.seen('scene_type_again') - seen).max(), 2)
+        studio.click('favourite.Snow')
+        self.move_away()
+        self.assertGreater(self.seen('scene_type_snow').mean(), plain.mean(), 'another one in its place')
+        studio.click('favourite.Snow')
+        self.move_away()
+        self.assertLess(np.abs(self.seen('scene_type_off') - plain).max(), 2)
+
+    def test_stars_make_favourites_that_are_kept(self):
+        own = self.path('.local/share/swaplight/camera-looks/mine.swaplook')
+        os.makedirs(os.path.dirname(own))
+        with open(own, 'w') as file:
+            json.dump({'format': 'swaplight-look', 'version': 1, 'name': 'Mine', 'filters': [{'filter': 'grayscale'}]}, file)
+        studio = self.open_sample('three_point')
+        self.assertFalse(studio.has('favourite.Mine'))
+        studio.click('favourite.more')
+        studio.screenshot('favourites_menu')
+        for name in ('Snow', 'Indoor', 'Fireworks', 'Mine'):
+            studio.click('camera_look.star.' + name)
+        studio.key('Escape')
+        studio.settle()
+        self.assertFalse(studio.has('favourite.Snow'))
+        studio.click('favourite.Mine')
+        self.move_away()
+        self.assertLess(np.ptp(self.seen('favourite_mine'), axis=-1).max(), 3)
+        with open(self.path('.local/share/swaplight/favourite-looks.json')) as file:
+            names = json.load(file)['camera_looks']
+        self.assertEqual((names[:2], names[-1]), (['Twilight', 'Beach'], 'Mine'))
+        listed = subprocess.run([PROGRAM, 'look', 'list', '--json'], check=True, capture_output=True, env=studio.environment)
+        self.assertEqual(json.loads(listed.stdout)['favourites'], names)
+        studio.key('ctrl+z')
+        studio.settle()
+        self.assertTrue(studio.quit())
+        self.open_sample('three_point').item('favourite.Mine')
+
     def test_a_session_with_a_broken_filter_opens_and_says_so(self):
         path = self.path('broken.swaplight')
         with open(path, 'w') as file:

@@ -115,12 +115,13 @@ class StudioParts {
   LookPreview seen{renderer, wake};
   ScopesController scopes{
       {{editor, view}, session, edits, layout.scopeOptions, viewer, seen, colors, table, messages}, wake};
+  LookShelf shelf{[this]() -> FilterLibrary& { return seen.library(); }, folder / "favourites.json"};
   ActionTable actions;
   Keyboard keyboard;
   ShownPicture shown;
   ChosenLights chosen{editor, view};
-  LightsContext lights{{editor, view}, session,  messages, colors, layout,
-                       mixer,          swatches, looks,    table,  actions};
+  LightsContext lights{{editor, view}, session, messages, colors,  layout, mixer,
+                       swatches,       looks,   table,    actions, shelf};
   EditingContext editingContext{{editor, view}, session, messages, colors,  layout,  tool,
                                 shown,          editing, edits,    shadows, actions, keyboard};
 };

@@ -24,6 +24,7 @@ void saveLook(ViewerContext& studio, const fs::path& file) try {
   FilterPipeline look = standalone(studio.document().cameraLook, studio.seen.library());
   look.name = file.stem().string();
   writePipeline(look, file);
+  studio.shelf.readAgain();
   studio.messages.info("Saved " + file.string());
   if (look.name == studio.document().cameraLook.name) return;
   useCameraLook(studio.editor, std::move(look));

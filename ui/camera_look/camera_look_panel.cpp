@@ -2,11 +2,10 @@
 
 #include <imgui.h>
 
-#include "render/filter/pipeline_renderer.h"
-#include "ui/camera/camera_look_edit.h"
 #include "ui/camera_look/filter_list.h"
 #include "ui/camera_look/filter_parameters.h"
 #include "ui/camera_look/filter_shelf.h"
+#include "ui/camera_look/look_menu.h"
 #include "ui/camera_look/review_sliders.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
@@ -20,13 +19,7 @@ namespace {
 void drawMenu(ViewerContext& studio) {
   if (!ImGui::BeginPopup("##camera look menu")) return;
   hint("Camera looks");
-  for (const FilterPipeline& look : pipelinesIn(installedLookFolders())) {
-    if (ImGui::MenuItem(look.name.c_str(), nullptr, studio.document().cameraLook.name == look.name)) {
-      studio.cameraLook.chosen = -1;
-      useCameraLook(studio.editor, standalone(look, studio.seen.library()));
-    }
-    markItem({"camera_look.look.", look.name});
-  }
+  if (drawLookLines({studio.editor, studio.shelf, studio.messages})) studio.cameraLook.chosen = -1;
   ImGui::Separator();
   for (const char* action : {"camera_look.load", "camera_look.save", "camera_look.remove"}) {
     const Action* one = studio.actions.find(action);
@@ -45,8 +38,10 @@ void drawHeader(ViewerContext& studio) {
   tooltip("What the lit picture is seen through: filters, from the top down. Hold V for the plain picture.");
   const float side = px(26);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - side);
-  if (toggleButton(kIconMore, false, kAccent, side, "Choose, load, save or remove a camera look."))
+  if (toggleButton(kIconMore, false, kAccent, side, "Choose, load, save or remove a camera look.")) {
+    studio.shelf.readAgain();  // files may have been put there meanwhile
     ImGui::OpenPopup("##camera look menu");
+  }
   markItem("camera_look.menu");
   drawMenu(studio);
 }

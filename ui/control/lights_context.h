@@ -2,6 +2,7 @@
 
 #include "core/session/swatches.h"
 #include "ui/actions/action_table.h"
+#include "ui/camera/look_shelf.h"
 #include "ui/control/color_choice.h"
 #include "ui/control/light_edit.h"
 #include "ui/control/session_controller.h"
@@ -24,6 +25,7 @@ struct LightsContext : ChosenLights {
   LookState& looks;
   ViewTable& table;
   const ActionTable& actions;
+  LookShelf& shelf;  ///< camera looks
 
   [[nodiscard]] const OpenSet* set() const { return session.set(); }
 };

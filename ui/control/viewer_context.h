@@ -2,6 +2,7 @@
 
 #include "render/viewport_renderer.h"
 #include "ui/camera/look_preview.h"
+#include "ui/camera/look_shelf.h"
 #include "ui/camera/look_thumbnails.h"
 #include "ui/control/editing_context.h"
 #include "ui/control/subject_pictures.h"
@@ -21,6 +22,7 @@ struct ViewerContext : EditingContext {
   LookPreview& seen;  ///< the picture under the camera look
   LookThumbnails& thumbnails;
   CameraLookState& cameraLook;
+  LookShelf& shelf;
 };
 
 }  // namespace swaplight

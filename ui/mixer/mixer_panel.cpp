@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/relight/rig_edit.h"
+#include "ui/camera_look/favourite_row.h"
 #include "ui/color/light_panel.h"
 #include "ui/kit/action_widgets.h"
 #include "ui/kit/icons.h"
@@ -50,6 +51,7 @@ void header(LightsContext& studio) {
 void drawMixerPanel(LightsContext& studio) {
   if (studio.document().rig.lights.empty()) return;
   header(studio);
+  if (studio.set()) drawFavouriteRow({studio.editor, studio.shelf, studio.messages});
   const float room = ImGui::GetContentRegionAvail().y;
   const float colors = lightPanelHeight() + 2 * ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("##rows", ImVec2(0, std::max(px(kLeastRows), room - colors)));

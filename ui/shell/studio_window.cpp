@@ -6,6 +6,7 @@
 
 #include "core/diagnosis/program_log.h"
 #include "core/file/user_folders.h"
+#include "core/filter/favourite_looks.h"
 #include "core/session/open_source.h"
 #include "ui/actions/key_file.h"
 #include "ui/camera/seen_frame.h"
@@ -44,6 +45,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
       m_subjects([&window] { window.wake(); }),
       m_seen(*m_pictures, [&window] { window.wake(); }),
       m_thumbnails([&window] { window.wake(); }),
+      m_shelf([this]() -> FilterLibrary& { return m_seen.library(); }, favouriteLooksFile()),
       m_edits({m_editor, m_session, m_subjects, *m_pictures, m_messages}, [&window] { window.wake(); }),
       m_shadows({{m_editor, m_view}, m_session, m_edits, *m_pictures, m_editing.shadow, m_messages},
                 [&window] { window.wake(); }),
@@ -77,9 +79,10 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
                 m_table,
                 m_seen,
                 m_thumbnails,
-                m_cameraLook},
-      m_lights{{m_editor, m_view}, m_session, m_messages, m_colors, m_layout, m_mixer,
-               m_swatches,         m_looks,   m_table,    m_actions},
+                m_cameraLook,
+                m_shelf},
+      m_lights{{m_editor, m_view}, m_session, m_messages, m_colors,  m_layout, m_mixer,
+               m_swatches,         m_looks,   m_table,    m_actions, m_shelf},
       m_lamps([&window] { window.wake(); }),
       m_keeper(stateFolder() / "pictures", [&window] { window.wake(); }),
       m_start(options.samplesFolder, m_keeper.pictures(), [&window] { window.wake(); }),
@@ -325,6 +328,7 @@ void StudioWindow::frame() {
     m_subjects.forget();
     m_seen.forget();
     m_thumbnails.forget();
+    m_shelf.readAgain();
     m_cameraLook = {};
     m_viewer = {};
     m_looks = {};

@@ -122,6 +122,7 @@ class StudioWindow {
   LookPreview m_seen;
   LookThumbnails m_thumbnails;
   CameraLookState m_cameraLook;
+  LookShelf m_shelf;
   uint64_t m_subjectsShown = 0;
   ViewTable m_table;
   LookState m_looks;
