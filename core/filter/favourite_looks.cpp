@@ -19,8 +19,8 @@ constexpr size_t kMostFavourites = 1000;
 }  // namespace
 
 std::vector<std::string> sceneTypes() {
-  return {"Snow",       "Indoor",   "Twilight",          "Beach",    "Fireworks", "Night exterior",
-          "Magic hour", "Overcast", "Tungsten interior", "Film noir"};
+  return {"Snow",  "Indoor",     "Twilight", "Beach",    "Fireworks",
+          "Night", "Magic hour", "Overcast", "Tungsten", "Noir"};
 }
 
 std::filesystem::path favouriteLooksFile() {
@@ -42,7 +42,7 @@ std::vector<std::string> readFavouriteLooks(const std::filesystem::path& file) {
     if (!name.is_string())
       throw InputError("{}: \"camera_looks\" holds {}, expected names of camera looks", file.string(),
                        describeJson(name));
-    names = withFavourite(std::move(names), name.get<std::string>());
+    if (!isFavourite(names, name.get<std::string>())) names.push_back(name.get<std::string>());
   }
   return names;
 }
@@ -61,7 +61,7 @@ bool isFavourite(const std::vector<std::string>& names, const std::string& name)
 }
 
 std::vector<std::string> withFavourite(std::vector<std::string> names, const std::string& name) {
-  if (!isFavourite(names, name)) names.push_back(name);
+  if (!isFavourite(names, name)) names.insert(names.begin(), name);
   return names;
 }
 

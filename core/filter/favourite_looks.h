@@ -23,7 +23,7 @@ void writeFavouriteLooks(const std::vector<std::string>& names, const std::files
 
 /// Names are compared as findPipeline does: whatever their case, with spaces, dashes or underscores.
 [[nodiscard]] bool isFavourite(const std::vector<std::string>& names, const std::string& name);
-/// With the name as the last one, where it is not there yet.
+/// With the name as the first one, where it is not there yet.
 [[nodiscard]] std::vector<std::string> withFavourite(std::vector<std::string> names, const std::string& name);
 [[nodiscard]] std::vector<std::string> withoutFavourite(std::vector<std::string> names,
                                                         const std::string& name);

@@ -72,11 +72,11 @@ class SceneTypes(CliTest):
             'Twilight': {'brightness': (.25, .7), 'warmth': (.3, .85), 'corners': (0, .95)},
             'Beach': {'brightness': (1.1, 1.7), 'warmth': (1.05, 2), 'saturation': (1.02, 2), 'glow': (1.05, 99)},
             'Fireworks': {'brightness': (.3, .8), 'saturation': (1.02, 2), 'glow': (1.3, 99)},
-            'Night exterior': {'brightness': (.05, .4), 'warmth': (.2, .7), 'saturation': (.2, 1), 'corners': (0, .9)},
+            'Night': {'brightness': (.05, .4), 'warmth': (.2, .7), 'saturation': (.2, 1), 'corners': (0, .9)},
             'Magic hour': {'brightness': (.95, 1.6), 'warmth': (1.3, 3), 'glow': (1.05, 99)},
             'Overcast': {'brightness': (.8, 1.4), 'warmth': (.8, .99), 'contrast': (.3, .9), 'saturation': (.3, .9)},
-            'Tungsten interior': {'brightness': (.4, .9), 'warmth': (1.4, 4), 'contrast': (1.1, 3), 'corners': (0, .95)},
-            'Film noir': {'saturation': (0, .02), 'contrast': (1.5, 50), 'corners': (0, .9)},
+            'Tungsten': {'brightness': (.4, .9), 'warmth': (1.4, 4), 'contrast': (1.1, 3), 'corners': (0, .95)},
+            'Noir': {'saturation': (0, .02), 'contrast': (1.5, 50), 'corners': (0, .9)},
         }
         self.assertEqual(sorted(promises), sorted(self.succeed_json('look', 'list')['favourites']))
         for look, expected in promises.items():
@@ -110,13 +110,13 @@ class Favourites(CliTest):
         os.makedirs(self.path('data/swaplight/camera-looks'))
         with open(self.path('data/swaplight/camera-looks/mine.swaplook'), 'w') as file:
             json.dump({'format': 'swaplight-look', 'version': 1, 'name': 'My grey', 'filters': [{'filter': 'grayscale'}]}, file)
-        self.assertEqual(self.succeed_json('look', 'star', 'my-grey')['favourites'], [*first, 'My grey'])
-        self.assertEqual(self.favourites(), [*first, 'My grey'])
+        self.assertEqual(self.succeed_json('look', 'star', 'my-grey')['favourites'], ['My grey', *first])
+        self.assertEqual(self.favourites(), ['My grey', *first])
         listed = self.succeed('look', 'list').stdout.splitlines()
         self.assertTrue(any(line.startswith('My grey') and 'camera look *' in line for line in listed))
         self.assertFalse(any(line.startswith('Cartoon') and '*' in line for line in listed))
-        self.succeed('look', 'unstar', 'Snow', 'film_noir')
-        self.assertEqual(self.favourites(), [n for n in first if n not in ('Snow', 'Film noir')] + ['My grey'])
+        self.succeed('look', 'unstar', 'Snow', 'magic_hour')
+        self.assertEqual(self.favourites(), ['My grey'] + [n for n in first if n not in ('Snow', 'Magic hour')])
         self.assertIn('grayscale', self.succeed('look', 'show', 'my grey').stdout)
 
     def test_what_cannot_be_starred_is_said(self):

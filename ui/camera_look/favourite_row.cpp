@@ -14,15 +14,15 @@
 namespace swaplight {
 namespace {
 
-constexpr float kChipGap = 4, kChipPadding = 7, kMoreWidth = 22, kMostChip = 170;
-constexpr int kChipLines = 2;
+constexpr float kChipGap = 4, kChipPadding = 6, kMoreWidth = 22, kMostChip = 170;
+constexpr float kTwoLinesHeight = 800;  ///< of the window: in a lower one the room belongs to the lights
 
 std::string tipOf(const FilterPipeline& look, bool on) {
   std::vector<std::string> filters;
   for (const FilterStage& stage : look.stages) filters.push_back(stage.filter);
-  return fmt::format(
-      "{}\n{}", fmt::join(filters, ", "),
-      on ? "Click for the plain picture." : "Click to see the picture through it. F10 shows its filters.");
+  return fmt::format("{}\n{}", fmt::join(filters, ", "),
+                     on ? "Click for the plain picture. F10 shows the filters."
+                        : "Click to see the picture through this camera look.");
 }
 
 float widthOf(const FilterPipeline& look) {
@@ -56,31 +56,30 @@ void moreLooks(const LookChoice& studio) {
 /// Puts things into lines, one after the other, with room for one more behind them.
 class ChipLines {
  public:
-  /// `used`: of the first line.
-  explicit ChipLines(float used)
-      : m_x(used), m_room(ImGui::GetContentRegionAvail().x), m_end(px(kMoreWidth + kChipGap)) {}
+  explicit ChipLines(int most)
+      : m_most(most), m_room(ImGui::GetContentRegionAvail().x), m_end(px(kMoreWidth + kChipGap)) {}
 
   /// Goes to where something of this width goes; false where there is no room.
   bool take(float width) {
-    const float end = m_x + px(kChipGap) + width;
-    if (end + (m_line == kChipLines ? m_end : 0) <= m_room) {
-      ImGui::SameLine(0, px(kChipGap));
-      m_x = end;
+    const float begin = m_x > 0 ? m_x + px(kChipGap) : 0;
+    if (begin + width + (m_line == m_most ? m_end : 0) <= m_room) {
+      if (m_x > 0) ImGui::SameLine(0, px(kChipGap));
+      m_x = begin + width;
       return true;
     }
-    if (m_line == kChipLines) return false;
+    if (m_line == m_most) return false;
     ++m_line;
     m_x = width;
     return true;
   }
   /// The same for what stands behind all.
   void takeEnd() const {
-    if (m_x + m_end <= m_room) ImGui::SameLine(0, px(kChipGap));
+    if (m_x > 0 && m_x + m_end <= m_room) ImGui::SameLine(0, px(kChipGap));
   }
 
  private:
-  float m_x, m_room, m_end;
-  int m_line = 1;
+  int m_most, m_line = 1;
+  float m_x = 0, m_room, m_end;
 };
 
 }  // namespace
@@ -89,10 +88,7 @@ void drawFavouriteRow(const LookChoice& studio) {
   ImGui::PushFont(fonts().small);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), px(2)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kChipGap), px(3)));
-  ImGui::AlignTextToFramePadding();
-  hint("Scene");
-  tooltip("Camera looks for a kind of scene, and your own with a star: what the picture is seen through.");
-  ChipLines lines(ImGui::GetItemRectSize().x);
+  ChipLines lines(ImGui::GetIO().DisplaySize.y < px(kTwoLinesHeight) ? 1 : 2);
   const std::string current = studio.editor.document().cameraLook.name;
   for (const FilterPipeline* look : studio.shelf.favourites()) {
     if (!lines.take(widthOf(*look))) break;

@@ -4,7 +4,7 @@
 
 namespace swaplight {
 
-/// The favourite camera looks as buttons in at most two lines: a click sees the picture through one, another
+/// The favourite camera looks as buttons, in a line or two: a click sees the picture through one, another
 /// click without it. What finds no room, and all other looks, are behind the last button.
 void drawFavouriteRow(const LookChoice& studio);
 
