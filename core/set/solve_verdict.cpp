@@ -13,7 +13,7 @@ namespace {
 struct Limits {
   double good, fair;
 };
-// Chosen on samples/three_point and film_set, whose colours were told rightly and in six wrong ways;
+// Chosen on tests/samples/three_point and film_set, whose colours were told rightly and in six wrong ways;
 // docs/solve.md has that table, and the sets that it was checked on.
 constexpr Limits kError{0.12, 0.35};       ///< the median pixel's standard error, over its light
 constexpr Limits kColorError{0.18, 0.45};  ///< how wrong the colours are taken to be

@@ -4,7 +4,7 @@ import os
 
 import swaplight_cli as cli
 
-SAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../samples/two_swapped/capture.json')
+SAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../samples/two_swapped/capture.json')
 
 
 class BenchTest(cli.CliTest):

@@ -11,7 +11,7 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROGRAM = os.environ.get('SWAPLIGHT') or os.path.join(HERE, '../../build/release/swaplight')
-SAMPLE = os.path.abspath(os.path.join(HERE, '../../samples/two_swapped/capture.json'))
+SAMPLE = os.path.abspath(os.path.join(HERE, '../samples/two_swapped/capture.json'))
 STEPS = 400
 STEP_SECONDS = 0.04
 

@@ -14,7 +14,7 @@ import OpenImageIO as oiio
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROGRAM = os.environ.get('SWAPLIGHT') or os.path.join(HERE, '../../build/release/swaplight')
-SAMPLES = os.path.join(HERE, '../../samples')
+SAMPLES = os.path.join(HERE, '../samples')
 ARTEFACTS = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), 'test-artefacts')
 TOOLS = ['Xvfb', 'xdotool', 'import']
 ECHO_KEY = 202  # X's number of F24, which no action has: the studio counts how often it has seen it

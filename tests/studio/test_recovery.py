@@ -61,7 +61,7 @@ class Recovery(StudioTest):
     def test_a_file_that_stopped_the_studio_can_be_opened_without_its_pictures(self):
         state = os.path.join(self.folder, '.local/state/swaplight/recovery')
         os.makedirs(state)
-        sample = os.path.abspath(os.path.join(os.path.dirname(__file__), '../../samples/three_point/capture.json'))
+        sample = os.path.abspath(os.path.join(os.path.dirname(__file__), '../samples/three_point/capture.json'))
         with open(os.path.join(state, '1-1.lock'), 'w') as file:
             file.write(sample)
         studio = self.start()
