@@ -78,7 +78,7 @@ void setColors(ImGuiStyle& style) {
   c[ImGuiCol_ScrollbarBg] = grey(0, 0);
   c[ImGuiCol_ScrollbarGrab] = grey(0.34F);
   c[ImGuiCol_CheckMark] = accent;
-  c[ImGuiCol_SliderGrab] = grey(0.62F);
+  c[ImGuiCol_SliderGrab] = grey(0.42F);  // the value is read through it
   c[ImGuiCol_SliderGrabActive] = accent;
   c[ImGuiCol_Button] = grey(0.27F);
   c[ImGuiCol_ButtonHovered] = grey(0.34F);
