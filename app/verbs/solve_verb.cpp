@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <optional>
 
 #include "app/arguments/camera_look_arguments.h"
 #include "app/arguments/flat_arguments.h"
 #include "app/arguments/solve_arguments.h"
 #include "app/verbs/verbs.h"
+#include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
 #include "core/capture/response_curve.h"
@@ -16,6 +18,7 @@
 #include "core/set/set_color_space.h"
 #include "core/set/solve_verdict.h"
 #include "core/set/solved_file.h"
+#include "core/solve/causes/tone_correction.h"
 #include "core/solve/even_lamps.h"
 
 namespace swaplight {
@@ -28,13 +31,14 @@ struct SolveCommand {
   std::string colorSpace;
   std::string colors;
   std::string response;
+  std::string tone = "declared";
   SolvedFileOptions file;
   SolveArguments solve;
   FlatArguments flats;
   FilterRequest shotLook;
 };
 
-/// Those that have not been said already.
+/// Those that have not been said already, or are about to be.
 std::vector<std::string> warningsOfSolve(const SolveReport& report,
                                          const std::vector<std::vector<std::string>>& said) {
   std::vector<std::string> fresh;
@@ -56,7 +60,24 @@ std::shared_ptr<CameraLook> shotLook(const SolveCommand& arguments, Terminal& te
   return look;
 }
 
+/// Takes a tone curve off the photographs that the capture does not tell of, where asked to and there is one.
+std::optional<ToneCorrection> correctedTone(const SolveCommand& arguments, const Capture& capture,
+                                            const std::optional<SensorNoise>& noise, CapturePixels& pixels,
+                                            Terminal& terminal) {
+  if (arguments.tone != "auto") return std::nullopt;
+  const std::optional<ToneCorrection> tone = findToneCorrection(capture, pixels, noise);
+  if (tone)
+    correctTone(*tone, pixels);
+  else
+    terminal.say(
+        "--tone auto: the photographs do not surely show another tone curve than the declared one; nothing "
+        "changed");
+  return tone;
+}
+
 int run(const SolveCommand& arguments, Terminal& terminal) {
+  if (arguments.tone != "declared" && arguments.tone != "auto")
+    throw InputError("--tone: '{}' is not known; known: declared, auto", arguments.tone);
   const SolveOptions options = arguments.solve.resolve();
   const std::shared_ptr<const ColorConfig> config = programConfig();
   Capture capture = readCapture(*config, sourceFile(arguments.capture));
@@ -82,16 +103,19 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   CapturePixels pixels = loadCapturePixels(*config, capture, progress.part(0, look ? 0.1f : 0.2f));
   if (look) filterShots(*config, pixels, *look, progress.part(0.1f, 0.2f));
   sayWarnings(pixels.warnings, terminal);
+  const std::optional<ToneCorrection> tone =
+      correctedTone(arguments, capture, options.noise, pixels, terminal);
   const FlatFields fields = loadFlatFields(*config, capture, progress.part(0.2f, 0.2f));
   SolvedSet set = solveUneven(capture, pixels, fields, options, progress.part(0.2f, 0.8f));
-  sayWarnings(warningsOfSolve(*set.report, {capture.warnings, pixels.warnings}), terminal);
+  if (tone) reportTone(*tone, *set.report);
+  const SolveVerdict verdict = verdictOf(*set.report);
+  sayWarnings(warningsOfSolve(*set.report, {capture.warnings, pixels.warnings, verdict.reasons}), terminal);
   set = inColorSpace(*config, std::move(set), arguments.colorSpace);
   writeSolvedSet(set, arguments.output, arguments.file, progress.part(0.8f, 1));
   if (!arguments.report.empty()) writeJson(jsonFromSolveReport(*set.report), arguments.report);
 
   Json json = jsonFromSolveReport(*set.report);
   json["solved"] = arguments.output;
-  const SolveVerdict verdict = verdictOf(*set.report);
   json["verdict"] = {{"word", verdictWord(verdict.word)}, {"reasons", verdict.reasons}};
   terminal.say("wrote {}, {} x {} pixels, {} lights", arguments.output, set.width(), set.height(),
                set.lightCount());
@@ -126,6 +150,12 @@ void addSolveVerb(Program& program) {
   verb.add_flag("--float", a->file.floatPictures, "Contributions as 32-bit float instead of half");
   verb.add_flag("--half", a->file.halfSum,
                 "R G B, their sum, as half instead of 32-bit float: a smaller file");
+  verb.add_option(
+          "--tone", a->tone,
+          "declared: the photographs are coded as the capture says. auto: a tone curve that is seen in "
+          "them is taken off")
+      ->type_name("HOW")
+      ->capture_default_str();
   verb.add_option("--shot-look", a->shotLook.look,
                   "Solve the photographs as a camera look makes them: by name or FILE.swaplook")
       ->type_name("NAME");

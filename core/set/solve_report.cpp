@@ -172,7 +172,9 @@ Json jsonFromSolveReport(const SolveReport& report) {
                {"not_finite", report.notFinite},
                {"filled", report.filled},
                {"seconds", report.seconds},
+               {"misfit_causes", jsonFromMisfitCauses(report.causes)},
                {"warnings", report.warnings}};
+  if (report.tone) json["tone_correction"] = jsonFromTakenTone(*report.tone);
   if (!report.options.empty()) json["options"] = report.options.json();
   json.update(report.unknown.json());
   return json;
@@ -222,6 +224,8 @@ SolveReport solveReportFromJson(const Json& json, const std::string& where) {
   report.notFinite = count(fields, "not_finite");
   report.filled = count(fields, "filled");
   report.seconds = finiteOrInfinity(fields, "seconds");
+  if (const Json* causes = fields.find("misfit_causes")) report.causes = misfitCausesFromJson(*causes);
+  if (const Json* tone = fields.find("tone_correction")) report.tone = takenToneFromJson(*tone);
   report.warnings = texts(fields, "warnings");
   report.options = kept(fields, "options");
   report.unknown = fields.unknown();

@@ -50,6 +50,7 @@ Word colorWord(const SolveReport& report) {
 }
 
 void addColorReasons(const SolveReport& report, std::vector<std::string>& reasons) {
+  if (const std::string words = wordsFor(report.causes); !words.empty()) reasons.push_back(words);
   for (const std::string& advice : report.conditioning.advice) reasons.push_back(advice);
   if (report.openColor && !report.openColor->settled)
     reasons.push_back(fmt::format("the photographs leave one number of {} open", report.openColor->name));
@@ -85,6 +86,8 @@ SolveVerdict verdictOf(const SolveReport& report) {
   if (report.pixels == 0)
     return {SolveVerdict::Word::Fair, {"the report does not say how well the lights are known"}};
   verdict.word = std::max(wordOf(report.sigmaMedian, kError), colorWord(report));
+  // Sigma knows noise and colours, no other cause: what explains much of the misfit is not good.
+  if (!report.causes.likely.empty()) verdict.word = std::max(verdict.word, SolveVerdict::Word::Fair);
   if (verdict.word == SolveVerdict::Word::Good) return verdict;
   addColorReasons(report, verdict.reasons);
   addPictureReasons(report, verdict.reasons);

@@ -15,6 +15,7 @@
 #include "core/solve/calibration/color_fit.h"
 #include "core/solve/calibration/noise_calibration.h"
 #include "core/solve/calibration/residual_noise.h"
+#include "core/solve/causes/cause_evidence.h"
 #include "core/solve/denoise.h"
 #include "core/solve/pixel_flags.h"
 #include "core/solve/pixelwise.h"
@@ -45,6 +46,9 @@ SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
   if (pixels.ambient) set.ambient = pixels.ambient->clone();
   return set;
 }
+
+/// Amplification up to which lights count as photographed one at a time.
+constexpr double kOneByOne = 1.1;
 
 /// Relative standard error of an unknown colour above which it is said to be hardly determined.
 constexpr double kUnsure = 0.1;
@@ -103,6 +107,7 @@ SolvedSet SolveRun::run() {
   m_progress.update(0, "Analysing the photographs");
   if (m_options.align) alignShots();
   calibrateNoise();
+  seekCauses();
   calibrateColors();
   separateLights();
   m_progress.update(0.9F, "Finishing");
@@ -139,6 +144,18 @@ void SolveRun::calibrateNoise() {
         residualNoise(m_context, noiseModel({0, kNoPhotonNoise}, pixels(), 0), *m_signal, m_tuning.ownNoise);
     m_context.noise = calibratedNoise(m_context, *m_signal, m_tuning.noise);
   }
+}
+
+/// Before the colours are taken for what is wrong. With unknown ones they are; and lights that every channel
+/// tells apart need no surface to be matte: what the matte model misses there is no misfit.
+void SolveRun::seekCauses() {
+  const auto& amplification = m_report.conditioning.amplification;
+  const bool oneByOne = std::all_of(amplification.begin(), amplification.end(),
+                                    [](double times) { return times > 0 && times <= kOneByOne; });
+  if (!m_unknownColors.empty() || m_info.model == Model::Single || oneByOne) return;
+  m_report.causes =
+      misfitCauses({m_context.lighting, m_report.noiseGiven ? m_context.noise : m_ownNoise}, *m_signal);
+  if (const std::string words = wordsFor(m_report.causes); !words.empty()) warn({words});
 }
 
 void SolveRun::placeUnknownColor() {
@@ -251,7 +268,8 @@ void SolveRun::separateLights() {
   if (m_info.model != Model::Auto)
     return solvePixelwise(m_info, m_context, *m_signal, m_set, m_progress.part(0.1F, 0.9F));
   const float shift = solveAuto(m_context, *m_signal, m_report.shifts, m_tuning.automatic, m_set, m_progress);
-  if (shift > 0)
+  // Gloss, grain and wrong colours are at edges, too.
+  if (shift > 0 && (m_report.causes.all.empty() || m_options.align))
     m_report.warnings.emplace_back(
         m_options.align
             ? "the photographs still disagree along edges: trusted less there"

@@ -31,6 +31,7 @@ class SolveRun {
   void alignShots();         ///< m_report.shifts, and the shots moved by them
   void placeUnknownColor();  ///< one that has changed places with a known one: before all that needs colours
   void calibrateNoise();     ///< from the capture, the options, or the shots
+  void seekCauses();         ///< why the photographs do not fit the colours as told, where they do not
   void calibrateColors();    ///< of the ambient light and the lamps, and how far they are trusted
   void separateLights();     ///< contributions, beta and quality
   void completePixels();     ///< flags; fills what nothing is known of

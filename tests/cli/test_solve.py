@@ -43,6 +43,33 @@ class SolveTest(cli.CliTest):
         for name, truth in zip(('key', 'fill'), capture.truth):
             np.testing.assert_allclose(cli.read_rgb(solved, name), truth, atol=1e-3)
 
+    def test_a_tone_curve_is_looked_for_where_asked_to(self):
+        capture = cli.Capture(self.path('set'))
+        self.deny('solve', capture.path, '-o', self.path('no.exr'), '--tone', 'film', naming=['--tone', 'film', 'auto'])
+        report = self.succeed_json('solve', capture.path, '-o', self.path('solved.exr'), '--tone', 'auto')
+        self.assertNotIn('tone_correction', report, 'the photographs are as told')
+        self.assertEqual(report['misfit_causes']['likely'], [])
+
+    def test_a_tone_curve_that_was_not_told_is_named_and_taken_off(self):
+        capture = cli.Capture(self.path('set'), height=96, width=128)
+        for k, shot in enumerate(capture.shots):
+            coded = shot ** (1 / 2.2)
+            capture.shots[k] = (.5 * coded + .5 * (3 * coded ** 2 - 2 * coded ** 3)) ** 2.2
+        capture.save()
+        truth = np.stack(capture.truth)
+
+        def solve(*options):
+            report = self.succeed_json('solve', capture.path, '-o', self.path('solved.exr'), *options)
+            ours = np.stack([cli.read_rgb(self.path('solved.exr'), name) for name in ('key', 'fill')])
+            exposure = (ours * truth).sum() / (ours * ours).sum()  # a curve that nobody tells leaves it open
+            return report, np.linalg.norm(exposure * ours - truth) / np.linalg.norm(truth)
+        named, before = solve()
+        self.assertEqual(named['misfit_causes']['likely'], ['tone'])
+        self.assertIn('--tone auto', named['verdict']['reasons'][0])
+        corrected, after = solve('--tone', 'auto')
+        self.assertGreater(corrected['tone_correction']['exponent'], 1.05, 'more contrast')
+        self.assertLess(after, before / 3)
+
     def test_writes_every_channel_that_is_promised(self):
         capture = cli.Capture(self.path('set'))
         channels = cli.read_image(self.solve(capture))

@@ -43,6 +43,9 @@ SolveReport fullReport() {
   report.pixels = 4800;
   report.clipped = 1, report.tooDark = 2, report.moved = 3, report.notFinite = 4, report.filled = 5;
   report.seconds = 0.75;
+  report.causes.all = {{Cause::Moved, .4, .3, 6, 0, .8}, {Cause::Field, .2, .1, 4, 3, .02}};
+  report.causes.likely = {Cause::Moved};
+  report.tone = TakenTone{1.25, {{.5F, .4F}, {1, 1}}};
   report.warnings = {"shot 2 was not registered"};
   report.options = Json{{"model", "auto"}, {"align", true}};
   report.unknown = Json{{"of_a_newer_version", {1, 2}}};
@@ -57,6 +60,9 @@ TEST(SolveReport, ComesBackFromItsJsonWithEveryField) {
   EXPECT_TRUE(back.noiseGiven);
   EXPECT_TRUE(std::isinf(back.conditioning.condition[2]));
   EXPECT_FALSE(back.shifts[2].found);
+  EXPECT_TRUE(back.causes.is(Cause::Moved));
+  EXPECT_EQ(back.causes.all.back().behind, 3);
+  EXPECT_EQ(back.tone->exponent, 1.25);
   EXPECT_EQ(back.shifts[1].y, -0.25F);
   EXPECT_THAT(back.warnings, ElementsAre("shot 2 was not registered"));
   EXPECT_EQ(back.unknown.json().dump(), R"({"of_a_newer_version":[1,2]})");

@@ -1,0 +1,131 @@
+#include "core/set/misfit_cause.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/base/json.h"
+
+namespace swaplight {
+namespace {
+
+/// A cause in a file, and in words.
+struct CauseText {
+  Cause cause;
+  const char* name;
+  const char* found;   ///< "{}": how large
+  const char* remedy;  ///< what to do
+};
+
+constexpr std::array<CauseText, 5> kTexts = {{
+    {Cause::Colors, "colors", "lights of other colours than told (by about {:.0f} %)",
+     "check which lamp had which gel, and the gels' colours"},
+    {Cause::Ambient, "ambient", "ambient light, about {:.1f} % of the lamps' light",
+     "take a picture with all lamps off, or one more photograph under other light and --solve-ambient"},
+    {Cause::Tone, "tone", "a tone curve that was not told (light to the power of about {:.2f})",
+     "solve with --tone auto, or photograph raw"},
+    {Cause::Moved, "moved", "a camera that moved (by {:.1f} pixels or more)",
+     "--align on takes off shifts, but no turn or zoom"},
+    {Cause::Field, "field", "lamps whose colour is not the same over the picture (by about {:.0f} %)",
+     "diffuse the lamps"},
+}};
+
+const CauseText& textOf(Cause cause) {
+  return *std::find_if(kTexts.begin(), kTexts.end(),
+                       [&](const CauseText& text) { return text.cause == cause; });
+}
+
+/// No curve is taken off where ambient light may be what looks like one.
+const char* remedyOf(Cause cause, const MisfitCauses& causes) {
+  const bool ambient =
+      std::find(causes.likely.begin(), causes.likely.end(), Cause::Ambient) != causes.likely.end();
+  return cause == Cause::Tone && ambient ? "photograph raw" : textOf(cause).remedy;
+}
+
+/// As it is said.
+double spokenSize(const CauseEvidence& evidence) {
+  switch (evidence.cause) {
+    case Cause::Tone:
+      return 1 + evidence.size;
+    case Cause::Moved:
+      return evidence.size;
+    case Cause::Colors:
+    case Cause::Ambient:
+    case Cause::Field:
+      break;
+  }
+  return 100 * evidence.size;
+}
+
+std::optional<Cause> causeFromName(const std::string& name) {
+  for (const CauseText& text : kTexts)
+    if (name == text.name) return text.cause;
+  return std::nullopt;
+}
+
+/// Nothing where it is not as this program writes it.
+std::optional<CauseEvidence> evidenceFromJson(const Json& json) {
+  if (!json.is_object() || !json.contains("cause") || !json["cause"].is_string()) return std::nullopt;
+  const std::optional<Cause> cause = causeFromName(json["cause"].get<std::string>());
+  if (!cause) return std::nullopt;
+  const auto number = [&](const char* key) {
+    return json.contains(key) && json[key].is_number() ? json[key].get<double>() : 0.0;
+  };
+  return CauseEvidence{*cause,           number("explained"), number("gain"), number("certainty"),
+                       number("behind"), number("size")};
+}
+
+}  // namespace
+
+Json jsonFromMisfitCauses(const MisfitCauses& causes) {
+  Json all = Json::array();
+  Json likely = Json::array();
+  for (const CauseEvidence& one : causes.all)
+    all.push_back({{"cause", causeName(one.cause)},
+                   {"explained", one.explained},
+                   {"gain", one.gain},
+                   {"certainty", one.certainty},
+                   {"behind", one.behind},
+                   {"size", one.size}});
+  for (const Cause cause : causes.likely) likely.push_back(causeName(cause));
+  return {{"likely", likely}, {"all", all}};
+}
+
+MisfitCauses misfitCausesFromJson(const Json& json) {
+  MisfitCauses causes;
+  if (!json.is_object()) return causes;
+  if (json.contains("all") && json["all"].is_array())
+    for (const Json& one : json["all"])
+      if (const auto evidence = evidenceFromJson(one)) causes.all.push_back(*evidence);
+  if (json.contains("likely") && json["likely"].is_array())
+    for (const Json& name : json["likely"])
+      if (const auto cause = name.is_string() ? causeFromName(name.get<std::string>()) : std::nullopt)
+        causes.likely.push_back(*cause);
+  return causes;
+}
+
+const char* causeName(Cause cause) {
+  return textOf(cause).name;
+}
+
+std::string wordsFor(const MisfitCauses& causes) {
+  std::vector<std::string> found, remedies;
+  for (const Cause cause : causes.likely) {
+    const auto evidence = std::find_if(causes.all.begin(), causes.all.end(),
+                                       [&](const CauseEvidence& one) { return one.cause == cause; });
+    if (evidence == causes.all.end()) continue;
+    found.push_back(fmt::format(fmt::runtime(textOf(cause).found), spokenSize(*evidence)));
+    remedies.emplace_back(remedyOf(cause, causes));
+  }
+  if (found.empty()) return "";
+  if (found.size() == 1)
+    return fmt::format("the photographs look as under {}: {}", found.front(), remedies.front());
+  return fmt::format("the photographs look as under {}, it cannot be told which: {}",
+                     fmt::join(found, " or "), fmt::join(remedies, "; or "));
+}
+
+}  // namespace swaplight

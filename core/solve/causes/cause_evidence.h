@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/set/misfit_cause.h"
+#include "core/solve/causes/cause_tuning.h"
+#include "core/solve/model/estimator.h"
+#include "core/solve/model/shot_signal.h"
+
+namespace swaplight {
+
+/// Why the photographs do not fit the matte model: each cause is fitted to a sample of pixels whose own
+/// unknowns (beta, rho) are projected out, and held against the others by the likelihood of parts of the
+/// picture that it was not fitted to. So a cause with many unknowns gains nothing by them, and what is in one
+/// place only (gloss, bounced light) counts as one place. The differences between two causes, summed a part,
+/// give the standard error of their sum (Vuong 1989, for models of which none contains the other).
+///
+/// The best is likely where it explains enough of the misfit, is surely better than none and large enough
+/// (CauseTuning), and with it what is not surely worse. Colours that are wrong or drift count only where they
+/// make some light negative, ambient light only where it is not negative: else it is bounced light. Where no
+/// cause explains enough they are not held against each other: CauseEvidence has `explained` and `size` only.
+/// `context.noise`: that of the pixels' own. Empty where the model leaves no freedom, the set is small or the
+/// capture so large that comparing would take longer than solving.
+[[nodiscard]] MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& signal,
+                                        const CauseTuning& tuning = {});
+
+}  // namespace swaplight

@@ -1,0 +1,38 @@
+#pragma once
+
+namespace swaplight {
+
+/// Below one of them a cause is not named (CauseEvidence).
+struct CauseLimits {
+  double explained;  ///< of the misfit's variance
+  double certainty;  ///< standard errors of the gain
+  double size;       ///< of that of Tone the magnitude
+};
+
+/// What steers the comparison of causes (cause_evidence.h).
+struct CauseTuning {
+  int pixels = 1500;        ///< of the sample, at most
+  int fewestPixels = 400;   ///< with fewer nothing is said
+  double work = 1e7;        ///< multiplications that a pass over the sample may cost
+  double bright = .03;      ///< of the 95th percentile of brightness: darker pixels are left out
+  double modelError = .01;  ///< relative: what the matte model leaves on sets of which all is known
+  int tiles = 8;            ///< parts of the picture across and down, which are fitted to in turns
+  int fewestTiles = 16;
+  int passes = 8;      ///< of the robust fit
+  double freedom = 3;  ///< of Student's t: gloss and bounced light have heavy tails
+  double apart = 2;    ///< standard errors between two causes that are told apart
+  /// What a likely cause has at least. Bounced light and gloss look a little like any of them, most like
+  /// wrong colours. Chosen on spheres, portrait3, set4, photo_shoe, gloss/spec3, random_1 and random_2.
+  CauseLimits colors{.3, 5, .02};
+  CauseLimits ambient{.05, 5, .02};
+  CauseLimits tone{.12, 3, .03};
+  CauseLimits moved{.12, 3, .1};
+  CauseLimits field{.15, 4, .01};
+  /// Of the error that wrong colours seem to have: less than this of it seen as negative light is bounced
+  /// light.
+  double seenAsNegative = .5;
+  double surelyAmbient = .05;  ///< over the median pixel's light: bounced light looks like .015 at most
+  double beyondBounce = .5;  ///< of the misfit's variance: no bounced light goes so smoothly over the picture
+};
+
+}  // namespace swaplight

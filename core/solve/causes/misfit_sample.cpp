@@ -1,0 +1,109 @@
+#include "core/solve/causes/misfit_sample.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/quantile.h"
+#include "core/linear/decompositions.h"
+#include "core/solve/estimators/run_scratch.h"
+#include "core/solve/model/pixel_sample.h"
+
+namespace swaplight {
+namespace {
+
+constexpr double kSeen = 1e-9;        // of the largest eigenvalue: a direction that an unknown takes up
+constexpr float kLeastShare = 1e-4F;  // of a light that is not held at zero
+
+float brightnessOf(const PixelRun& in, int shots, int p) {
+  float sum = 0;
+  for (int k = 0; k < shots; ++k)
+    for (int c = 0; c < 3; ++c) sum += in.signal[k][c][p];
+  return sum;
+}
+
+/// Every so manieth of the pixels that are bright enough.
+std::vector<int> chosenPixels(const PixelRun& in, int shots, int count, double bright) {
+  std::vector<float> brightness;
+  for (int p = 0; p < in.count; ++p) brightness.push_back(brightnessOf(in, shots, p));
+  std::vector<int> chosen;
+  if (brightness.empty()) return chosen;
+  std::vector<float> order = brightness;
+  const double least = bright * double(quantile(std::span(order), .95));
+  for (int p = 0; p < in.count; ++p)
+    if (brightness[size_t(p)] > least) chosen.push_back(p);
+  const size_t most = std::min(size_t(count), chosen.size());
+  for (size_t j = 0; j < most; ++j) chosen[j] = chosen[j * chosen.size() / most];
+  chosen.resize(most);
+  return chosen;
+}
+
+/// The directions that neither reflectance nor shares can explain: those of small eigenvalues of J J'.
+Eigen::MatrixXd freeDirections(const Eigen::MatrixXd& own) {
+  const SymmetricEigen eigen = symmetricEigen(own * own.transpose());
+  const double largest = eigen.values[eigen.values.size() - 1];
+  Eigen::Index count = 0;
+  while (count < eigen.values.size() && eigen.values[count] <= kSeen * largest) ++count;
+  return eigen.vectors.leftCols(count);
+}
+
+PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit, int p,
+                     double modelError) {
+  const LightingMatrix& lighting = context.lighting;
+  const int values = 3 * lighting.shots;
+  PixelMisfit pixel;
+  for (int i = 0; i < lighting.lights; ++i) pixel.share.push_back(fit.share[i][p]);
+  for (int c = 0; c < 3; ++c) pixel.reflectance[c] = fit.reflectance[c][p];
+  pixel.predicted.resize(values);
+  pixel.weight.resize(values);
+  Eigen::VectorXd left(values);
+  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(values, 3 + lighting.lights);
+  for (int k = 0; k < lighting.shots; ++k)
+    for (int c = 0; c < 3; ++c) {
+      const int row = 3 * k + c;
+      const double rho = double(pixel.reflectance[c]);
+      double g = 0;
+      for (int i = 0; i < lighting.lights; ++i)
+        g += double(lighting.color(k, i)[c]) * double(pixel.share[size_t(i)]);
+      const double expected = g * rho;
+      const double w =
+          1 / std::sqrt(double(context.noise.variance(float(expected))) + std::pow(modelError * expected, 2));
+      pixel.predicted[row] = expected;
+      pixel.weight[row] = w;
+      left[row] = w * (double(in.signal[k][c][p]) - expected);
+      own(row, c) = w * g;
+      for (int i = 0; i < lighting.lights; ++i)
+        if (pixel.share[size_t(i)] > kLeastShare) own(row, 3 + i) = w * double(lighting.color(k, i)[c]) * rho;
+    }
+  pixel.directions = freeDirections(own);
+  pixel.residual = pixel.directions.transpose() * left;
+  return pixel;
+}
+
+}  // namespace
+
+std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal, int count,
+                                      const CauseTuning& tuning) {
+  const int shots = context.lighting.shots;
+  std::vector<size_t> places;
+  const PackedRun all = pixelSample(signal, shots, 6 * size_t(count), &places);
+  const std::vector<int> chosen = chosenPixels(all.run(), shots, count, tuning.bright);
+  PackedRun packed(shots, std::max<size_t>(chosen.size(), 1));
+  packed.add(all.run(), chosen);
+  const PixelRun& in = packed.run();
+  std::vector<PixelMisfit> sample;
+  if (in.count == 0) return sample;
+  MatteScratch fit(context.lighting.lights, in.count);
+  MatteFit(context).fit(in, fit.run());
+  const size_t width = size_t(signal.pixels().width());
+  for (int p = 0; p < in.count; ++p) {
+    PixelMisfit pixel = misfitOf(context, in, fit.run(), p, tuning.modelError);
+    if (!pixel.residual.allFinite() || pixel.residual.size() == 0) continue;
+    const size_t place = places[size_t(chosen[size_t(p)])];
+    pixel.x = int(place % width);
+    pixel.y = int(place / width);
+    sample.push_back(std::move(pixel));
+  }
+  return sample;
+}
+
+}  // namespace swaplight

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/solve/causes/cause_tuning.h"
+#include "core/solve/model/estimator.h"
+#include "core/solve/model/shot_signal.h"
+
+namespace swaplight {
+
+/// What the matte model leaves of one pixel, and what can be seen of any other cause there. Values are those
+/// of all shots and channels, [3 shot + channel].
+struct PixelMisfit {
+  int x = 0, y = 0;            ///< in the picture
+  Eigen::VectorXd predicted;   ///< by the matte model
+  Eigen::VectorXd weight;      ///< 1 / standard deviation expected
+  std::vector<float> share;    ///< beta, [light]
+  float reflectance[3] = {};   ///< T = beta rho
+  Eigen::VectorXd residual;    ///< weighted, in the directions that the pixel's own unknowns leave free
+  Eigen::MatrixXd directions;  ///< values x those directions, orthonormal
+
+  /// How a small change of the values shows in `residual`; a column each.
+  [[nodiscard]] Eigen::MatrixXd visible(const Eigen::MatrixXd& change) const {
+    return directions.transpose() * (weight.asDiagonal() * change);
+  }
+};
+
+/// About `count` pixels that are neither dark nor flagged, spread evenly over the set.
+[[nodiscard]] std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal,
+                                                    int count, const CauseTuning& tuning);
+
+}  // namespace swaplight

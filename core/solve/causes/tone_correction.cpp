@@ -1,0 +1,161 @@
+#include "core/solve/causes/tone_correction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/solve/calibration/residual_noise.h"
+#include "core/solve/causes/cause_evidence.h"
+#include "core/solve/causes/cause_fit.h"
+#include "core/solve/causes/cause_slopes.h"
+
+namespace swaplight {
+namespace {
+
+constexpr double kLowest = 1e-5, kHighest = 1;  // values that the correction is kept at
+constexpr int kRounds = 8;
+constexpr double kSettled = 1e-3;        // change of the logarithm of light
+constexpr double kLeastSlope = .2;       // of log light over log value
+constexpr double kNoPhotons = 1e12;      // full well
+constexpr double kFrom = .03, kTo = .6;  // the middle of the range
+
+double stepOf(int levels) {
+  return std::log(kHighest / kLowest) / (levels - 1);
+}
+
+/// Where the noise of the pixels' own is not told, it is estimated as in a solve.
+NoiseModel noiseOf(const std::optional<SensorNoise>& told, const CapturePixels& pixels,
+                   const EstimatorContext& context, const ShotSignal& signal) {
+  if (told) return context.noise;
+  return residualNoise(context, noiseModel({0, kNoPhotons}, pixels, 0), signal);
+}
+
+void correctImage(const ToneCorrection& tone, Image& image) {
+  for (int c = 0; c < 3; ++c)
+    parallelRows(image.height(), 32, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) {
+        float* row = image.span().row(c, y);
+        std::transform(row, row + image.width(), row, std::cref(tone));
+      }
+    });
+}
+
+/// One more fit to the photographs as corrected so far; returns the change that it made, 0 where none was
+/// wanted.
+double improve(const Capture& capture, const CapturePixels& photographs,
+               const std::optional<SensorNoise>& told, bool first, const CauseTuning& tuning,
+               ToneCorrection& tone) {
+  CapturePixels pixels = withoutShots(photographs);
+  for (const Image& shot : photographs.shots) pixels.shots.push_back(shot.clone());
+  correctTone(tone, pixels);
+  EstimatorContext context{lightingFromCapture(capture), {}};
+  context.noise = noiseModel(told ? *told : estimateSensorNoise(pixels), pixels, 0);
+  std::vector<float> exposure;
+  for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
+  const ShotSignal signal(pixels, context.lighting, context.noise, exposure);
+  context.noise = noiseOf(told, pixels, context, signal);
+  if (first) {
+    const std::vector<Cause> likely = misfitCauses(context, signal, tuning).likely;
+    // Ambient light taken for a curve doubles the error; colours that fit nearly as well are no such rival.
+    const bool ambient = std::find(likely.begin(), likely.end(), Cause::Ambient) != likely.end();
+    if (likely.empty() || likely.front() != Cause::Tone || ambient) return 0;
+  }
+  const std::vector<PixelMisfit> sample = misfitSample(context, signal, tuning.pixels, tuning);
+  const MisfitRows rows = misfitRows(sample);
+  for (const CauseModel& model : causeModels(context, signal, sample)) {
+    if (model.cause != Cause::Tone) continue;
+    const CauseFit fit =
+        fitCause(rows, visibleSlopes(model, sample, rows), {0, int(sample.size())}, model.prior, tuning);
+    std::vector<double> gain;
+    for (const double light : tone.lights()) gain.push_back(toneGain(fit.unknowns, light));
+    return tone.takeOff(gain);
+  }
+  return 0;
+}
+
+}  // namespace
+
+ToneCorrection::ToneCorrection() {
+  for (int j = 0; j < kLevels; ++j) m_logLight[size_t(j)] = std::log(kLowest) + j * stepOf(kLevels);
+}
+
+float ToneCorrection::operator()(float value) const {
+  if (!(value > 0) || !std::isfinite(value)) return value;
+  const double position = (std::log(double(value)) - std::log(kLowest)) / stepOf(kLevels);
+  if (position <= 0) return float(double(value) / kLowest * std::exp(m_logLight.front()));
+  if (position >= kLevels - 1) return float(double(value) / kHighest * std::exp(m_logLight.back()));
+  const auto below = size_t(position);
+  const double part = position - double(below);
+  return float(std::exp((1 - part) * m_logLight[below] + part * m_logLight[below + 1]));
+}
+
+double ToneCorrection::takeOff(const std::vector<double>& gain) {
+  double part = 1;
+  for (int j = 1; j < kLevels; ++j) {
+    const double rise = m_logLight[size_t(j)] - m_logLight[size_t(j - 1)];
+    const double taken = gain[size_t(j)] - gain[size_t(j - 1)];
+    const double least = std::min(kLeastSlope * stepOf(kLevels), rise);
+    if (rise - taken < least && taken > 0) part = std::min(part, (rise - least) / taken);
+  }
+  double largest = 0;
+  for (int j = 0; j < kLevels; ++j) {
+    const double change = part * gain[size_t(j)];
+    m_logLight[size_t(j)] -= change;
+    if (j >= kLevels / 2) largest = std::max(largest, std::abs(change));
+  }
+  return largest;
+}
+
+std::vector<double> ToneCorrection::lights() const {
+  std::vector<double> lights;
+  for (const double log : m_logLight) lights.push_back(std::exp(log));
+  return lights;
+}
+
+double ToneCorrection::exponent() const {
+  return std::log(kTo / kFrom) / std::log(double((*this)(float(kTo))) / double((*this)(float(kFrom))));
+}
+
+std::optional<ToneCorrection> findToneCorrection(const Capture& capture, const CapturePixels& photographs,
+                                                 const std::optional<SensorNoise>& noise,
+                                                 const CauseTuning& tuning) {
+  for (const Shot& shot : capture.shots)
+    for (const auto& color : shot.lightColors)
+      if (!color)
+        throw InputError(
+            "{}: a light colour is unknown, so that no tone curve can be told from the photographs; tell the "
+            "colour, or leave out --tone auto",
+            capture.file.empty() ? capture.name : capture.file.filename().string());
+  const std::optional<SensorNoise> told = noise           ? noise
+                                          : capture.noise ? noiseInFrame(capture)
+                                                          : std::nullopt;
+  ToneCorrection tone;
+  for (int round = 0; round < kRounds; ++round) {
+    const double change = improve(capture, photographs, told, round == 0, tuning, tone);
+    if (change == 0 && round == 0) return std::nullopt;
+    if (change < kSettled) break;
+  }
+  return tone;
+}
+
+void correctTone(const ToneCorrection& tone, CapturePixels& photographs) {
+  for (Image& shot : photographs.shots) correctImage(tone, shot);
+  if (photographs.ambient) correctImage(tone, *photographs.ambient);
+  for (float& clip : photographs.clipLevel) clip = tone(clip);
+}
+
+void reportTone(const ToneCorrection& tone, SolveReport& report) {
+  report.tone = TakenTone{tone.exponent(), {}};
+  for (const float value : {.01F, .02F, .05F, .1F, .2F, .4F, .7F, 1.0F})
+    report.tone->curve.push_back({value, tone(value)});
+  report.message += fmt::format(
+      " A tone curve that was not told has been taken off the photographs: light to the power of about "
+      "{:.2f}.",
+      tone.exponent());
+}
+
+}  // namespace swaplight

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/capture/capture_pixels.h"
+#include "core/set/solve_report.h"
+#include "core/solve/causes/cause_tuning.h"
+
+namespace swaplight {
+
+/// What takes off a tone curve that nobody told: a value of the files (decoded as declared) for each light.
+class ToneCorrection {
+ public:
+  /// Nothing is changed.
+  ToneCorrection();
+  /// The light of a value (linear, full scale 1; more goes on in proportion, 0 and less stays).
+  [[nodiscard]] float operator()(float value) const;
+  /// Takes e^gain(light) off as well, `gain` at the lights of `values`; as much of it as keeps the curve
+  /// rising. Returns the largest change of the logarithm that was made.
+  double takeOff(const std::vector<double>& gain);
+  /// The lights, as they are now, of the values that the correction is kept at.
+  [[nodiscard]] std::vector<double> lights() const;
+  /// What the camera did: the power of light, over the middle of the range, that the files hold.
+  [[nodiscard]] double exponent() const;
+
+ private:
+  static constexpr int kLevels = 241;  ///< of value, evenly in the logarithm
+  std::array<double, kLevels> m_logLight;
+};
+
+/// Finds the tone curve by Gauss-Newton: the Tone cause of misfitCauses() is fitted, taken off, and fitted
+/// again. Nothing where that cause is not the likeliest, or ambient light may be it. Throws InputError where
+/// a light colour is unknown: the curve and the colour could not be told apart. `noise`: the sensor's, if it
+/// is told otherwise than by the capture.
+[[nodiscard]] std::optional<ToneCorrection> findToneCorrection(const Capture& capture,
+                                                               const CapturePixels& photographs,
+                                                               const std::optional<SensorNoise>& noise = {},
+                                                               const CauseTuning& tuning = {});
+
+/// The photographs, and the ambient one, with the curve taken off.
+void correctTone(const ToneCorrection& tone, CapturePixels& photographs);
+
+/// Says so in the report: SolveReport::tone and the message.
+void reportTone(const ToneCorrection& tone, SolveReport& report);
+
+}  // namespace swaplight

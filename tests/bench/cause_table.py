@@ -1,0 +1,200 @@
+#!/usr/bin/python3
+"""What spoils a solve, whether the solve says so, and what its remedy brings: a row a set and defect.
+
+usage: cause_table.py SWAPLIGHT SHARED [--sets A,B] [--cases clean,tone] [--size 320] [--lights 2]
+
+Photographs are composed of SHARED/captures' pictures of one light each, with one thing wrong that the capture does not
+tell. The noise is not told. Columns: relative RMSE of the contributions (exposure, which nothing tells under an unknown
+curve, taken off) and mean CIEDE2000 of SHARED/tools/score.py; the causes that the report names, with the best one's size
+and certainty; then both errors with the remedy that the named cause offers, where `solve` has it.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+import OpenImageIO as oiio
+from solve_table import one_light_sets
+
+COLORS = [[.9, .2, .15], [.15, .8, .25], [.2, .25, .9], [.85, .75, .1]]
+READ, FULL_WELL = .002, 20000
+# What is planted, how much of it, and the bits of the files (None: floating point with noise).
+CASES = {
+    'clean': (0, None), 'clean 8 bit': (0, 8),
+    'ambient .4 %': (.004, None), 'ambient 1.4 %': (.014, None), 'ambient 4.2 %': (.042, None), 'ambient 14 %': (.14, None),
+    'field 10 %': (.1, None), 'tone S mild': (.3, 8), 'tone S strong': (.8, 8), 'tone gamma .9': (.9, 8),
+    'colors 2 %': (.02, None), 'colors 5 %': (.05, None), 'colors 15 %': (.15, None), 'colors 30 %': (.3, None), 'moved 1 px': (1, 8), 'turned 2 px': (2, 8),
+}
+REMEDY = {'tone': ['--tone', 'auto'], 'moved': ['--align', 'on'], 'colors': ['--refine-colors']}
+
+
+def read(path):
+    return np.asarray(oiio.ImageBuf(path).get_pixels(oiio.FLOAT))[..., :3].astype(float)
+
+
+def smaller(picture, size):
+    q = max(1, -(-picture.shape[1] // size))
+    h, w = picture.shape[0] // q * q, picture.shape[1] // q * q
+    return picture[:h, :w].reshape(h // q, q, w // q, q, 3).mean((1, 3))
+
+
+def load(folder, lights, size):
+    """Contributions with the 99.5th percentile of their sum at .9, and the ambient light, as bright as that in the mean."""
+    truth = np.stack([smaller(read(f'{folder}/T_{name}.exr'), size) for name in lights])
+    truth *= .9 / np.percentile(truth.sum(0), 99.5)
+    path = f'{folder}/ambient.exr'
+    ambient = smaller(read(path), size) if os.path.exists(path) else truth.sum(0).mean(-1, keepdims=True) * np.ones(3)
+    return truth, ambient * truth.sum(0).mean() / ambient.mean()
+
+
+def slid(picture, amounts, axis):
+    """Every line along an axis slid by its own number of pixels, by Fourier's shift theorem."""
+    pad = [(16, 16) if j == axis else (0, 0) for j in range(3)]
+    wide = np.pad(picture, pad, 'edge')
+    f = np.fft.rfftfreq(wide.shape[axis])
+    phase = np.exp(-2j * np.pi * np.multiply.outer(amounts, f))
+    phase = (phase if axis == 1 else phase.T)[..., None]
+    return np.take(np.fft.irfft(np.fft.rfft(wide, axis=axis) * phase, wide.shape[axis], axis=axis),
+                   np.arange(16, 16 + picture.shape[axis]), axis)
+
+
+def moved(picture, size, turned):
+    """Shifted by `size` pixels, or turned by as much at the sides, in three shears."""
+    h, w = picture.shape[:2]
+    if not turned:
+        return slid(slid(picture, np.full(h, .8 * size), 1), np.full(w, .6 * size), 0)
+    angle = size / (w / 2)
+    y, x = np.arange(h) - h / 2, np.arange(w) - w / 2
+    return slid(slid(slid(picture, -angle / 2 * y, 1), angle * x, 0), -angle / 2 * y, 1)
+
+
+def srgb(x):
+    x = np.clip(x, 0, 1)
+    return np.where(x <= .0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - .055)
+
+
+def field(truth, size, rng):
+    """Each light with a colour that goes from -size to +size over the picture."""
+    h, w = truth.shape[1:3]
+    y, x = np.mgrid[-1:1:h * 1j, -1:1:w * 1j]
+    drifting = []
+    for light in truth:
+        slope = rng.normal(size=(2, 3))
+        slope /= np.abs(slope).sum(0).max()
+        drifting.append(light * (1 + size * (x[..., None] * slope[0] + y[..., None] * slope[1])))
+    return np.stack(drifting)
+
+
+def coded(shot, case, size, bits, rng):
+    shot = np.maximum(shot, 0)
+    if not bits:
+        shot = shot + rng.normal(size=shot.shape) * np.sqrt(READ ** 2 + shot / FULL_WELL)
+        return np.minimum(shot, 1)
+    v = srgb(shot)
+    if case.startswith('tone S'):
+        v = (1 - size) * v + size * (3 * v ** 2 - 2 * v ** 3)
+    if case.startswith('tone gamma'):
+        v = v ** size
+    return np.round(v * 255).astype(np.uint8)
+
+
+def write(path, picture):
+    kind = 'uint8' if picture.dtype == np.uint8 else 'float'
+    out = oiio.ImageBuf(oiio.ImageSpec(picture.shape[1], picture.shape[0], 3, kind))
+    out.set_pixels(oiio.ROI(), np.ascontiguousarray(picture, np.uint8 if kind == 'uint8' else np.float32))
+    out.write(path)
+
+
+def compose(truth, ambient, names, case, out):
+    size, bits = CASES[case]
+    rng = np.random.default_rng(1)
+    n = len(truth)
+    colors = np.array([[COLORS[(i + k) % n] for i in range(n)] for k in range(n)])
+    said = colors * (1 + size * rng.normal(size=colors.shape)) if case.startswith('colors') else colors
+    lit = field(truth, size, rng) if case.startswith('field') else truth
+    shots = np.einsum('kic,ihwc->khwc', colors, lit)
+    if case.startswith('ambient'):
+        shots += size * ambient
+    for k in range(1, n):
+        if case.startswith(('moved', 'turned')):
+            shots[k] = moved(shots[k], size * (1 if k % 2 else -1), case.startswith('turned'))
+    manifest = {'format': 'swaplight-capture', 'version': 1, 'name': 'set', 'color_space': 'srgb' if bits else 'lin_rec709',
+                'lights': [{'name': name, 'role': 'other'} for name in names], 'shots': [], 'truth': {}}
+    os.makedirs(f'{out}/truth')
+    for k in range(n):
+        name = f'shot_{k + 1}.' + ('png' if bits else 'exr')
+        write(f'{out}/{name}', coded(shots[k], case, size, bits, rng))
+        manifest['shots'].append({'image': name, 'light_colors': np.round(said[k], 6).tolist()})
+    for name, light in zip(names, truth):
+        manifest['truth'][name] = f'truth/T_{name}.exr'
+        write(f'{out}/truth/T_{name}.exr', light)
+    with open(f'{out}/capture.json', 'w') as file:
+        json.dump(manifest, file)
+    return f'{out}/capture.json'
+
+
+def solve(program, capture, out, *options):
+    result = subprocess.run([program, 'solve', capture, '-o', out, '--json', '--float', *options], capture_output=True,
+                            text=True)
+    if result.returncode:
+        sys.exit(f'{capture}: {result.stderr}')
+    return json.loads(result.stdout)
+
+
+def rescaled(score, solved, truth, names):
+    """Relative RMSE with one factor for all lights: an unknown curve leaves the exposure open."""
+    channels = score.read(solved)
+    ours = np.stack([score.rgb(channels, name) for name in names])
+    factor = (ours * truth).sum() / (ours * ours).sum()
+    return float(np.sqrt(((factor * ours - truth) ** 2).mean() / (truth ** 2).mean()))
+
+
+def row(score, program, truth, ambient, names, case, label):
+    with tempfile.TemporaryDirectory() as work:
+        capture, solved = compose(truth, ambient, names, case, work), f'{work}/solved.exr'
+
+        def errors(*options):
+            report = solve(program, capture, solved, *options)
+            return report, f'{rescaled(score, solved, truth, names):.3f} | {score.score(capture, solved)["de_mean"]:.2f}'
+        report, before = errors()
+        causes = report.get('misfit_causes', {'likely': [], 'all': []})
+        best = causes['all'][0] if causes['all'] else None
+        what = ' or '.join(causes['likely']) or 'none'
+        detail = f'{best["cause"]} {best["size"]:.3f} ({best["certainty"]:.1f}, {best["explained"]:.2f})' if best else ''
+        remedy = REMEDY.get(causes['likely'][0]) if causes['likely'] else None
+        after = errors(*remedy)[1] if remedy else ' | '
+    print(f'| {label} | {case} | {before} | {what} | {detail} | {after} |', flush=True)
+    return causes
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('swaplight')
+    parser.add_argument('shared')
+    parser.add_argument('--sets')
+    parser.add_argument('--cases', default=','.join(CASES))
+    parser.add_argument('--size', type=int, default=320)
+    parser.add_argument('--lights', type=int, default=2)
+    parser.add_argument('--evidence', help='append every cause of every row to this file')
+    options = parser.parse_args()
+    sys.path.insert(0, os.path.join(options.shared, 'tools'))
+    import score
+    sets = one_light_sets(os.path.join(options.shared, 'captures'))
+    print('| set | defect | rel. RMSE | dE00 | named | best (certainty, explained) | RMSE with remedy | dE00 |')
+    print('|---|---|---|---|---|---|---|---|')
+    for label in options.sets.split(',') if options.sets else sets:
+        folder, lights = sets[label]
+        names = lights[:options.lights]
+        truth, ambient = load(folder, names, options.size)
+        for case in options.cases.split(','):
+            causes = row(score, os.path.abspath(options.swaplight), truth, ambient, names, case, label)
+            if options.evidence:
+                with open(options.evidence, 'a') as file:
+                    file.write(json.dumps({'set': label, 'case': case, 'lights': len(names), **causes}) + '\n')
+
+
+if __name__ == '__main__':
+    main()

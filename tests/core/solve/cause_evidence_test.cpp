@@ -1,0 +1,225 @@
+#include "core/solve/causes/cause_evidence.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "core/base/json.h"
+#include "core/set/solve_verdict.h"
+#include "core/solve/causes/tone_correction.h"
+#include "core/solve/solve.h"
+#include "tests/support/synthetic_capture.h"
+
+namespace swaplight {
+namespace {
+
+constexpr SensorNoise kSensor{.0005, 200000};
+constexpr int kWide = 192, kHigh = 144;
+
+/// A matte set that can be photographed from anywhere: blobs of colour, two lamps that fall off to either
+/// side, and their shadows.
+class MatteScene {
+ public:
+  MatteScene() {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int j = 0; j < 500; ++j)
+      m_blobs.push_back({kWide * unit(random), kHigh * unit(random), 1.5 + 5 * unit(random),
+                         3 * (unit(random) - .4), 3 * (unit(random) - .4), 3 * (unit(random) - .4)});
+  }
+  [[nodiscard]] double albedo(int c, double x, double y) const {
+    double log = 0;
+    for (const auto& blob : m_blobs) {
+      if (std::abs(x - blob[0]) > 4.3 * blob[2] || std::abs(y - blob[1]) > 4.3 * blob[2]) continue;
+      const double d = (std::pow(x - blob[0], 2) + std::pow(y - blob[1], 2)) / (2 * blob[2] * blob[2]);
+      if (d < 9) log += blob[size_t(3 + c)] * std::exp(-d);
+    }
+    return .9 / (1 + std::exp(1.2 - log));
+  }
+  [[nodiscard]] static double lamp(int i, double x, double y) {
+    const double from = i == 0 ? x / kWide : 1 - x / kWide;
+    const double shadow = std::sin(.11 * x + (i == 0 ? .07 : -.05) * y);
+    return (1 - .75 * from) * (shadow > .75 ? .04 : 1);
+  }
+
+ private:
+  std::vector<std::array<double, 6>> m_blobs;
+};
+
+/// What is wrong with a photograph: the value of a pixel by shot and channel, at a place.
+struct Defect {
+  double shift = 0;    ///< pixels to the right, of the second shot
+  double drift = 0;    ///< of the first lamp's red over the half width
+  double ambient = 0;  ///< behind the reflectance
+  std::function<double(double)> curve = [](double y) { return y; };  ///< on the light
+};
+
+Capture swappedCapture() {
+  Capture capture = rotatedCapture(2);
+  capture.noise = kSensor;
+  return capture;
+}
+
+CapturePixels photographed(const Defect& defect = {}) {
+  static const MatteScene scene;
+  const Capture capture = swappedCapture();
+  std::mt19937 random(3);
+  std::normal_distribution<double> gauss;
+  CapturePixels pixels;
+  for (int k = 0; k < 2; ++k) {
+    Image image(ImageSpec::rgb(kWide, kHigh));
+    for (int c = 0; c < 3; ++c)
+      for (int v = 0; v < kHigh; ++v)
+        for (int u = 0; u < kWide; ++u) {
+          const double x = u - k * defect.shift;
+          double light = defect.ambient;
+          for (int i = 0; i < 2; ++i) {
+            const double drift = i == 0 && c == 0 ? defect.drift * (2.0 * u / kWide - 1) : 0;
+            light += double((*capture.shots[size_t(k)].lightColors[size_t(i)])[c]) * (1 + drift) *
+                     MatteScene::lamp(i, x, v);
+          }
+          const double y = defect.curve(.8 * scene.albedo(c, x, v) * light);
+          image.span().at(c, u, v) =
+              float(y + gauss(random) * std::sqrt(y / kSensor.fullWell + kSensor.read * kSensor.read));
+        }
+    pixels.shots.push_back(std::move(image));
+    pixels.clipLevel.push_back(INFINITY);
+    pixels.quantum.push_back(0);
+  }
+  return pixels;
+}
+
+MisfitCauses causesIn(const CapturePixels& pixels, const Capture& said = swappedCapture()) {
+  const EstimatorContext context{lightingFromCapture(said), noiseModel(kSensor, pixels, 0)};
+  const ShotSignal signal(pixels, context.lighting, context.noise, {1, 1});
+  return misfitCauses(context, signal);
+}
+
+/// For a failed test's message.
+std::string told(const MisfitCauses& causes) {
+  return jsonFromMisfitCauses(causes).dump(1) + wordsFor(causes);
+}
+
+double sizeOf(const MisfitCauses& causes, Cause cause) {
+  for (const CauseEvidence& one : causes.all)
+    if (one.cause == cause) return one.size;
+  return NAN;
+}
+
+double contrastCurve(double y) {
+  const double v = std::pow(std::max(y, 0.0), 1 / 2.2);
+  return std::pow(v + .5 * (3 * v * v - 2 * v * v * v - v), 2.2);
+}
+
+TEST(CauseEvidence, NoneWhereAllIsAsTold) {
+  const MisfitCauses causes = causesIn(photographed());
+  EXPECT_EQ(causes.all.size(), 5U);
+  EXPECT_TRUE(causes.likely.empty()) << told(causes);
+  EXPECT_EQ(wordsFor(causes), "");
+}
+
+TEST(CauseEvidence, NamesAToneCurve) {
+  const MisfitCauses contrast = causesIn(photographed({.curve = contrastCurve}));
+  EXPECT_TRUE(contrast.is(Cause::Tone)) << told(contrast);
+  const MisfitCauses gamma = causesIn(photographed({.curve = [](double y) { return std::pow(y, .85); }}));
+  ASSERT_FALSE(gamma.likely.empty()) << told(gamma);
+  EXPECT_EQ(gamma.likely.front(), Cause::Tone) << "the best, though ambient light looks like it";
+  EXPECT_NEAR(sizeOf(gamma, Cause::Tone), -.15, .06);
+}
+
+TEST(CauseEvidence, NamesAMovedCamera) {
+  const MisfitCauses causes = causesIn(photographed({.shift = .5}));
+  EXPECT_TRUE(causes.is(Cause::Moved)) << told(causes);
+  // At edges the change is not linear: what is fitted is less.
+  EXPECT_GT(sizeOf(causes, Cause::Moved), .2);
+  EXPECT_LT(sizeOf(causes, Cause::Moved), .6);
+}
+
+TEST(CauseEvidence, NamesLampsWhoseColourDrifts) {
+  const MisfitCauses causes = causesIn(photographed({.drift = .15}));
+  EXPECT_TRUE(causes.is(Cause::Field)) << told(causes);
+}
+
+TEST(CauseEvidence, NamesAmbientLightWithTheCurveThatLooksLikeIt) {
+  const MisfitCauses causes = causesIn(photographed({.ambient = .1}));
+  ASSERT_EQ(causes.likely.size(), 2U) << told(causes);
+  EXPECT_EQ(causes.likely[0], Cause::Ambient);
+  EXPECT_EQ(causes.likely[1], Cause::Tone);
+  EXPECT_LT(sizeOf(causes, Cause::Tone), 0) << "less contrast";
+  EXPECT_EQ(wordsFor(causes).find("--tone auto"), std::string::npos) << "which takes nothing off here";
+  EXPECT_FALSE(findToneCorrection(swappedCapture(), photographed({.ambient = .1})).has_value());
+}
+
+TEST(CauseEvidence, NamesNoNegativeAmbientLight) {
+  // A black level taken off twice; and what bounced light looks like.
+  const MisfitCauses causes = causesIn(photographed({.ambient = -.03}));
+  for (const Cause cause : causes.likely) EXPECT_NE(cause, Cause::Ambient) << told(causes);
+}
+
+TEST(CauseEvidence, NamesWrongColours) {
+  Capture said = swappedCapture();
+  (*said.shots[0].lightColors[0]).r *= 1.15F;
+  (*said.shots[1].lightColors[0]).b *= .85F;
+  const MisfitCauses causes = causesIn(photographed(), said);
+  EXPECT_TRUE(causes.is(Cause::Colors)) << told(causes);
+}
+
+TEST(CauseEvidence, IsKeptWithTheReportAndLowersTheVerdict) {
+  SolveReport report;
+  report.pixels = 1000;
+  EXPECT_EQ(verdictOf(report).word, SolveVerdict::Word::Good);
+  MisfitCauses causes;
+  causes.all = {{Cause::Tone, .6, .4, 7, 0, .08}, {Cause::Colors, .5, .3, 6, 1.2, .04}};
+  causes.likely = {Cause::Tone};
+  report.causes = causes;
+  const SolveReport read = solveReportFromJson(jsonFromSolveReport(report), "report");
+  EXPECT_TRUE(read.causes.is(Cause::Tone));
+  EXPECT_EQ(read.causes.all.size(), 2U);
+  EXPECT_EQ(read.causes.all.back().behind, 1.2);
+  const SolveVerdict verdict = verdictOf(read);
+  EXPECT_EQ(verdict.word, SolveVerdict::Word::Fair);
+  ASSERT_FALSE(verdict.reasons.empty());
+  EXPECT_NE(verdict.reasons.front().find("1.08"), std::string::npos) << verdict.reasons.front();
+  EXPECT_NE(verdict.reasons.front().find("--tone auto"), std::string::npos);
+  causes.likely.push_back(Cause::Colors);
+  EXPECT_NE(wordsFor(causes).find("cannot be told which"), std::string::npos);
+}
+
+/// Of the contributions, up to a factor: under an unknown curve the exposure is open.
+double relativeError(const SolvedSet& set, const SolvedSet& truth) {
+  double own = 0, both = 0, power = 0;
+  for (size_t i = 0; i < 2; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < truth.beta.pixelCount(); ++p) {
+        const double t = double(truth.contributions[i].plane(c)[p]);
+        const double s = double(set.contributions[i].plane(c)[p]);
+        own += s * s;
+        both += s * t;
+        power += t * t;
+      }
+  return std::sqrt(std::max(1 - both * both / (own * power), 0.0));
+}
+
+TEST(ToneCorrection, TakesOffACurve) {
+  const SolvedSet truth = solve(swappedCapture(), photographed(), {});
+  CapturePixels pixels = photographed({.curve = contrastCurve});
+  const double before = relativeError(solve(swappedCapture(), pixels, {}), truth);
+  const auto tone = findToneCorrection(swappedCapture(), pixels);
+  ASSERT_TRUE(tone.has_value());
+  correctTone(*tone, pixels);
+  const SolvedSet corrected = solve(swappedCapture(), pixels, {});
+  EXPECT_LT(relativeError(corrected, truth), .3 * before) << tone->exponent();
+  EXPECT_TRUE(corrected.report->causes.likely.empty()) << told(corrected.report->causes);
+}
+
+TEST(ToneCorrection, LeavesPhotographsThatAreAsTold) {
+  EXPECT_FALSE(findToneCorrection(swappedCapture(), photographed()).has_value());
+  Capture unknown = swappedCapture();
+  unknown.shots[0].lightColors[0].reset();
+  EXPECT_ANY_THROW((void)findToneCorrection(unknown, photographed()));
+}
+
+}  // namespace
+}  // namespace swaplight
