@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -82,7 +83,9 @@ void drawReport(const SolveReport& report, const SolveVerdict& verdict) {
   ImGui::Separator();
   figures(report);
   if (!report.warnings.empty()) ImGui::Separator();
-  for (const std::string& warning : report.warnings) ImGui::TextUnformatted(warning.c_str());
+  for (const std::string& warning : report.warnings)
+    if (std::find(verdict.reasons.begin(), verdict.reasons.end(), warning) == verdict.reasons.end())
+      ImGui::TextUnformatted(warning.c_str());
   ImGui::PopTextWrapPos();
 }
 
