@@ -89,7 +89,7 @@ inline MaskShape anyShape(int deep = 1) {
   const auto size = [] { return anyFloat(1, 4000); };
   MaskShape out;
   out.invert = anyBool();
-  switch (anyInt(0, 9 + (deep > 0))) {
+  switch (anyInt(0, 10 + (deep > 0))) {
     case 0:
       out.shape = RectangleShape{at(), at(), size(), size(), size()};
       break;
@@ -120,6 +120,14 @@ inline MaskShape anyShape(int deep = 1) {
     case 9:
       out.shape = SimilarShape{SimilarShape::By(anyInt(0, 1)), anyInt(0, 4000), anyInt(0, 4000),
                                anyFloat(0, 1), anyBool()};
+      break;
+    case 10:
+      out.shape = KeyShape{KeyShape::By(anyInt(0, 1)),
+                           {anyFloat(0, 1), anyFloat(0, 1), anyFloat(0, 1)},
+                           anyFloat(0, 1),
+                           anyFloat(0, 1),
+                           {{anyText(), {anyFloat(0, 10), anyFloat(0, 10), anyFloat(0, 10)}}},
+                           anyFloat(0, 10)};
       break;
     default: {
       std::vector<SelectionPart> parts = anyList<SelectionPart>(3, [&] {

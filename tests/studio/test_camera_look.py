@@ -238,6 +238,32 @@ class CameraLook(StudioTest):
         self.assertTrue(studio.quit())
         self.open_sample('three_point').item('favourite.Mine')
 
+    def test_a_keys_matte_becomes_the_selection(self):
+        studio = self.open_look()
+        self.add('exposure')
+        self.assertFalse(studio.has('camera_look.matte'))
+        self.add('luma-key')
+        self.move_away()
+        studio.click('camera_look.matte')
+        studio.settle()
+        studio.screenshot('key_matte')
+        selection = self.save_as('keyed')[1]['selection']
+        part = selection[0]['parts'][0]
+        self.assertEqual((part['shape'], part['by'], part['from'], part['to']), ('key', 'luma', .2, .3))
+        self.assertEqual(set(part['lights']), {'key', 'fill', 'back'})
+        studio.key('F10')
+        studio.key('F4')
+        studio.click('edits.add')
+        studio.item('add.curve')
+        studio.settle()
+        studio.click('add.curve')
+        studio.settle()
+        edit = self.save_as('edited')[1]['edits']['edits'][0]
+        self.assertEqual(edit['mask'][0]['parts'][0]['shape'], 'key')
+        studio.key('ctrl+z')
+        studio.key('ctrl+z')
+        self.assertFalse(self.save_as('undone')[1].get('selection'))
+
     def test_a_session_with_a_broken_filter_opens_and_says_so(self):
         path = self.path('broken.swaplight')
         with open(path, 'w') as file:

@@ -6,7 +6,10 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/edit/mask/selection.h"
+#include "core/relight/rig.h"
 #include "ui/camera/camera_look_edit.h"
+#include "ui/camera/key_matte.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
@@ -166,6 +169,24 @@ void aloneButton(ViewerContext& studio, size_t index) {
   tooltip("See the picture through this filter alone. Exports have the whole look all the same.");
 }
 
+/// Of a key filter: what it keeps becomes the selection, inside which edits of the lights stay.
+void matteButton(ViewerContext& studio, const ResolvedStage& stage) {
+  const Rig& rig = studio.document().rig;
+  const std::optional<MaskShape> matte =
+      keyMatteOf(stage, rig, rigFactors(*studio.colors.config(), rig, studio.set()->solved().colorSpace()));
+  if (!matte) return;
+  if (ImGui::Button("Select by this matte", ImVec2(ImGui::GetContentRegionAvail().x, 0))) {
+    Document next = studio.document();
+    next.selection = selectionWith({}, *matte, SelectHow::Replace);
+    studio.editor.edit("Select by " + stage.filter->name, std::move(next));
+  }
+  markItem("camera_look.matte");
+  tooltip(
+      "What this key keeps becomes the selection: edits of the lights stay inside. It is taken of the set as "
+      "it "
+      "is lit now, in sRGB and before other filters, and stays when the lights change.");
+}
+
 }  // namespace
 
 void drawFilterParameters(ViewerContext& studio, size_t index, FileChooser& chooser) {
@@ -195,6 +216,7 @@ void drawFilterParameters(ViewerContext& studio, size_t index, FileChooser& choo
     if (resolved.filter->inputs[i].type != FilterInputType::Event)
       drawParameter({studio, index, resolved.filter->inputs[i], resolved.values[i], chooser});
   ImGui::PopID();
+  matteButton(studio, resolved);
 }
 
 }  // namespace swaplight

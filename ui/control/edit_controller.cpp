@@ -19,7 +19,7 @@ constexpr size_t kDrawnKept = 3;
 
 /// Shapes that take long to draw.
 bool isSlow(const MaskShape& shape) {
-  return std::holds_alternative<SimilarShape>(shape.shape) ||
+  return std::holds_alternative<SimilarShape>(shape.shape) || std::holds_alternative<KeyShape>(shape.shape) ||
          std::holds_alternative<SelectionShape>(shape.shape);
 }
 

@@ -7,6 +7,7 @@
 #include "core/edit/mask/selection_shape.h"
 #include "core/edit/shapes/ellipse_shape.h"
 #include "core/edit/shapes/image_shape.h"
+#include "core/edit/shapes/key_shape.h"
 #include "core/edit/shapes/linear_gradient_shape.h"
 #include "core/edit/shapes/paint_shape.h"
 #include "core/edit/shapes/pattern_shape.h"
@@ -27,7 +28,7 @@ namespace swaplight {
 //   float valueAt(float x, float y) const      a formula, with PixelRect bounds() const where it ends; or
 //   MaskRaster draw(int width, int height) const   pixels, drawn once
 //
-// (shadows, what is similar and selections need the set to be drawn: MaskContext::raster)
+// (shadows, what is similar, keys and selections need the set to be drawn: MaskContext::raster)
 //
 // and, where it needs them,
 //
@@ -42,7 +43,8 @@ namespace swaplight {
 
 struct MaskShape {
   std::variant<RectangleShape, EllipseShape, PolygonShape, LinearGradientShape, RadialGradientShape,
-               PatternShape, TextShape, ImageShape, PaintShape, ShadowShape, SimilarShape, SelectionShape>
+               PatternShape, TextShape, ImageShape, PaintShape, ShadowShape, SimilarShape, KeyShape,
+               SelectionShape>
       shape;
   bool invert = false;
   bool operator==(const MaskShape&) const = default;

@@ -40,7 +40,7 @@ std::shared_ptr<const MaskRaster> MaskContext::draw(const MaskShape& shape, int 
           if (!m_shadows) throw InputError("the edits use shadows, which are not available here.");
           const auto found = m_shadows(s.light);
           return made(shadowZone > 0 && s.region ? s.drawZone(*found, shadowZone) : s.draw(*found));
-        } else if constexpr (std::is_same_v<T, SimilarShape>) {
+        } else if constexpr (requires { s.draw(m_set); }) {
           return made(s.draw(m_set));
         } else if constexpr (std::is_same_v<T, SelectionShape>) {
           return made(drawSelection(s, *this));
