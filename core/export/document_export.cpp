@@ -64,6 +64,11 @@ std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
                                                   const Document& document, const ExportRequest& request,
                                                   const Progress& progress) {
   checkExport(config, request);
+  if (!request.seesGrade && document.display.grade) {
+    Document plain = document;
+    plain.display.grade.reset();
+    return exportDocument(config, set, plain, request, progress);
+  }
   if (request.kind == ExportKind::Sequence) return exportCues(config, set, document, request, progress);
   const bool edited = document.edits != EditStack{};
   const SolvedSet withThem = edited ? withEdits(set, document.edits) : SolvedSet();
@@ -81,7 +86,7 @@ std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
       LayerOptions options = request.layers;
       options.text = provenanceOf(shown, document.rig, document.source);
       options.cameraLook = request.cameraLook;
-      options.seenThrough = document.display;
+      options.seenThrough = document.display.withoutGrade();  // the lights leave ungraded
       exportLayers(config, shown, document.rig, file, options, progress);
       break;
     }

@@ -31,10 +31,11 @@ enum class ExportKind {
 struct ExportRequest {
   ExportKind kind = ExportKind::Frame;
   std::filesystem::path file;
-  FrameOptions frame;    ///< Frame, Sequence; where nothing is asked for the document's view
-  LayerOptions layers;   ///< Layers; its text is filled in
-  CueTiming timing;      ///< Sequence; its file is a pattern, as name.####.exr
-  bool seesLook = true;  ///< Frame, Layers, Sequence: the document's camera look is put on, where it has one
+  FrameOptions frame;     ///< Frame, Sequence; where nothing is asked for the document's view
+  LayerOptions layers;    ///< Layers; its text is filled in
+  CueTiming timing;       ///< Sequence; its file is a pattern, as name.####.exr
+  bool seesGrade = true;  ///< the document's grade is put on where frames leave it
+  bool seesLook = true;   ///< Frame, Layers, Sequence: the document's camera look is put on, where it has one
   /// Draws the document's camera look; null where it has none, or it is not asked for.
   std::shared_ptr<FrameFilter> cameraLook = {};
 };

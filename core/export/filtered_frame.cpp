@@ -18,6 +18,7 @@ std::function<void(ImageSpan)> displayFromScene(const ColorConfig& config, std::
   return
       [&config, space = std::move(colorSpace), tone = options.tone, view = viewOf(options)](ImageSpan image) {
         if (tone) {
+          if (const ColorGrade* grade = view.actingGrade()) config.applyGrade(image, space, *grade);
           config.convert(image, space, "lin_rec709");
           applyStillTone(image, *tone);
           config.convert(image, "lin_rec709", "srgb");
@@ -27,6 +28,13 @@ std::function<void(ImageSpan)> displayFromScene(const ColorConfig& config, std::
           config.applyView(image, space, namedDisplay(config, view));
         }
       };
+}
+
+FilteredImage gradedLight(const ColorConfig& config, FilteredImage frame, const FrameOptions& options) {
+  const ColorGrade* grade = options.seenThrough.actingGrade();
+  if (grade && frame.space != FilterSpace::Display && options.display.empty())
+    config.applyGrade(frame.image.span(), frame.image.spec().colorSpace, *grade);
+  return frame;
 }
 
 Image lightOf(FilteredImage frame) {

@@ -16,6 +16,11 @@ namespace swaplight {
                                                               std::string colorSpace,
                                                               const FrameOptions& options);
 
+/// Scene-linear light that is written without a view, under the grade of `seenThrough`. Codes for a display
+/// have it from their view, and so has what is still to go through one.
+[[nodiscard]] FilteredImage gradedLight(const ColorConfig& config, FilteredImage frame,
+                                        const FrameOptions& options);
+
 /// The light of a filtered picture: scene-linear as it is; codes for a display decoded by sRGB's curve, into
 /// lin_rec709.
 [[nodiscard]] Image lightOf(FilteredImage frame);

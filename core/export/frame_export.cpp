@@ -4,6 +4,7 @@
 #include "core/export/filtered_frame.h"
 #include "core/file/json_file.h"
 #include "core/relight/relight.h"
+#include "core/session/session_parts.h"
 
 namespace swaplight {
 
@@ -11,7 +12,11 @@ FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem
                              FrameOptions asked) {
   const bool decided = asked.linear || asked.tone;
   asked.seenThrough = asked.display.over(display);
-  if (!decided && !isSceneLinear(file)) asked.display = asked.seenThrough;
+  if (!decided && !isSceneLinear(file))
+    asked.display = asked.seenThrough;
+  else
+    asked.display.grade.reset();  // see gradedLight; an EXR through a view has it from there
+  if (!asked.display.empty()) asked.display.grade = asked.seenThrough.grade;
   return asked;
 }
 
@@ -29,6 +34,9 @@ void exportFrame(const ColorConfig& config, const SolvedSet& set, const Rig& rig
     seen =
         options.cameraLook->apply(std::move(seen), toDisplay, options.frameNumber, progress.part(0.3F, 0.6F));
   }
+  seen = gradedLight(config, std::move(seen), options);
+  if (const ColorGrade* grade = options.seenThrough.actingGrade())
+    options.write.text["swaplight/grade"] = jsonText(jsonFromGrade(*grade));
   progress.update(0.6F, "writing");
   writeFilteredFrame(config, std::move(seen), file, options, progress.part(0.6F, 1));
 }

@@ -31,7 +31,8 @@ struct FrameOptions {
   /// for it, exportFrame does.
   std::shared_ptr<FrameFilter> cameraLook = {};
   int frameNumber = 0;  ///< from which the camera look's grain and flicker follow
-  /// The view in which the camera look's filters for a display work where `display` says none.
+  /// The view in which the camera look's filters for a display work where `display` says none. Its grade is
+  /// put on what is written without a view, too, by exportFrame.
   DisplayChoice seenThrough = {};
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <mutex>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -14,7 +13,8 @@ namespace {
 
 /// The names that every capture may use (docs/formats.md, A capture), whatever configuration is in use.
 constexpr std::array<const char*, 5> kAlwaysKnown = {"lin_rec709", "srgb", "acescg", "aces2065_1", "raw"};
-constexpr int kGrain = 16;  // rows
+constexpr int kGrain = 16;           // rows
+constexpr float kBrightest = 65504;  // the largest half float
 
 std::string join(const std::vector<std::string>& names) {
   std::string list;
@@ -27,12 +27,6 @@ std::string oneLine(std::string words) {
   std::replace(words.begin(), words.end(), '\n', ' ');
   while (!words.empty() && words.back() == ' ') words.pop_back();
   return words.ends_with('.') ? words : words + ".";
-}
-
-/// Held while a processor is made, by any configuration: see color_config_impl.h.
-std::mutex& processorMutex() {
-  static std::mutex mutex;
-  return mutex;
 }
 
 template <typename Work>
@@ -63,6 +57,23 @@ void findBridge(ColorConfig::Impl& impl) {
     impl.bridgeBuiltin = ours;
     impl.bridgeHere = space->getName();
     return;
+  }
+}
+
+/// Where grades are made: the role for it, if light can be brought there and back; else ACEScct, by the
+/// bridge.
+std::string findGradingSpace(const ColorConfig::Impl& impl) {
+  const std::string fallback = "acescct";
+  const auto space = impl.config->getColorSpace(OCIO::ROLE_COLOR_TIMING);
+  if (!space || space->isData() || space->getReferenceSpaceType() != OCIO::REFERENCE_SPACE_SCENE)
+    return fallback;
+  const std::string light = impl.bridgeHere.empty() ? "lin_rec709" : impl.bridgeHere;
+  try {
+    static_cast<void>(impl.config->getProcessor(light.c_str(), space->getName())->getDefaultCPUProcessor());
+    static_cast<void>(impl.config->getProcessor(space->getName(), light.c_str())->getDefaultCPUProcessor());
+    return space->getName();
+  } catch (const OCIO::Exception&) {
+    return fallback;  // a table that cannot be turned round
   }
 }
 
@@ -161,19 +172,38 @@ OCIO::ConstProcessorRcPtr ColorConfig::Impl::makeView(const std::string& from,
 
 OCIO::ConstProcessorRcPtr ColorConfig::Impl::madeView(const std::string& from,
                                                       const DisplayChoice& choice) const {
-  OCIO::ConstProcessorRcPtr& made = m_views[{from, choice}];
+  OCIO::ConstProcessorRcPtr& made = m_views[{from, choice.withoutGrade()}];
   if (!made) made = makeView(from, choice);
+  const ColorGrade* grade = choice.actingGrade();  // not kept: a slider makes many
+  return grade ? chain(config, makeGrade(from, *grade), made) : made;
+}
+
+const OCIO::ConstProcessorRcPtr& ColorConfig::Impl::madeConversion(const std::string& from,
+                                                                   const std::string& to) const {
+  OCIO::ConstProcessorRcPtr& made = m_conversions[{from, to}];
+  if (!made) made = makeConversion(from, to);
   return made;
+}
+
+double ColorConfig::Impl::highestCode(const std::string& from) const {
+  std::array<float, 3> code{kBrightest, kBrightest, kBrightest};
+  madeConversion(from, gradingSpace)->getDefaultCPUProcessor()->applyRGB(code.data());
+  return *std::max_element(code.begin(), code.end());
+}
+
+OCIO::ConstProcessorRcPtr ColorConfig::Impl::makeGrade(const std::string& from,
+                                                       const ColorGrade& grade) const {
+  const auto all = OCIO::GroupTransform::Create();
+  all->appendTransform(madeConversion(from, gradingSpace)->createGroupTransform());
+  all->appendTransform(gradeTransform(grade, highestCode(from))->createEditableCopy());
+  all->appendTransform(madeConversion(gradingSpace, from)->createGroupTransform());
+  return config->getProcessor(all);
 }
 
 OCIO::ConstCPUProcessorRcPtr ColorConfig::Impl::conversion(const std::string& from,
                                                            const std::string& to) const {
   const std::lock_guard lock(processorMutex());
-  return inWords(name, [&] {
-    OCIO::ConstProcessorRcPtr& made = m_conversions[{from, to}];
-    if (!made) made = makeConversion(from, to);
-    return losslessProcessor(made);
-  });
+  return inWords(name, [&] { return losslessProcessor(madeConversion(from, to)); });
 }
 
 OCIO::ConstCPUProcessorRcPtr ColorConfig::Impl::view(const std::string& from,
@@ -205,12 +235,38 @@ OCIO::ConstGPUProcessorRcPtr ColorConfig::Impl::shaderView(const std::string& fr
   return inWords(name, [&] { return madeView(from, choice)->getDefaultGPUProcessor(); });
 }
 
+OCIO::ConstGPUProcessorRcPtr ColorConfig::Impl::shaderToGrading(const std::string& from) const {
+  const std::lock_guard lock(processorMutex());
+  return inWords(name, [&] { return madeConversion(from, gradingSpace)->getDefaultGPUProcessor(); });
+}
+
+OCIO::ConstGPUProcessorRcPtr ColorConfig::Impl::shaderViewFromGrading(const std::string& from,
+                                                                      const DisplayChoice& choice) const {
+  const std::lock_guard lock(processorMutex());
+  return inWords(name, [&] {
+    return chain(config, madeConversion(gradingSpace, from), madeView(from, choice.withoutGrade()))
+        ->getDefaultGPUProcessor();
+  });
+}
+
+double ColorConfig::Impl::highestGradingCode(const std::string& from) const {
+  const std::lock_guard lock(processorMutex());
+  return inWords(name, [&] { return highestCode(from); });
+}
+
+OCIO::ConstCPUProcessorRcPtr ColorConfig::Impl::graded(const std::string& from,
+                                                       const ColorGrade& grade) const {
+  const std::lock_guard lock(processorMutex());
+  return inWords(name, [&] { return losslessProcessor(makeGrade(from, grade)); });
+}
+
 ColorConfig::ColorConfig(const std::string& ocioFile) : m_impl(std::make_unique<Impl>()) {
   const std::lock_guard lock(processorMutex());
   OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
   m_impl->name = ocioFile.empty() ? "built-in" : ocioFile;
   if (ocioFile.empty()) {
     m_impl->config = sharedBuiltin();
+    m_impl->gradingSpace = findGradingSpace(*m_impl);
     return;
   }
   checkConfigFile(ocioFile);
@@ -226,6 +282,7 @@ ColorConfig::ColorConfig(const std::string& ocioFile) : m_impl(std::make_unique<
         "{}: OpenColorIO: the configuration has no scene-linear colour space. Give it the role "
         "scene_linear or aces_interchange.",
         ocioFile);
+  m_impl->gradingSpace = findGradingSpace(*m_impl);
 }
 
 ColorConfig::~ColorConfig() = default;
@@ -253,16 +310,17 @@ std::string ColorConfig::colorSpaceOfFile(const std::filesystem::path& picture) 
 }
 
 void ColorConfig::checkView(const DisplayChoice& choice) const {
-  const auto [display, view, look] = namedDisplay(*this, choice);
+  const DisplayChoice asked = namedDisplay(*this, choice).withoutGrade();
+  const std::string &display = asked.display, &view = asked.view;
   if (!contains(displays(), display))
     throw InputError("there is no display '{}'; {} has {}", display, name(), join(displays()));
   if (!contains(views(display), view))
     throw InputError("the display {} has no view '{}'; {} has {}", display, view, name(),
                      join(views(display)));
-  if (const std::string unknown = unknownLook(look.value_or("")); !unknown.empty())
+  if (const std::string unknown = unknownLook(asked.look.value_or("")); !unknown.empty())
     throw InputError("there is no look '{}'; {} has {}", unknown, name(),
                      looks().empty() ? "none" : join(looks()));
-  static_cast<void>(m_impl->view("lin_rec709", {display, view, look}));
+  static_cast<void>(m_impl->view("lin_rec709", asked));
 }
 
 std::vector<std::string> ColorConfig::colorSpaces() const {
@@ -348,6 +406,16 @@ void ColorConfig::convert(ImageSpan image, const std::string& from, const std::s
   if (from == to) return;
   checkThreeChannels(image);
   applyProcessor(m_impl->conversion(from, to), image);
+}
+
+std::string ColorConfig::gradingSpace() const {
+  return m_impl->gradingSpace;
+}
+
+void ColorConfig::applyGrade(ImageSpan image, const std::string& space, const ColorGrade& grade) const {
+  checkColorSpace(space);
+  checkThreeChannels(image);
+  if (!grade.idle()) applyProcessor(m_impl->graded(space, grade), image);
 }
 
 void ColorConfig::applyView(ImageSpan image, const std::string& from, const DisplayChoice& choice) const {

@@ -59,6 +59,13 @@ class ColorConfig {
   /// checkView does.
   void applyView(ImageSpan image, const std::string& from, const DisplayChoice& choice) const;
 
+  /// The logarithmic colour space on whose codes a grade works: that of the role color_timing, or acescct
+  /// where the configuration has none that light can be brought to and back from.
+  [[nodiscard]] std::string gradingSpace() const;
+  /// Light of a colour space under a grade, in place, on the first three channels. Nothing becomes brighter
+  /// than 65504. Throws InputError on an unknown space.
+  void applyGrade(ImageSpan image, const std::string& space, const ColorGrade& grade) const;
+
   struct Impl;
   [[nodiscard]] const Impl& impl() const { return *m_impl; }
 

@@ -9,10 +9,9 @@
 #include <utility>
 
 #include "core/ocio/color_config.h"
+#include "core/ocio/grade_transform.h"
 
 namespace swaplight {
-
-namespace OCIO = OCIO_NAMESPACE;
 
 /// The configuration that needs no file: scene-linear Rec.709 as reference, ACES by OCIO's built-in
 /// transforms.
@@ -25,6 +24,7 @@ struct ColorConfig::Impl {
   /// built-in's spaces that it lacks. Equal and empty where this one is the built-in.
   std::string bridgeBuiltin;
   std::string bridgeHere;
+  std::string gradingSpace;  ///< see ColorConfig::gradingSpace
 
   [[nodiscard]] bool has(const std::string& colorSpace) const;
 
@@ -43,6 +43,15 @@ struct ColorConfig::Impl {
   /// For a shader.
   [[nodiscard]] OCIO::ConstGPUProcessorRcPtr shaderView(const std::string& from,
                                                         const DisplayChoice& choice) const;
+  /// A shader's two halves of a graded view, between which the grade acts: to codes of the grading space, and
+  /// from them on.
+  [[nodiscard]] OCIO::ConstGPUProcessorRcPtr shaderToGrading(const std::string& from) const;
+  [[nodiscard]] OCIO::ConstGPUProcessorRcPtr shaderViewFromGrading(const std::string& from,
+                                                                   const DisplayChoice& choice) const;
+  /// The code of the brightest light, 65504: no grade goes beyond it.
+  [[nodiscard]] double highestGradingCode(const std::string& from) const;
+  /// The grade on light of a space, which stays in it.
+  [[nodiscard]] OCIO::ConstCPUProcessorRcPtr graded(const std::string& from, const ColorGrade& grade) const;
 
  private:
   [[nodiscard]] OCIO::ConstProcessorRcPtr makeConversion(const std::string& from,
@@ -51,6 +60,10 @@ struct ColorConfig::Impl {
                                                    const DisplayChoice& choice) const;
   [[nodiscard]] OCIO::ConstProcessorRcPtr madeView(const std::string& from,
                                                    const DisplayChoice& choice) const;
+  [[nodiscard]] const OCIO::ConstProcessorRcPtr& madeConversion(const std::string& from,
+                                                                const std::string& to) const;
+  [[nodiscard]] OCIO::ConstProcessorRcPtr makeGrade(const std::string& from, const ColorGrade& grade) const;
+  [[nodiscard]] double highestCode(const std::string& from) const;
 
   mutable std::map<std::pair<std::string, std::string>, OCIO::ConstProcessorRcPtr> m_conversions;
   mutable std::map<std::pair<std::string, DisplayChoice>, OCIO::ConstProcessorRcPtr> m_views;

@@ -7,8 +7,10 @@
 namespace swaplight {
 
 DisplayChoice DisplayChoice::over(const DisplayChoice& other) const {
-  if (!display.empty() || !view.empty()) return *this;
-  return {other.display, other.view, look ? look : other.look};
+  DisplayChoice choice = *this;
+  if (display.empty() && view.empty()) choice = {other.display, other.view, look ? look : other.look};
+  choice.grade = grade ? grade : other.grade;
+  return choice;
 }
 
 DisplayChoice displayWithin(const ColorConfig& config, const DisplayChoice& choice) {
@@ -17,7 +19,7 @@ DisplayChoice displayWithin(const ColorConfig& config, const DisplayChoice& choi
   };
   DisplayChoice within = choice;
   if (choice.look && !config.unknownLook(*choice.look).empty()) within.look.reset();
-  DisplayChoice own{"", "", within.look};
+  DisplayChoice own{"", "", within.look, within.grade};
   if (!has(config.displays(), choice.display)) return own;
   const std::string display = choice.display.empty() ? config.defaultDisplay() : choice.display;
   return has(config.views(display), choice.view) ? within : own;

@@ -4,12 +4,14 @@
 #include <optional>
 #include <string>
 
+#include "core/ocio/color_grade.h"
+
 namespace swaplight {
 
 class ColorConfig;
 
 /// How a picture is brought to a monitor, by names of an OpenColorIO configuration. Empty names stand for the
-/// configuration's own.
+/// configuration's own. The grade comes first, then looks, view and display.
 struct DisplayChoice {
   std::string display;
   std::string view;
@@ -17,10 +19,17 @@ struct DisplayChoice {
   /// parted by commas, "-" before one that is undone ("+warm, -bleach"), "|" before what to do where a look's
   /// file is missing. Empty: none at all. Without a value: what the view says.
   std::optional<std::string> look = {};
+  /// Without a value: nothing is said, and none is applied.
+  std::optional<ColorGrade> grade = {};
 
   auto operator<=>(const DisplayChoice&) const = default;  // NOLINT(modernize-use-nullptr)
-  [[nodiscard]] bool empty() const { return *this == DisplayChoice{}; }
+  /// Says nothing that a picture shows.
+  [[nodiscard]] bool empty() const { return display.empty() && view.empty() && !look && !actingGrade(); }
+  /// The grade where it changes anything, or nullptr.
+  [[nodiscard]] const ColorGrade* actingGrade() const { return grade && !grade->idle() ? &*grade : nullptr; }
+  [[nodiscard]] DisplayChoice withoutGrade() const { return {display, view, look}; }
   /// This choice where it names a display or a view; else the other one, with this one's look if it has one.
+  /// Its grade is this one's if it has one.
   [[nodiscard]] DisplayChoice over(const DisplayChoice& other) const;
 };
 

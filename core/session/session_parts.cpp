@@ -1,15 +1,32 @@
 #include "core/session/session_parts.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/file/json_fields.h"
+#include "core/ocio/grade_file.h"
 
 namespace swaplight {
 namespace {
 
 constexpr const char* kFolder = "folder";
+constexpr const char* kGrade = "grade";
 constexpr int kLargestSide = 1 << 16;
 constexpr int64_t kMostPixels = int64_t{1} << 28;  // no solved set of more fits into a machine of today
+
+/// Three numbers, or what there was where the key is missing.
+void readTriple(JsonFields& fields, const std::string& key, std::array<double, 3>& values) {
+  const Json* found = fields.find(key);
+  if (!found) return;
+  const bool three = found->is_array() && found->size() == 3 &&
+                     std::all_of(found->begin(), found->end(), [](const Json& v) { return v.is_number(); });
+  if (!three)
+    throw InputError("{}: \"{}\" is {}, expected three numbers: R, G, B", fields.where(), key,
+                     describeJson(*found));
+  for (size_t c = 0; c < 3; ++c) values[c] = (*found)[c].get<double>();
+}
 
 }  // namespace
 
@@ -26,15 +43,39 @@ std::filesystem::path readPath(const std::string& text, const std::filesystem::p
   return std::filesystem::absolute(folder / text).lexically_normal();
 }
 
+Json jsonFromGrade(const ColorGrade& grade) {
+  return {{"on", grade.on},
+          {"slope", grade.slope},
+          {"offset", grade.offset},
+          {"power", grade.power},
+          {"saturation", grade.saturation}};
+}
+
+ColorGrade gradeFromJson(const Json& json, const std::string& where) {
+  JsonFields fields(json, where);
+  ColorGrade grade;
+  grade.on = fields.boolean("on").value_or(true);
+  readTriple(fields, "slope", grade.slope);
+  readTriple(fields, "offset", grade.offset);
+  readTriple(fields, "power", grade.power);
+  grade.saturation = fields.number("saturation", 0, kMostGrade).value_or(1);
+  checkGrade(grade, where);
+  return grade;
+}
+
 Json jsonFromDisplay(const DisplayChoice& display) {
   Json json{{"display", display.display}, {"view", display.view}};
   if (display.look) json["look"] = *display.look;
+  if (display.grade && *display.grade != ColorGrade{}) json[kGrade] = jsonFromGrade(*display.grade);
   return json;
 }
 
 DisplayChoice displayFromJson(const Json& json, const std::string& where) {
   JsonFields fields(json, where);
-  return {fields.text("display").value_or(""), fields.text("view").value_or(""), fields.text("look")};
+  DisplayChoice display{fields.text("display").value_or(""), fields.text("view").value_or(""),
+                        fields.text("look")};
+  if (const Json* grade = fields.find(kGrade)) display.grade = gradeFromJson(*grade, where + ": grade");
+  return display;
 }
 
 Json jsonFromEdits(const EditStack& edits, const std::filesystem::path& folder) {

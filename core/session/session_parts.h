@@ -19,6 +19,10 @@ inline constexpr const char* kCameraLookKey = "camera_look";
 [[nodiscard]] std::string writtenPath(const std::filesystem::path& path, const std::filesystem::path& folder);
 [[nodiscard]] std::filesystem::path readPath(const std::string& text, const std::filesystem::path& folder);
 
+/// {"on", "slope": [R, G, B], "offset", "power", "saturation"}.
+[[nodiscard]] Json jsonFromGrade(const ColorGrade& grade);
+[[nodiscard]] ColorGrade gradeFromJson(const Json& json, const std::string& where);
+
 [[nodiscard]] Json jsonFromDisplay(const DisplayChoice& display);
 [[nodiscard]] DisplayChoice displayFromJson(const Json& json, const std::string& where);
 

@@ -57,6 +57,33 @@ TEST(Version, BringsEverythingBack) {
   EXPECT_TRUE(back == before);
 }
 
+TEST(Version, BringsTheGradeBack) {
+  Document before = litDocument();
+  before.display.grade = ColorGrade{false, {1.1, 1, .9}, {.01, 0, 0}, {1, 1.2, 1}, .7};
+  const SavedLook version = versionOf(before, "Dusk");
+  EXPECT_TRUE(recalled(litDocument(), version) == before);
+  Session session;
+  session.document = before;
+  session.document.looks = {version};
+  const Session read = sessionFromJson(jsonFromSession(session, {}), {}, "a.swaplight");
+  EXPECT_TRUE(read.document.display == before.display);
+  ASSERT_EQ(read.document.looks.size(), 1U);
+  EXPECT_TRUE(read.document.looks[0].scene->display == before.display);
+  EXPECT_TRUE(read.warnings.empty());
+}
+
+TEST(Version, AGradeThatIsNoneIsRefused) {
+  Session session;
+  session.document = litDocument();
+  Json json = jsonFromSession(session, {});
+  json["display"]["grade"] = {{"slope", {1, 99, 1}}};
+  EXPECT_THAT(test::inputError([&] { static_cast<void>(sessionFromJson(json, {}, "a.swaplight")); }),
+              HasSubstr("a.swaplight: display: grade: the slope is 99"));
+  json["display"]["grade"] = {{"power", 2}};
+  EXPECT_THAT(test::inputError([&] { static_cast<void>(sessionFromJson(json, {}, "a.swaplight")); }),
+              HasSubstr("three numbers"));
+}
+
 TEST(Version, ALookIsALightingOnly) {
   SavedLook look = versionOf(litDocument(), "Morning");
   look.scene.reset();
