@@ -1,6 +1,10 @@
 #include "render/display_program.h"
 
 #include <epoxy/gl.h>
+#include <fmt/core.h>
+
+#include <array>
+#include <glm/vec3.hpp>
 
 #include "core/base/error.h"
 #include "core/ocio/color_config_impl.h"
@@ -70,25 +74,75 @@ std::vector<DisplayProgram::Table> curvesOf(const OCIO::GpuShaderDescRcPtr& shad
   return tables;
 }
 
+OCIO::GpuShaderDescRcPtr shaderOf(const OCIO::ConstGPUProcessorRcPtr& processor, const char* function,
+                                  const char* prefix) {
+  OCIO::GpuShaderDescRcPtr shader = OCIO::GpuShaderDesc::CreateShaderDesc();
+  shader->setLanguage(OCIO::GPU_LANGUAGE_GLSL_4_0);
+  shader->setFunctionName(function);
+  shader->setResourcePrefix(prefix);
+  processor->extractGpuShaderInfo(shader);
+  return shader;
+}
+
+/// What core/ocio/grade_transform.cpp does, with the grade in uniforms: a slider needs no other program.
+std::string gradeText(double highest) {
+  return fmt::format(R"(
+uniform vec3 gradeSlope;
+uniform vec3 gradeOffset;
+uniform vec3 gradePower;
+uniform float gradeSaturation;
+vec4 displayFromScene(vec4 light) {{
+  vec4 code = gradingFromScene(light);
+  vec3 v = code.rgb * gradeSlope + gradeOffset;
+  v = min(mix(v, pow(max(v, 0.0), gradePower), greaterThan(v, vec3(0.0))), {0:.9f});
+  vec3 luma = vec3(dot(v, vec3(0.2126, 0.7152, 0.0722)));
+  v = min(luma + gradeSaturation * (v - luma), {0:.9f});
+  return displayFromGrading(vec4(v, code.a));
+}}
+)",
+                     highest);
+}
+
 }  // namespace
 
 DisplayProgram::DisplayProgram(const ColorConfig& config, const std::string& colorSpace,
                                const DisplayChoice& choice) {
-  OCIO::GpuShaderDescRcPtr shader = OCIO::GpuShaderDesc::CreateShaderDesc();
-  shader->setLanguage(OCIO::GPU_LANGUAGE_GLSL_4_0);
-  shader->setFunctionName("displayFromScene");
-  shader->setResourcePrefix("ocio_");
+  const DisplayChoice shown = namedDisplay(config, choice);
+  const ColorConfig::Impl& impl = config.impl();
+  std::vector<OCIO::GpuShaderDescRcPtr> shaders;
+  std::string text;
+  const auto add = [&](const OCIO::ConstGPUProcessorRcPtr& processor, const char* function,
+                       const char* prefix) {
+    shaders.push_back(shaderOf(processor, function, prefix));
+    text += shaders.back()->getShaderText();
+  };
   try {
-    config.impl().shaderView(colorSpace, namedDisplay(config, choice))->extractGpuShaderInfo(shader);
+    if (shown.actingGrade()) {
+      add(impl.shaderToGrading(colorSpace), "gradingFromScene", "grading_");
+      add(impl.shaderViewFromGrading(colorSpace, shown), "displayFromGrading", "ocio_");
+      text += gradeText(impl.highestGradingCode(colorSpace));
+    } else {
+      add(impl.shaderView(colorSpace, shown), "displayFromScene", "ocio_");
+    }
   } catch (const OCIO::Exception& error) {
-    throw InputError("{}: OpenColorIO writes no shader for {}: {}", config.name(),
-                     displayWords(namedDisplay(config, choice)), error.what());
+    throw InputError("{}: OpenColorIO writes no shader for {}: {}", config.name(), displayWords(shown),
+                     error.what());
   }
-  m_program = ShaderProgram(kVertex, kFragment, shader->getShaderText());
+  m_program = ShaderProgram(kVertex, kFragment, text);
   const TightPixels tight;
-  m_tables = cubesOf(shader);
-  for (Table& table : curvesOf(shader)) m_tables.push_back(std::move(table));
+  for (const OCIO::GpuShaderDescRcPtr& shader : shaders) {
+    for (Table& table : cubesOf(shader)) m_tables.push_back(std::move(table));
+    for (Table& table : curvesOf(shader)) m_tables.push_back(std::move(table));
+  }
   checkGl("for the tables of a view");
+}
+
+void DisplayProgram::setGrade(const ColorGrade& grade) const {
+  const auto vec = [](const std::array<double, 3>& v) { return glm::vec3(v[0], v[1], v[2]); };
+  m_program.set({{"gradeSlope", vec(grade.slope)},
+                 {"gradeOffset", vec(grade.offset)},
+                 {"gradePower", vec(grade.power)},
+                 {"gradeSaturation", static_cast<float>(grade.saturation)}});
 }
 
 DisplayProgram DisplayProgram::forData() {

@@ -10,7 +10,8 @@
 namespace swaplight {
 
 /// The shader that shows a linear picture through one view of a colour configuration: OpenColorIO writes its
-/// middle part and the tables that go with it.
+/// middle part and the tables that go with it. Where the view is graded, the grade is the only thing that can
+/// change without another program.
 class DisplayProgram {
  public:
   DisplayProgram() = default;
@@ -20,6 +21,8 @@ class DisplayProgram {
   [[nodiscard]] static DisplayProgram forData();
 
   [[nodiscard]] const ShaderProgram& program() const { return m_program; }
+  /// The grade to draw with, of a view that was made with one. To be called while the program is bound.
+  void setGrade(const ColorGrade& grade) const;
 
   /// A table of the view, to be bound while drawing.
   struct Table {

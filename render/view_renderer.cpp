@@ -15,6 +15,9 @@
 namespace swaplight {
 namespace {
 
+/// Stands for every grade: a program draws with any.
+const ColorGrade kAnyGrade{true, {1, 1, 1}, {0, 0, 0}, {1, 1, 1}, 0};
+
 void setFalseColor(const ShaderProgram& program, bool on, const Rgb& luminanceWeights) {
   std::vector<float> stops;
   std::vector<glm::vec3> colors;
@@ -50,7 +53,11 @@ const DisplayProgram& ViewRenderer::programFor(const ViewSettings& settings) {
     return found != m_programs.end() ? found->second
                                      : m_programs.try_emplace({}, DisplayProgram::forData()).first->second;
   }
-  const DisplayChoice choice = namedDisplay(m_config, settings.display);
+  DisplayChoice choice = namedDisplay(m_config, settings.display);
+  if (choice.actingGrade())
+    choice.grade = kAnyGrade;
+  else
+    choice.grade.reset();
   const auto found = m_programs.find(choice);
   if (found != m_programs.end()) return found->second;
   return m_programs.try_emplace(choice, m_config, m_colorSpace, choice).first->second;
@@ -98,6 +105,8 @@ void ViewRenderer::draw(TiledTexture& picture, const ViewWindow& window, const V
                {"zebra", settings.zebra.on ? 1 : 0},
                {"zebraLow", settings.zebra.low},
                {"zebraHigh", settings.zebra.high}});
+  const ColorGrade* grade = settings.display.actingGrade();
+  if (grade && !m_colorSpace.empty()) display.setGrade(*grade);
   setFalseColor(program, settings.falseColor, m_luminanceWeights);
   for (const TiledTexture::Tile& tile : picture.tiles) {
     const BoundTexture texture(0, GL_TEXTURE_2D, tile.texture.id());

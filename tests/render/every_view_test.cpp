@@ -20,7 +20,7 @@ class EveryViewTest : public GlTest, public testing::WithParamInterface<std::str
   /// The shader of every view against OpenColorIO's processor, pixel by pixel; in 8-bit codes. Both get the
   /// half floats that textures hold.
   void expectEqual(Image image, const std::string& colorSpace, const std::string& what,
-                   const std::optional<std::string>& look = {}) {
+                   const std::optional<std::string>& look = {}, const std::optional<ColorGrade>& grade = {}) {
     for (int c = 0; c < 3; ++c)
       std::transform(image.plane(c), image.plane(c) + image.pixelCount(), image.plane(c), roundedToHalf);
     TiledTexture picture = uploaded(image);
@@ -29,7 +29,7 @@ class EveryViewTest : public GlTest, public testing::WithParamInterface<std::str
     for (const std::string& display : m_config.displays())
       for (const std::string& view : m_config.views(display)) {
         ViewSettings settings;
-        settings.display = {display, view, look};
+        settings.display = {display, view, look, grade};
         renderer.draw(picture, wholeOf(image), settings, target);
         const std::vector<uint8_t> codes = target.readback();
         Image exact = image.clone();
@@ -56,6 +56,33 @@ TEST_P(EveryViewTest, TheShaderShowsARampUnderAnyLookAsTheProcessorDoes) {
   ASSERT_GE(looks.size(), 2U);
   for (const std::string& look : {std::string(), looks[0], looks[1], "+" + looks[0] + ", -" + looks[1]})
     expectEqual(colorRamp(200, 150), "lin_rec709", "ramp", look);
+}
+
+// One renderer draws with both grades: its program is the same.
+TEST_P(EveryViewTest, TheShaderShowsARampUnderAGradeAsTheProcessorDoes) {
+  ColorGrade warm = withLiftGammaGain({}, {{.03, 0, -.02}, {1.1, 1, .9}, {1.05, 1, .97}});
+  warm.saturation = .6;
+  const ColorGrade dark{true, {.8, .8, .9}, {-.05, -.04, 0}, {1.2, 1.2, 1.1}, 1.4};
+  expectEqual(colorRamp(200, 150), "lin_rec709", "graded ramp", {}, warm);
+  expectEqual(colorRamp(200, 150), "acescg", "graded ramp in ACEScg", {}, dark);
+}
+
+TEST_P(EveryViewTest, AnotherGradeNeedsNoOtherShader) {
+  const Image image = colorRamp(80, 60);
+  TiledTexture picture = uploaded(image);
+  ViewRenderer renderer(m_config, "lin_rec709");
+  ViewTarget target;
+  const auto drawn = [&](double gain) {
+    ViewSettings settings;
+    settings.display = namedDisplay(m_config, {});
+    settings.display.grade = withLiftGammaGain({}, {{}, {1, 1, 1}, {gain, gain, gain}});
+    renderer.draw(picture, wholeOf(image), settings, target);
+    return target.readback();
+  };
+  const std::vector<uint8_t> plain = drawn(1), bright = drawn(1.1);
+  EXPECT_NE(plain, bright);
+  EXPECT_EQ(drawn(1.1), bright);
+  EXPECT_EQ(drawn(1), plain);
 }
 
 TEST_P(EveryViewTest, TheShaderShowsTheSamplesAsTheProcessorDoes) {
