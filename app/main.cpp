@@ -26,5 +26,6 @@ int main(int argc, char** argv) {
   addBalanceVerb(program);
   addResponseVerb(program);
   addCuesVerb(program);
+  addGradeVerb(program);
   return program.run(argc, argv);
 }

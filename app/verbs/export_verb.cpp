@@ -88,7 +88,7 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   options.dataWindow = windowOf(arguments.window, set);
   options.text = provenanceOf(set, rig, arguments.lighting.source(session));
   options.cameraLook = seen;
-  options.seenThrough = displayOver(session, arguments.display);
+  options.seenThrough = displayOver(session, arguments.display).withoutGrade();
   options.frameNumber = arguments.cameraLook.frame();
   exportLayers(*config, set, rig, arguments.file, options, progress.part(0.6F, 1));
   const std::vector<std::string> layers = exportedLayers(set, options);

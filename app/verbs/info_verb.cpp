@@ -141,6 +141,8 @@ Description describeSession(const fs::path& file) {
     d.line("view", fmt::format("{} on {}", document.display.view, document.display.display));
   if (document.display.look)
     d.line("look of the view", document.display.look->empty() ? "none" : *document.display.look);
+  if (const auto& grade = document.display.grade; grade && *grade != ColorGrade{})
+    d.line("grade", grade->on ? "on" : "off");
   for (const std::string& warning : session.warnings) d.line("warning", warning);
   d.text += "\n" + rigText(document.rig);
   d.json = {{"kind", "session"}, {"file", file.string()}, {"set", document.source.string()}};

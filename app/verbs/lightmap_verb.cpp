@@ -93,8 +93,8 @@ int run(const LightmapCommand& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
   if (session) sayWarnings(session->warnings, terminal);
-  const FrameOptions output = frameOptionsFor(session ? session->document.display : DisplayChoice{},
-                                              arguments.file, arguments.output);
+  const FrameOptions output = frameOptionsFor(
+      session ? session->document.display.withoutGrade() : DisplayChoice{}, arguments.file, arguments.output);
   check(*config, arguments, output);
   checkOutput(arguments.file, arguments.lighting.inputs(session));
   arguments.lighting.check(*config, session);

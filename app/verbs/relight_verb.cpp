@@ -1,5 +1,6 @@
 #include "app/arguments/camera_look_arguments.h"
 #include "app/arguments/display_arguments.h"
+#include "app/arguments/grade_arguments.h"
 #include "app/arguments/lighting_arguments.h"
 #include "app/arguments/sequence_arguments.h"
 #include "app/verbs/verbs.h"
@@ -13,6 +14,7 @@
 #include "core/measure/luminance_histogram.h"
 #include "core/relight/relight.h"
 #include "core/relight/setting.h"
+#include "core/session/session_parts.h"
 
 namespace swaplight {
 namespace {
@@ -21,6 +23,7 @@ struct RelightCommand {
   LightingArguments lighting;
   SequenceArguments sequence;
   CameraLookArguments cameraLook;
+  GradeArguments grade;
   std::string frame;
   std::string tone;
   std::string histogram;
@@ -30,6 +33,7 @@ struct RelightCommand {
 /// A session's view holds where the picture goes through one and the command line names none.
 FrameOptions outputOf(const RelightCommand& arguments, const std::optional<Session>& session) {
   FrameOptions output = arguments.output;
+  output.display.grade = arguments.grade.grade();
   if (!arguments.tone.empty()) output.tone = stillToneFromText(arguments.tone);
   if (output.tone && arguments.sequence.given())
     throw InputError(
@@ -87,6 +91,7 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
         look.get());
   std::vector<std::filesystem::path> inputs = arguments.lighting.inputs(session);
   for (const std::filesystem::path& file : arguments.cameraLook.inputs(look.get())) inputs.push_back(file);
+  for (const std::filesystem::path& file : arguments.grade.inputs()) inputs.push_back(file);
   checkOutput(arguments.frame, inputs);
   if (!arguments.histogram.empty()) checkFrame(*config, arguments.histogram, {});
   if (!arguments.histogram.empty()) checkOutput(arguments.histogram, inputs);
@@ -109,6 +114,7 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
     json["luminance"] = writeHistogram(*config, set, rig, arguments.histogram);
     terminal.say("wrote {}", arguments.histogram);
   }
+  if (const ColorGrade* grade = output.seenThrough.actingGrade()) json["grade"] = jsonFromGrade(*grade);
   if (look) json["camera_look"] = jsonFromPipeline(look->pipeline());
   if (look) json["left_out"] = look->leftOut();
   terminal.result("", json);
@@ -124,6 +130,7 @@ void addRelightVerb(Program& program) {
   a->lighting.addTo(verb);
   a->sequence.addTo(verb);
   a->cameraLook.addTo(verb);
+  a->grade.addTo(verb);
   verb.add_option("-o,--output", a->frame, "The frame: EXR, HDR, PNG, TIFF or JPEG")
       ->required()
       ->type_name("FRAME");

@@ -26,5 +26,6 @@ void addLightsVerb(Program& program);
 void addBalanceVerb(Program& program);
 void addResponseVerb(Program& program);
 void addCuesVerb(Program& program);
+void addGradeVerb(Program& program);
 
 }  // namespace swaplight
