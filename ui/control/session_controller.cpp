@@ -188,7 +188,7 @@ void SessionController::checkDisplay(Document& document) {
     if (!document.display.empty()) config.checkView(shown);
   } catch (const InputError& error) {
     m_messages.error(error.what());
-    document.display = {};
+    document.display = {"", "", {}, document.display.grade};
   }
 }
 

@@ -106,6 +106,7 @@ PixelRect visiblePart(const ViewWindow& window) {
 ViewSettings viewerSettings(const ViewerContext& studio) {
   ViewSettings settings = studio.view.settings;
   settings.display = displayWithin(*studio.colors.config(), studio.document().display);
+  if (studio.viewer.plain) settings.display.grade.reset();
   return settings;
 }
 

@@ -273,6 +273,14 @@ void ExportDialog::drawCameraLook(const Document& document) {
                : "With the camera look, as the viewer shows it; off: the plain picture.");
 }
 
+void ExportDialog::drawGrade(const Document& document) {
+  const bool frames = m_choices.kind == ExportKind::Frame || m_choices.kind == ExportKind::Sequence;
+  if (!frames || !document.display.actingGrade()) return;
+  check("Grade", "grade", &m_choices.grade,
+        "With the grade, as the viewer shows it, scene-linear files too; off: ungraded, for the .cc beside "
+        "it.");
+}
+
 void ExportDialog::drawFile(const Answers& answers) {
   ImGui::Dummy(ImVec2(0, px(4)));
   label("File");
@@ -338,6 +346,7 @@ void ExportDialog::draw(const ColorConfig& config, const Document& document, con
   else
     drawFormats();
   drawCameraLook(document);
+  drawGrade(document);
   drawFile(answers);
   drawFooter(answers);
   if (!m_open) ImGui::CloseCurrentPopup();

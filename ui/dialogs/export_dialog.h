@@ -38,6 +38,7 @@ class ExportDialog {
   void drawTiming(const Document& document);
   void drawLayers();
   void drawCameraLook(const Document& document);
+  void drawGrade(const Document& document);
   void drawFormats();
   void drawColorSpaces();
   void drawFile(const Answers& answers);

@@ -139,6 +139,8 @@ unsigned GalleryPanel::thumbnail(LightsContext& studio, size_t index, int width,
   const SavedLook& look = document.looks[index];
   if (m_thumbnails.size() <= index) m_thumbnails.resize(index + 1);
   Thumbnail& made = m_thumbnails[index];
+  // A view that is being changed is made for the picture alone.
+  if (studio.editor.inGesture() && made.texture.id() != 0) return made.texture.id();
   const std::string& colorSpace = set.solved().colorSpace();
   const auto table = studio.table.table(studio.colors.config(), colorSpace, document.display);
   if (made.texture.id() != 0 && made.rig == look.rig && made.scene == look.scene &&

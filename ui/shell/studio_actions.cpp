@@ -1,6 +1,7 @@
 #include "ui/camera_look/camera_look_actions.h"
 #include "ui/desk/desk_actions.h"
 #include "ui/edits/edits_actions.h"
+#include "ui/grade/grade_actions.h"
 #include "ui/mixer/mixer_actions.h"
 #include "ui/shadows/shadow_actions.h"
 #include "ui/shell/studio_window.h"
@@ -25,6 +26,7 @@ void StudioWindow::addActions() {
   addLookActions(m_actions, m_lights);
   addDeskActions(m_actions, m_lights, m_commandLine, m_cues);
   addCameraLookActions(m_actions, m_context, m_chooser);
+  addGradeActions(m_actions, m_context, m_chooser);
   addWindowActions();
 }
 

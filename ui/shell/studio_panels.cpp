@@ -4,6 +4,7 @@
 
 #include "ui/camera_look/camera_look_panel.h"
 #include "ui/edits/edits_panel.h"
+#include "ui/grade/grade_panel.h"
 #include "ui/kit/action_widgets.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
@@ -22,6 +23,7 @@ namespace {
 constexpr float kToolbarWidth = 46;
 constexpr float kEditsWidth = 248;
 constexpr float kCameraLookWidth = 268;
+constexpr float kGradeWidth = 276;
 constexpr float kSplitter = 4;
 constexpr float kMostMixer = 0.6F;   ///< of the window's width
 constexpr float kLeastViewer = 160;  ///< height that the viewer keeps, however small the window
@@ -206,6 +208,18 @@ std::vector<PanelInfo> StudioWindow::allPanels() {
        0,
        hasSet,
        [this] { drawCameraLookPanel(m_context, m_chooser); }},
+      {"view.grade",
+       "Grade",
+       "Shift+F10",
+       "Show or hide the grade of the finished frame: lift, gamma, gain, saturation.",
+       &Layout::grade,
+       Dock::Left,
+       kGradeWidth,
+       {},
+       {10, 10},
+       0,
+       hasSet,
+       [this] { drawGradePanel(m_context); }},
       {"view.cues",
        "Cues",
        "Shift+F8",

@@ -14,6 +14,7 @@
 #include "ui/control/viewer_request.h"
 #include "ui/dialogs/about_box.h"
 #include "ui/dialogs/history_panel.h"
+#include "ui/grade/grade_actions.h"
 #include "ui/kit/echo_key.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/manners.h"
@@ -244,7 +245,8 @@ void StudioWindow::update() {
   if (marches && std::chrono::steady_clock::now() - m_lastFrame >= kMarchStep) m_window.requestFrames(1);
   if (listMoves() || m_cues.fading() || m_cues.waiting()) m_window.requestFrames(1);
   for (const fs::path& dropped : m_window.takeDropped())
-    if (!takeDroppedLook(m_context, dropped)) whenSaved([this, dropped] { open(dropped); });
+    if (!takeDroppedLook(m_context, dropped) && !takeDroppedGrade(m_context, dropped))
+      whenSaved([this, dropped] { open(dropped); });
   if (m_window.closeAsked()) askToQuit();
   const std::string title = m_session.title();
   if (title == m_title) return;

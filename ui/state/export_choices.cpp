@@ -50,6 +50,7 @@ ExportRequest requestOf(const ExportChoices& choices, const std::filesystem::pat
   request.layers.beta = choices.beta;
   request.layers.quality = choices.quality;
   request.seesLook = choices.cameraLook;
+  request.seesGrade = choices.grade;
   request.timing.framesPerSecond = static_cast<double>(choices.framesPerSecond);
   request.timing.holdSeconds = static_cast<double>(choices.holdSeconds);
   return request;
@@ -74,6 +75,7 @@ ExportChoices readExportChoices(const std::filesystem::path& file) {
     choices.beta = json.value("beta", choices.beta);
     choices.quality = json.value("quality", choices.quality);
     choices.cameraLook = json.value("camera_look", choices.cameraLook);
+    choices.grade = json.value("grade", choices.grade);
     choices.framesPerSecond = std::clamp(json.value("fps", choices.framesPerSecond), 1.F, kMostRate);
     choices.holdSeconds = std::clamp(json.value("hold", choices.holdSeconds), 0.F, kMostCueSeconds);
     choices.folder = json.value("folder", "");
@@ -100,6 +102,7 @@ void writeExportChoices(const ExportChoices& choices, const std::filesystem::pat
                    {"beta", choices.beta},
                    {"quality", choices.quality},
                    {"camera_look", choices.cameraLook},
+                   {"grade", choices.grade},
                    {"fps", choices.framesPerSecond},
                    {"hold", choices.holdSeconds},
                    {"folder", choices.folder.string()}},

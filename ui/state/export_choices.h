@@ -25,6 +25,7 @@ struct ExportChoices {
   bool beta = false, quality = false;
   float framesPerSecond = 24;    ///< sequence
   float holdSeconds = 1;         ///< sequence: of cues that nothing follows
+  bool grade = true;             ///< frame, sequence: with the session's grade, where it has one
   bool cameraLook = true;        ///< frame, layers: seen through the session's camera look, where it has one
   std::filesystem::path folder;  ///< where the last file went
   bool operator==(const ExportChoices&) const = default;

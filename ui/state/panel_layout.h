@@ -32,6 +32,7 @@ struct PanelLayout {
   bool threePoint = false;  ///< in the place of the light's colour
   bool commandLine = false;
   bool cues = false;
+  bool grade = false;
   bool hidden = false;  ///< everything but the viewer
   float mixerWidth = 372;
   float scopesHeight = 220;
@@ -40,7 +41,7 @@ struct PanelLayout {
 };
 
 /// The panels, by their names in the file.
-inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 10> kPanelNames = {
+inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 11> kPanelNames = {
     {{"mixer", &PanelLayout::mixer},
      {"scopes", &PanelLayout::scopes},
      {"tools", &PanelLayout::tools},
@@ -50,7 +51,8 @@ inline constexpr std::array<std::pair<const char*, bool PanelLayout::*>, 10> kPa
      {"camera_look", &PanelLayout::cameraLook},
      {"three_point", &PanelLayout::threePoint},
      {"command_line", &PanelLayout::commandLine},
-     {"cues", &PanelLayout::cues}}};
+     {"cues", &PanelLayout::cues},
+     {"grade", &PanelLayout::grade}}};
 
 /// Defaults where the file is not there or cannot be read.
 [[nodiscard]] PanelLayout readPanelLayout(const std::filesystem::path& file);

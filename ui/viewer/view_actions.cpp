@@ -10,7 +10,7 @@ constexpr double kZoomStep = 1.25;
 void useColorConfig(ViewerContext& studio, const std::filesystem::path& file) {
   Document next = studio.document();
   next.colorConfig = file;
-  next.display = {};  // another configuration has other ones
+  next.display = {"", "", {}, next.display.grade};  // another configuration has other names
   studio.editor.edit("Colour configuration", std::move(next));
 }
 

@@ -67,6 +67,7 @@ void chooseView(ViewerContext& studio, const DisplayChoice& choice) {
   }
   Document next = studio.document();
   next.display = choice;
+  next.display.grade = studio.document().display.grade;
   studio.editor.edit("View: " + displayWords(choice), std::move(next));
 }
 
