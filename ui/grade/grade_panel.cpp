@@ -22,6 +22,7 @@ namespace {
 constexpr float kWheelSide = 96;
 constexpr float kDotWidth = 16;
 constexpr float kValueWidth = 92;
+constexpr float kNumberWidth = 58;
 constexpr std::array<const char*, 3> kChannels = {"r", "g", "b"};
 constexpr std::array<ImU32, 3> kChannelInk = {IM_COL32(240, 130, 120, 255), IM_COL32(130, 215, 130, 255),
                                               IM_COL32(140, 170, 250, 255)};
@@ -49,17 +50,33 @@ bool neutral(const Wheel& wheel, const std::array<double, 3>& values) {
                      [&](double v) { return std::abs(v - wheel.neutral) < 1e-9; });
 }
 
-/// All three channels by as much.
-bool master(const Wheel& wheel, std::array<double, 3>& values) {
+/// To the right end of the panel, in a group too.
+void toDot() {
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - px(kDotWidth));
+}
+
+/// All three channels by as much: a number beside the name, a slider below it.
+bool master(const Wheel& wheel, std::array<double, 3>& values, float sliderWidth) {
   const double mean = (values[0] + values[1] + values[2]) / 3;
   auto shown = static_cast<float>(mean);
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  const bool changed = ImGui::SliderFloat("##master", &shown, wheel.low, wheel.high, "%.3f");
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - px(kDotWidth + 6 + kNumberWidth));
+  ImGui::SetNextItemWidth(px(kNumberWidth));
+  bool changed = ImGui::DragFloat("##number", &shown, static_cast<float>(wheel.reach) / 200, 0, 0, "%.3f");
+  markItem({"grade.", wheel.mark, ".number"});
+  tooltip("All channels. Drag, or double-click to type.");
+  toDot();
+  const bool reset = changedDot("##reset", !neutral(wheel, values), "Changed: click for no change.");
+  markItem({"grade.", wheel.mark, ".reset"});
+  ImGui::SetNextItemWidth(sliderWidth);
+  changed |= ImGui::SliderFloat("##master", &shown, wheel.low, wheel.high, "", ImGuiSliderFlags_NoInput);
   markItem({"grade.", wheel.mark, ".master"});
-  tooltip("All channels. Ctrl-click to type.");
+  tooltip("All channels.");
   if (changed)
     for (double& value : values) value += shown - mean;
-  return changed;
+  if (reset) values.fill(wheel.neutral);
+  return changed || reset;
 }
 
 bool channels(const Wheel& wheel, std::array<double, 3>& values) {
@@ -102,15 +119,11 @@ void drawWheelRow(ViewerContext& studio, const Wheel& wheel) {
   ImGui::Dummy(ImVec2(0, px(2)));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(wheel.name);
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - px(kDotWidth));
-  const bool reset = changedDot("##reset", !neutral(wheel, values), "Changed: click for no change.");
-  markItem({"grade.", wheel.mark, ".reset"});
-  changed |= master(wheel, values);
+  changed |= master(wheel, values, ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX());
   changed |= channels(wheel, values);
   ImGui::EndGroup();
   ImGui::PopID();
-  if (reset) values.fill(wheel.neutral);
-  if (reset || changed) setGrade(studio.editor, step, withLiftGammaGain(grade, all), !reset);
+  if (changed) setGrade(studio.editor, step, withLiftGammaGain(grade, all), true);
 }
 
 void drawSaturation(ViewerContext& studio) {
@@ -119,11 +132,16 @@ void drawSaturation(ViewerContext& studio) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Saturation");
   ImGui::SameLine(px(kValueWidth));
+  ImGui::SetNextItemWidth(px(kNumberWidth));
+  bool changed = ImGui::DragFloat("##number", &shown, .005F, 0, 0, "%.2f");
+  markItem("grade.saturation.number");
+  tooltip("0 is black and white, 1 changes nothing. Drag, or double-click to type.");
+  ImGui::SameLine(0, px(4));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionMax().x - px(kDotWidth + 4) - ImGui::GetCursorPosX());
-  const bool changed = ImGui::SliderFloat("##saturation", &shown, 0, 2, "%.2f");
+  changed |= ImGui::SliderFloat("##saturation", &shown, 0, 2, "", ImGuiSliderFlags_NoInput);
   markItem("grade.saturation");
-  tooltip("0 is black and white, 1 changes nothing. Ctrl-click to type.");
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - px(kDotWidth));
+  tooltip("0 is black and white, 1 changes nothing.");
+  toDot();
   const bool reset =
       changedDot("##reset saturation", grade.saturation != 1, "Changed: click for 1, which changes nothing.");
   markItem("grade.saturation.reset");

@@ -34,7 +34,7 @@ Image light() {
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 41; ++x)
       for (int c = 0; c < 3; ++c)
-        image.row(c, y)[x] = std::exp2(.5F * static_cast<float>(x) - 12) * (c == y ? 1.F : .6F);
+        image.span().at(c, x, y) = std::exp2(.5F * static_cast<float>(x) - 12) * (c == y ? 1.F : .6F);
   return image;
 }
 
