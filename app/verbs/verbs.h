@@ -26,6 +26,5 @@ void addLightsVerb(Program& program);
 void addBalanceVerb(Program& program);
 void addResponseVerb(Program& program);
 void addCuesVerb(Program& program);
-void addGradeVerb(Program& program);
 
 }  // namespace swaplight

@@ -3,7 +3,7 @@
 #include "app/arguments/grade_arguments.h"
 #include "app/arguments/lighting_arguments.h"
 #include "app/program/description.h"
-#include "app/verbs/verbs.h"
+#include "app/session_verbs/session_verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/file/same_file.h"
