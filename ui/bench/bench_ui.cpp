@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -24,11 +25,15 @@ struct Case {
   int width, height;
   bool oneToOne;
   bool scopes;
+  bool filters = false;  ///< seen through a camera look of five
 };
 constexpr Case kCases[] = {{"1920x1080", 1920, 1080, false, false},
                            {"3840x2160, fitted", 3840, 2160, false, false},
                            {"3840x2160, 1:1", 3840, 2160, true, false},
-                           {"1920x1080, with scopes", 1920, 1080, false, true}};
+                           {"1920x1080, with scopes", 1920, 1080, false, true},
+                           {"1920x1080, five filters", 1920, 1080, false, false, true}};
+constexpr const char* kFilters[] = {"halation", "film-grain", "vignette", "split-tone", "exposure"};
+constexpr std::chrono::seconds kFilterPatience{20};
 
 /// Of all threads together, so far.
 double processorSeconds() {
@@ -40,12 +45,34 @@ double processorSeconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+void seeThroughFilters(DocumentEditor& editor) {
+  Document next = editor.document();
+  next.cameraLook = {"five filters", {}, {}, {}};
+  for (const char* filter : kFilters) next.cameraLook.stages.push_back({filter, true, {}, {}});
+  editor.edit("Camera look", std::move(next));
+}
+
+/// Until the filtered picture is the one that was asked for last, and on the screen.
+void drawFiltered(BenchStage& stage, bool exact) {
+  const LookPreview& seen = stage.studio().context().seen;
+  const Clock::time_point end = Clock::now() + kFilterPatience;
+  while (!seen.follows(LookPreview::Side::A, exact)) {
+    if (Clock::now() > end) throw InputError("--bench-ui: the camera look is not drawn");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    stage.studio().update();
+    if (exact) stage.drawFrame();
+  }
+  stage.drawFrame();
+}
+
 Json measure(BenchStage& stage, const Case& which) {
   StudioWindow& studio = stage.studio();
   ViewerContext& context = studio.context();
   stage.openLarge(which.width, which.height);
   context.layout.scopes = which.scopes;
+  if (which.filters) seeThroughFilters(context.editor);
   for (int i = 0; i < kWarmUpFrames; ++i) stage.drawFrame();
+  if (which.filters) drawFiltered(stage, true);
   if (which.oneToOne) context.actions.run("view.one_to_one");
 
   const std::string slider = "mixer." + stage.small().capture.lights.front().name + ".stops";
@@ -74,18 +101,25 @@ Json measure(BenchStage& stage, const Case& which) {
       const uint64_t now = context.editor.revision();
       if (now == before) break;  // the slider did not move this time
       if (context.shown.revision != now) continue;
+      if (which.filters) drawFiltered(stage, false);
       latencies.push_back(milliseconds(Clock::now() - moved));
       break;
     }
   }
   const double busy = 1000 * (processorSeconds() - busyBefore) / static_cast<double>(frames.size());
   studio.window().pretendMouse(x(0), y, false);
+  const Clock::time_point released = Clock::now();
   stage.drawFrame();
   if (latencies.empty()) throw InputError("--bench-ui: the slider did not move");
-  return Json{{"case", which.name},
+  Json result{{"case", which.name},
               {"frame_ms", statisticsOf(frames)},
               {"latency_ms", statisticsOf(latencies)},
               {"processor_ms_a_frame", busy}};
+  if (which.filters) {
+    drawFiltered(stage, true);
+    result["exact_after_ms"] = milliseconds(Clock::now() - released);
+  }
+  return result;
 }
 
 }  // namespace

@@ -88,6 +88,11 @@ std::shared_ptr<const SeenPicture> LookPreview::shown(Side side, const SeenReque
   return front;
 }
 
+bool LookPreview::follows(Side side, bool exact) const {
+  const Place& place = m_places.at(static_cast<size_t>(side));
+  return place.shownScale > 0 && place.shown == place.asked && (!exact || place.shownScale >= 1);
+}
+
 void LookPreview::update(Messages& messages) {
   for (Place& place : m_places) {
     take(place, messages);

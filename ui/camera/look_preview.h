@@ -51,6 +51,8 @@ class LookPreview {
   /// The picture that picture() last gave for this request, or of an earlier one; nullptr where it gives
   /// none.
   [[nodiscard]] std::shared_ptr<const SeenPicture> shown(Side side, const SeenRequest& request) const;
+  /// What is shown there is what was asked for last; `exact`: at full size, too.
+  [[nodiscard]] bool follows(Side side, bool exact = false) const;
   /// Counts up with every picture that is drawn.
   [[nodiscard]] int count() const { return m_count; }
   /// To be called often: takes what was drawn.
