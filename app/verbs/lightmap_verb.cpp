@@ -7,6 +7,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/capture/no_such_light.h"
 #include "core/export/frame_export.h"
 #include "core/export/layer_export.h"
 #include "core/export/provenance.h"
@@ -35,12 +36,7 @@ std::vector<size_t> lightsAskedFor(const LightmapCommand& arguments, const Captu
                        arguments.only.end();
     if (named || arguments.only.empty()) lights.push_back(i);
   }
-  for (const std::string& name : arguments.only)
-    if (capture.lightIndex(name) < 0) {
-      std::vector<std::string> known;
-      for (const Light& light : capture.lights) known.push_back(light.name);
-      throw InputError("{}: has no light \"{}\"; its lights are {}", source, name, fmt::join(known, ", "));
-    }
+  for (const std::string& name : arguments.only) static_cast<void>(placeOfLight(capture, name, source));
   return lights;
 }
 

@@ -1,24 +1,13 @@
 #include "app/verbs/look_actions.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/capture/no_such_light.h"
 #include "core/export/filtered_set.h"
 #include "core/file/same_file.h"
 #include "core/ocio/chosen_config.h"
 #include "core/set/solved_file.h"
 
 namespace swaplight {
-namespace {
-
-size_t lightOfSet(const SolvedSet& set, const std::string& name) {
-  const int index = set.capture.lightIndex(name);
-  if (index >= 0) return static_cast<size_t>(index);
-  std::string names;
-  for (const Light& light : set.capture.lights) names += (names.empty() ? "" : ", ") + light.name;
-  throw InputError("look light: there is no light \"{}\"; the set has {}", name, names);
-}
-
-}  // namespace
-
 int filterLightOfSet(const LookArguments& arguments, Terminal& terminal) {
   if (arguments.names.size() != 1 || arguments.output.empty())
     throw InputError("look light: name one solved set, and where the changed one goes (-o SOLVED.exr)");
@@ -36,7 +25,8 @@ int filterLightOfSet(const LookArguments& arguments, Terminal& terminal) {
   checkPlace(*look, "light");
   const Progress progress = terminal.progress();
   SolvedSet set = readSolvedSet(file, progress.part(0, 0.3F));
-  filterLight(*config, set, lightOfSet(set, arguments.light), *look, progress.part(0.3F, 0.7F));
+  filterLight(*config, set, placeOfLight(set.capture, arguments.light, "look light"), *look,
+              progress.part(0.3F, 0.7F));
   writeSolvedSet(set, arguments.output, {}, progress.part(0.7F, 1));
   terminal.say("wrote {}, {} x {} pixels", arguments.output, set.width(), set.height());
   terminal.result("",

@@ -7,6 +7,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/capture/no_such_light.h"
 #include "core/capture/response_curve.h"
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
@@ -117,13 +118,10 @@ void placeShots(const NewCommand& arguments, CaptureDraft& draft) {
 void placeCards(const NewCommand& arguments, const CapturePixels& pixels, CaptureDraft& draft) {
   for (const std::string& text : arguments.cards) {
     const LightPlace card = lightPlaceFromText(text, "--card");
-    const auto light = std::find(draft.lights.begin(), draft.lights.end(), card.light);
-    if (light == draft.lights.end())
-      throw InputError("--card {}: there is no light \"{}\"", text, card.light);
+    const size_t light = placeOfLight(draft.lights, card.light, "--card " + text);
     for (size_t k = 0; k < draft.lightings(); ++k) {
       std::vector<ShotColor> colors = draft.colors[k * static_cast<size_t>(draft.brackets.length)];
-      colors[static_cast<size_t>(light - draft.lights.begin())] =
-          colorOfCard(draft, pixels, k, card.x, card.y);
+      colors[light] = colorOfCard(draft, pixels, k, card.x, card.y);
       setLighting(draft, k, std::move(colors));
     }
   }

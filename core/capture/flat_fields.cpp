@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
+#include "core/capture/no_such_light.h"
 #include "core/file/json_fields.h"
 
 namespace swaplight {
@@ -74,12 +75,12 @@ class LampFields {
 std::map<std::string, std::string> checkedLamps(const Json& json, const std::string& where,
                                                 const std::vector<Light>& lights) {
   JsonFields flats(json, where);
+  std::vector<std::string> names;
+  for (const Light& light : lights) names.push_back(light.name);
   std::map<std::string, std::string> lamps;
   for (const auto& [light, name] : json.items()) {
-    const bool known = std::any_of(lights.begin(), lights.end(),
-                                   [&, &light = light](const Light& one) { return one.name == light; });
     const auto path = flats.text(light);
-    if (!known) throw InputError("{}: there is no light \"{}\".", where, light);
+    static_cast<void>(placeOfLight(names, light, where));
     if (!path || path->empty())
       throw InputError("{}: \"{}\" needs the path of a picture of a grey card.", where, light);
     lamps[light] = *path;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
+#include "core/capture/no_such_light.h"
 #include "core/color/hsv.h"
 #include "core/color/srgb.h"
 #include "core/lamp/kelvin.h"
@@ -29,9 +29,9 @@ Lamp lampOf(const LightColor& color) {
   return Lamp::white(kD65Kelvin);
 }
 
-std::string knownLights(const Rig& rig) {
-  std::string names;
-  for (const LightSetting& light : rig.lights) names += (names.empty() ? "" : ", ") + light.light;
+std::vector<std::string> knownLights(const Rig& rig) {
+  std::vector<std::string> names;
+  for (const LightSetting& light : rig.lights) names.push_back(light.light);
   return names;
 }
 
@@ -59,8 +59,7 @@ Rig defaultRig(const Capture& capture) {
 LightSetting& findLight(Rig& rig, const std::string& name) {
   const auto found = std::find_if(rig.lights.begin(), rig.lights.end(),
                                   [&](const LightSetting& light) { return light.light == name; });
-  if (found == rig.lights.end())
-    throw InputError("there is no light '{}'; the lights are {}", name, knownLights(rig));
+  if (found == rig.lights.end()) throw noSuchLight("", name, knownLights(rig));
   return *found;
 }
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/capture/no_such_light.h"
 #include "core/file/atomic_file.h"
 #include "core/relight/setting.h"
 #include "ui/control/light_edit.h"
@@ -20,10 +21,9 @@ constexpr int kDragSteps = 8;
 constexpr int kSettleFrames = 3;  // Dear ImGui's windows take their size in the second frame
 
 size_t lightIndex(const ViewerContext& studio, const std::string& name) {
-  const std::vector<LightSetting>& lights = studio.document().rig.lights;
-  for (size_t i = 0; i < lights.size(); ++i)
-    if (lights[i].light == name) return i;
-  throw InputError("there is no light \"{}\"", name);
+  std::vector<std::string> names;
+  for (const LightSetting& light : studio.document().rig.lights) names.push_back(light.light);
+  return placeOfLight(names, name, "");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/capture/no_such_light.h"
 
 namespace swaplight {
 namespace {
@@ -18,9 +19,7 @@ std::vector<int> chosenLights(const Edit& edit, const EditedLights& lights) {
         std::count(edit.lights.begin(), edit.lights.end(), lights.names[static_cast<size_t>(i)]))
       chosen.push_back(i);
   for (const std::string& name : edit.lights)
-    if (!std::count(lights.names.begin(), lights.names.end(), name))
-      throw InputError("edit \"{}\" is for the light \"{}\", which the set does not have: its lights are {}.",
-                       edit.name, name, fmt::join(lights.names, ", "));
+    static_cast<void>(placeOfLight(lights.names, name, fmt::format("edit \"{}\"", edit.name)));
   return chosen;
 }
 

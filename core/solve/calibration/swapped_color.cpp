@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/quantile.h"
+#include "core/capture/no_such_light.h"
 #include "core/linear/decompositions.h"
 #include "core/solve/model/pixel_sample.h"
 
@@ -249,8 +250,7 @@ OpenColor chosenColor(const Capture& capture, const SwappedColor& swapped, const
   open.settled = true;
   if (choice.oneLamp) {
     const auto& [light, x, y] = *choice.oneLamp;
-    const int index = capture.lightIndex(light);
-    if (index < 0) throw InputError("the place that {} alone lights: there is no light \"{}\"", light, light);
+    const auto index = static_cast<int>(placeOfLight(capture, light, "the place that one lamp alone lights"));
     const float share =
         shareAround(line, signalAround(signal, swapped, evening, {x, y}, "place lit by one lamp"));
     // Positive: lit by the lamp that had the known gel in the first photograph.
