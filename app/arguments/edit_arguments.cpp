@@ -20,6 +20,10 @@ SolvedSet EditArguments::applyTo(SolvedSet set, const EditStack& session,
     stack.edits.insert(stack.edits.end(), added.edits.begin(), added.edits.end());
     stack.newLights.insert(stack.newLights.end(), added.newLights.begin(), added.newLights.end());
     for (const auto& [light, threshold] : added.shadowThresholds) stack.shadowThresholds[light] = threshold;
+    for (const auto& [light, marks] : added.shadowMarks) {
+      ShadowMarks& all = stack.shadowMarks[light];
+      all.insert(all.end(), marks.begin(), marks.end());
+    }
   }
   try {
     return withEdits(original, stack);

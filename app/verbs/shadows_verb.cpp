@@ -2,10 +2,13 @@
 
 #include <cstdlib>
 
+#include "app/arguments/place_text.h"
 #include "app/arguments/solve_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/capture/no_such_light.h"
+#include "core/edit/stack/edit_file.h"
 #include "core/file/same_file.h"
 #include "core/image/io/image_format.h"
 #include "core/image/io/image_io.h"
@@ -21,6 +24,8 @@ struct ShadowsCommand {
   std::string source;
   std::vector<std::string> lights;
   std::vector<std::string> thresholds;
+  std::vector<std::string> shadowLabels, litLabels;
+  std::string edits;
   std::string output;
   std::string overlay;
   SolveArguments solve;
@@ -44,13 +49,53 @@ void applyThreshold(const std::string& text, ShadowOptions& options) {
     options.threshold = text == "auto" ? std::nullopt : std::optional(thresholdFromText(text));
 }
 
+/// A mark, and the light that it names; empty: the only one.
+struct LabelledPlace {
+  std::string light;
+  ShadowMark mark;
+};
+
+const char* wordOf(ShadowMark::Kind is) {
+  return is == ShadowMark::Kind::Lit ? "lit" : "shadow";
+}
+
+/// X,Y or LIGHT=X,Y.
+LabelledPlace labelFromText(const std::string& text, ShadowMark::Kind is) {
+  const size_t sign = text.rfind('=');
+  const std::string light = sign == std::string::npos ? "" : text.substr(0, sign);
+  const std::string option = fmt::format("--label-{} {}", wordOf(is), text);
+  const auto [x, y] = placeFromText(sign == std::string::npos ? text : text.substr(sign + 1), option);
+  return {light, {is, x, y}};
+}
+
+std::vector<LabelledPlace> labelledPlaces(const ShadowsCommand& arguments) {
+  std::vector<LabelledPlace> places;
+  for (const std::string& text : arguments.shadowLabels)
+    places.push_back(labelFromText(text, ShadowMark::Kind::Shadow));
+  for (const std::string& text : arguments.litLabels)
+    places.push_back(labelFromText(text, ShadowMark::Kind::Lit));
+  for (const LabelledPlace& a : places)
+    for (const LabelledPlace& b : places)
+      if (a.light == b.light && a.mark.x == b.mark.x && a.mark.y == b.mark.y && a.mark.is != b.mark.is)
+        throw InputError("{},{} is labelled shadow and lit: say one of them", a.mark.x, a.mark.y);
+  return places;
+}
+
+void applyLabels(const std::vector<LabelledPlace>& places, const std::vector<std::string>& lights,
+                 ShadowOptions& options) {
+  for (const LabelledPlace& place : places) {
+    if (place.light.empty() && lights.size() != 1)
+      throw InputError("--label-{0} {1},{2}: say of which light: LIGHT={1},{2}; the lights are {3}",
+                       wordOf(place.mark.is), place.mark.x, place.mark.y, fmt::join(lights, ", "));
+    options.marks[place.light.empty() ? lights.front() : place.light].push_back(place.mark);
+  }
+}
+
 std::vector<std::string> chosenLights(const ShadowsCommand& arguments, const Capture& capture) {
   std::vector<std::string> known;
   for (const Light& light : capture.lights) known.push_back(light.name);
   for (const std::string& name : arguments.lights)
-    if (capture.lightIndex(name) < 0)
-      throw InputError("{}: has no light \"{}\"; its lights are {}", arguments.source, name,
-                       fmt::join(known, ", "));
+    static_cast<void>(placeOfLight(known, name, arguments.source));
   return arguments.lights.empty() ? known : arguments.lights;
 }
 
@@ -64,13 +109,21 @@ std::string textOf(const NamedShadows& light) {
       percent("lit"), percent("unknown"), json["threshold"].get<double>());
 }
 
+/// The thresholds and labels that a file of edits holds.
+ShadowOptions optionsOfEdits(const ShadowsCommand& arguments, const SolvedSet& set) {
+  if (arguments.edits.empty()) return {};
+  return shadowOptionsOf(readEdits(arguments.edits, set.width(), set.height()));
+}
+
 int run(const ShadowsCommand& arguments, Terminal& terminal) {
-  ShadowOptions options;
-  for (const std::string& text : arguments.thresholds) applyThreshold(text, options);
+  ShadowOptions given;
+  for (const std::string& text : arguments.thresholds) applyThreshold(text, given);
+  const std::vector<LabelledPlace> places = labelledPlaces(arguments);
   const SolveOptions solving = arguments.solve.resolve();
   std::filesystem::path overlay = arguments.overlay;
   if (overlay.empty()) overlay = std::filesystem::path(arguments.output).replace_extension(".png");
-  const std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
+  std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
+  inputs.emplace_back(arguments.edits);
   checkShadowFile(arguments.output);
   static_cast<void>(imageFormatForWriting(overlay));
   checkOutput(arguments.output, inputs);
@@ -79,6 +132,10 @@ int run(const ShadowsCommand& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
   const SolvedSet set = openSource(*programConfig(), arguments.source, solving, progress.part(0, .4f));
   const std::vector<std::string> names = chosenLights(arguments, set.capture);
+  ShadowOptions options = optionsOfEdits(arguments, set);
+  options.threshold = given.threshold;
+  for (const auto& [light, threshold] : given.thresholds) options.thresholds[light] = threshold;
+  applyLabels(places, names, options);
   const std::vector<LightShadows> all = detectShadows(set, options, progress.part(.4f, .95f));
 
   std::vector<NamedShadows> lights;
@@ -108,6 +165,13 @@ void addShadowsVerb(Program& program) {
                   "Where shadow begins: auto, or the shading over that of lit pixels, 0..1 (default: auto); "
                   "LIGHT=X for one light (may be given again)")
       ->type_name("auto|X|LIGHT=X");
+  verb.add_option("--label-shadow", a->shadowLabels,
+                  "A pixel that the light does not reach, and so the surface around it; may be given again")
+      ->type_name("[LIGHT=]X,Y");
+  verb.add_option("--label-lit", a->litLabels, "The same of a pixel that the light reaches")
+      ->type_name("[LIGHT=]X,Y");
+  verb.add_option("--edits", a->edits, "Take thresholds and labels from a JSON file of edits")
+      ->type_name("FILE");
   verb.add_option("-o,--output", a->output, "Visibility and labels, one layer per light")
       ->required()
       ->type_name("SHADOWS.exr");

@@ -57,11 +57,10 @@ std::shared_ptr<const SolvedSet> CueFrames::edited(const EditStack& edits) const
   const auto kept =
       std::find_if(m_kept.begin(), m_kept.end(), [&](const Edited& k) { return k.edits == edits; });
   if (kept != m_kept.end()) return kept->set;
-  if (!m_shadows || m_thresholds != edits.shadowThresholds) {
-    ShadowOptions options;
-    options.thresholds = edits.shadowThresholds;
-    m_shadows = shadowSource(m_set, options);
-    m_thresholds = edits.shadowThresholds;
+  const ShadowOptions finding = shadowOptionsOf(edits);
+  if (!m_shadows || m_finding != finding) {
+    m_shadows = shadowSource(m_set, finding);
+    m_finding = finding;
   }
   auto made = std::make_shared<const SolvedSet>(withEdits(m_set, edits, m_shadows));
   if (m_timeline.stands(edits)) {

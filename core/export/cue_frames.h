@@ -46,8 +46,8 @@ class CueFrames {
   std::map<std::string, std::string> m_text;  ///< for headers
   mutable std::mutex m_mutex;
   mutable std::vector<Edited> m_kept;  ///< the newest first
-  mutable ShadowSource m_shadows;      ///< of the set, for these thresholds
-  mutable std::map<std::string, float> m_thresholds;
+  mutable ShadowSource m_shadows;      ///< of the set, found so
+  mutable ShadowOptions m_finding;
 };
 
 }  // namespace swaplight

@@ -103,9 +103,8 @@ SolvedSet openSource(const ColorConfig& config, const fs::path& path, const Solv
 }
 
 SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits) {
-  ShadowOptions shadows;
-  shadows.thresholds = edits.shadowThresholds;
-  return withEdits(set, edits, shadowSource(set, shadows));
+  const EditStack fitted = fitEdits(edits, set->width(), set->height());
+  return applyEdits(*set, fitted, shadowSource(set, shadowOptionsOf(fitted)));
 }
 
 SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits,

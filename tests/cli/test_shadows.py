@@ -54,6 +54,40 @@ class ShadowsTest(cli.CliTest):
         self.deny('shadows', self.solved, '--light', 'rim', '-o', self.path('x.exr'), naming=['rim', 'key'])
         self.deny('shadows', self.solved, '--threshold', '7', '-o', self.path('x.exr'), naming=['--threshold'])
 
+    def test_what_is_labelled_is_obeyed_for_the_surface_around_it(self):
+        """The middle of the disc's shadow is called lit, and a lit place shadow; by option, and by a file of edits."""
+        said = ['--label-lit', 'key=90,60', '--label-shadow', 'key=20,20']
+        self.succeed('shadows', self.solved, *said, '-o', self.path('said.exr'), '-q')
+        label = cli.read_image(self.path('said.exr'))['shadow_key.label']
+        self.assertEqual((label[60, 90], label[20, 20]), (3, 1))
+        self.assertGreater((label[50:71, 80:101] == 3).mean(), .95)
+        self.assertGreater((label[18:23, 18:23] == 1).mean(), .5)
+        marks = {'shadow_marks': {'key': [{'is': 'lit', 'at': [90, 60]}, {'is': 'shadow', 'at': [20, 20]}]}}
+        with open(self.path('marks.json'), 'w') as file:
+            json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': [], **marks}, file)
+        self.succeed('shadows', self.solved, '--edits', self.path('marks.json'), '-o', self.path('file.exr'), '-q')
+        np.testing.assert_array_equal(cli.read_image(self.path('file.exr'))['shadow_key.Y'],
+                                      cli.read_image(self.path('said.exr'))['shadow_key.Y'])
+        # One light is chosen: labels are about it.
+        self.succeed('shadows', self.solved, '--light', 'key', '--label-lit', '90,60', '-o', self.path('one.exr'), '-q')
+        self.assertEqual(cli.read_image(self.path('one.exr'))['shadow_key.label'][60, 90], 3)
+
+    def test_labels_hold_in_edits_of_shadows(self):
+        remove = {'lights': ['key'], 'operation': 'shadow', 'kind': 'lighten'}
+        with open(self.path('e.json'), 'w') as file:
+            json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': [remove],
+                       'shadow_marks': {'key': [{'is': 'lit', 'at': [90, 60]}]}}, file)
+        before, after = self.frame('--light', 'fill=off'), self.frame('--light', 'fill=off', '--edits', self.path('e.json'))
+        np.testing.assert_allclose(after[55:66, 85:96], before[55:66, 85:96], rtol=.02)  # nothing to remove here
+
+    def test_what_is_wrong_with_labels_is_said_before_the_search(self):
+        output = ['-o', self.path('x.exr')]
+        self.deny('shadows', self.solved, '--label-lit', '90', *output, naming=['--label-lit 90', 'X,Y'])
+        self.deny('shadows', self.solved, '--label-shadow', '90,60', *output, naming=['LIGHT=90,60', 'key', 'fill'])
+        self.deny('shadows', self.solved, '--label-shadow', 'key=900,60', *output, naming=['key', '900, 60', '180 x 120'])
+        self.deny('shadows', self.solved, '--label-lit', 'rim=9,6', *output, naming=['rim'])
+        self.deny('shadows', self.solved, '--label-lit', 'key=9,6', '--label-shadow', 'key=9,6', *output, naming=['9,6'])
+
     def test_a_file_that_cannot_be_written_is_refused_before_the_search(self):
         """The source is no solved set: whoever reads it first would say so."""
         with open(self.path('broken.exr'), 'wb') as file:

@@ -186,6 +186,9 @@ inline EditStack anyEditStack() {
   stack.newLights = anyList<std::string>(2, [] { return anyText(); });
   for (int i = anyInt(0, 4); i > 0; --i) stack.append(anyEdit());
   for (int i = anyInt(0, 2); i > 0; --i) stack.shadowThresholds[anyText()] = anyFloat(.01F, .99F);
+  for (int i = anyInt(0, 3); i > 0; --i)
+    stack.shadowMarks[anyText()].push_back(
+        {ShadowMark::Kind(anyInt(0, 1)), anyInt(0, 9000), anyInt(0, 9000)});
   return stack;
 }
 

@@ -12,6 +12,7 @@ from studio_session import PROGRAM, SAMPLES, StudioTest
 UMBRA = np.array([60, 214, 255])
 SET = os.path.join(SAMPLES, 'three_point')
 LIGHT = 'key'
+LIGHTS = ('key', 'fill', 'back')
 
 
 class Shadows(StudioTest):
@@ -151,6 +152,93 @@ class Shadows(StudioTest):
         self.assertEqual(studio.item('shadows.threshold')[0], x0)
         _, session = self.save_as('automatic')
         self.assertNotIn('shadow_thresholds', session.get('edits', {}))
+
+    def hatched(self, name):
+        """Whether each pixel of the viewer bears the hatching's colour, and what it covers is not told."""
+        studio = self.studio
+        shot = studio.screenshot(name).astype(int)
+        x0, y0, x1, y1 = map(int, studio.item('viewer.picture'))
+        ink = (shot[..., 0] > 150) & (np.abs(shot[..., 0] - 1.5 * shot[..., 1]) < 40) & (shot[..., 0] - shot[..., 2] > 90)
+        legend = list(map(int, studio.item('shadows.legend')))
+        ink[legend[1]:legend[3], legend[0]:legend[2]] = False
+        ys, xs = np.nonzero(ink[y0:y1, x0:x1])
+        left, top, zoom = self.window()
+        vx, vy, _, _ = studio.item('viewer')
+        px, py = (xs + x0 + 0.5 - vx) / zoom + left, (ys + y0 + 0.5 - vy) / zoom + top
+        height, width = self.labels.shape
+        untold = self.labels[np.clip(py.astype(int), 0, height - 1), np.clip(px.astype(int), 0, width - 1)] == 0
+        return len(untold), untold.mean() if len(untold) else 0
+
+    def test_what_cannot_be_told_is_hatched_and_explained(self):
+        studio = self.open_page()
+        light = min(LIGHTS, key=lambda name: (labels_of(os.path.join(SET, 'capture.json'), name, self.folder) == 0).mean() == 0)
+        studio.click(f'mixer.{light}.chip')
+        self.found()
+        self.labels = labels_of(os.path.join(SET, 'capture.json'), light, self.folder)
+        share = (self.labels == 0).mean()
+        self.assertGreater(share, 0.002, 'the sample has places of which nothing can be told')
+        self.assertAlmostEqual(float(studio.state('shadows.untold')), share, delta=0.001)
+        count, inside = self.hatched('shadows_hatched')
+        self.assertGreater(count, 50)
+        self.assertGreater(inside, 0.7)
+        x0, y0, x1, y1 = studio.item('shadows.legend')
+        studio.move((x0 + x1) // 2, round(y0 + 0.83 * (y1 - y0)))
+        studio.settle()
+        studio.screenshot('shadows_legend_tip')
+        # One click tells it.
+        x, y, _ = deepest(self.labels == 0)
+        studio.click('button.shadows.mark_shadow')
+        self.click_pixel(x, y)
+        self.found()
+        studio.screenshot('shadows_told')
+        self.assertLess(float(studio.state('shadows.untold')), share)
+
+    def test_a_click_says_what_is_lit_and_what_is_shadow(self):
+        studio = self.open_page()
+        x, y, _ = self.spot
+        studio.click('button.shadows.mark_lit')
+        self.click_pixel(x, y)
+        studio.item('shadows.mark.0')
+        self.found()
+        studio.screenshot('shadows_called_lit')
+        _, session = self.save_as('lit')
+        marks = session['edits']['shadow_marks']
+        self.assertEqual((list(marks), [mark['is'] for mark in marks[LIGHT]]), ([LIGHT], ['lit']))
+        at = marks[LIGHT][0]['at']
+        self.assertLessEqual(np.abs(np.subtract(at, (x, y))).max(), 2)
+        before = self.labels
+        self.labels = labels_of(os.path.join(SET, 'capture.json'), LIGHT, self.folder, '--label-lit', f'{LIGHT}={at[0]},{at[1]}')
+        self.assertEqual(self.labels[at[1], at[0]], 3)
+        self.assertGreater(((before == 1) & (self.labels == 3)).sum(), 50, 'its surface, not the pixel')
+        self.check_outlines('shadows_called_lit')
+        # A step of the history; the same click takes it back.
+        studio.key('ctrl+z')
+        studio.wait(lambda layout: 'shadows.mark.0' not in layout['items'], 'the label is undone')
+        studio.key('ctrl+shift+z')
+        studio.item('shadows.mark.0')
+        self.click_pixel(*at)
+        studio.wait(lambda layout: 'shadows.mark.0' not in layout['items'], 'the same click removes it')
+        self.found()
+        self.labels = before
+        self.check_outlines('shadows_label_removed')
+        # And the other way round.
+        studio.click('button.shadows.mark_shadow')
+        lit = deepest(before == 3)
+        self.click_pixel(*lit[:2])
+        studio.item('shadows.mark.0')
+        self.found()
+        studio.screenshot('shadows_called_shadow')
+        _, session = self.save_as('shadow')
+        mark = session['edits']['shadow_marks'][LIGHT][0]
+        self.assertEqual(mark['is'], 'shadow')
+        where = '{},{}'.format(*mark['at'])
+        self.labels = labels_of(os.path.join(SET, 'capture.json'), LIGHT, self.folder, '--label-shadow', f'{LIGHT}={where}')
+        self.assertEqual(self.labels[mark['at'][1], mark['at'][0]], 1)
+        self.check_outlines('shadows_called_shadow')
+        studio.click('button.shadows.clear_marks')
+        studio.wait(lambda layout: 'shadows.mark.0' not in layout['items'], 'all labels are cleared')
+        _, session = self.save_as('cleared')
+        self.assertNotIn('shadow_marks', session.get('edits', {}))
 
     def test_a_shadow_that_is_clicked_is_removed_alone(self):
         studio = self.open_page()

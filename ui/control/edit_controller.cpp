@@ -43,7 +43,7 @@ void EditController::beginFrame() {
     m_drawn.clear();
     m_followed = false;
     m_complaint.clear();
-    m_foundFor.clear();
+    m_foundFor = {};
     m_needsShadows = m_stopped = false;
   }
   takeJobs();
@@ -62,14 +62,15 @@ void EditController::takeJobs() {
     if (&room.edited->original() == m_set.get()) adopt(std::move(room));
   });
   takeDrawn();
-  takeOrReport(m_finding, m_parts.messages, "finding shadows", [this](FoundOf found) {
+  const Taken search = takeOrReport(m_finding, m_parts.messages, "finding shadows", [this](FoundOf found) {
     if (found.set != m_set) return;
     m_found->replace(std::move(found.found));
-    m_foundFor = std::move(found.thresholds);
+    m_foundFor = std::move(found.options);
     m_followed = false;
     m_drawingStale = true;
     m_drawn.clear();
   });
+  if (search == Taken::Failed) m_stopped = true;  // or it would fail again in every frame
 }
 
 void EditController::takeDrawn() {
@@ -173,7 +174,8 @@ void EditController::adopt(Room room) {
 
 EditStack EditController::usable(const EditStack& wanted) {
   EditStack stack = fitEdits(wanted, m_set->width(), m_set->height());
-  stack.shadowThresholds = m_foundFor;
+  stack.shadowThresholds = m_foundFor.thresholds;
+  stack.shadowMarks = m_foundFor.marks;
   for (auto& edit : stack.edits)  // an edit that is another object is prepared anew
     if (m_filesStale && std::holds_alternative<BetaMapOperation>(edit->operation))
       edit = std::make_shared<const Edit>(*edit);
@@ -302,7 +304,7 @@ Rgb EditController::surfaceColor(const Mask& mask) {
 }
 
 bool EditController::shadowsCurrent() const {
-  return !m_found->all()->empty() && m_foundFor == m_parts.editor.document().edits.shadowThresholds;
+  return !m_found->all()->empty() && m_foundFor == shadowOptionsOf(m_parts.editor.document().edits);
 }
 
 void EditController::stopFindingShadows() {
@@ -312,17 +314,15 @@ void EditController::stopFindingShadows() {
 
 void EditController::seekShadows() {
   if (!m_needsShadows || m_stopped || shadowsCurrent() || m_parts.editor.inGesture()) return;
-  const Thresholds& thresholds = m_parts.editor.document().edits.shadowThresholds;
+  const ShadowOptions options = shadowOptionsOf(m_parts.editor.document().edits);
   if (m_finding.running()) {
-    if (m_findingFor != thresholds) m_finding.cancel();
+    if (m_findingFor != options) m_finding.cancel();
     return;
   }
-  m_findingFor = thresholds;
+  m_findingFor = options;
   m_finding.start(
-      [set = m_set, thresholds](const Progress& progress) {
-        FoundOf all{set, thresholds, {}};
-        ShadowOptions options;
-        options.thresholds = thresholds;
+      [set = m_set, options](const Progress& progress) {
+        FoundOf all{set, options, {}};
         std::vector<LightShadows> shadows = detectShadows(*set, options, progress);
         for (size_t i = 0; i < shadows.size(); ++i)
           all.found[set->capture.lights[i].name] =

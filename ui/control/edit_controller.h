@@ -2,7 +2,6 @@
 
 #include <deque>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -47,7 +46,7 @@ class EditController {
   void prepare();
 
   /// A light's shadows, of the set as solved; begins to look for them where nobody has yet: nullptr until
-  /// they are there. For the document's thresholds, or still for those before.
+  /// they are there. For what the document says of them, or still for what it said before.
   std::shared_ptr<const LightShadows> shadows(const std::string& light);
   /// A shape of a mask as pixels; nullptr while there is no room for edits, the shadows are being looked
   /// for or the shape is being drawn, and for shapes that are formulas. Throws InputError as MaskContext
@@ -59,7 +58,7 @@ class EditController {
   }
   /// The mean colour, as shown at unit white, of what a mask lets through; 1 while it is being drawn.
   [[nodiscard]] Rgb surfaceColor(const Mask& mask);
-  /// Whether shadows() are for the document's thresholds.
+  /// Whether shadows() are for what the document says of them.
   [[nodiscard]] bool shadowsCurrent() const;
   [[nodiscard]] bool findingShadows() const { return m_finding.running(); }
   [[nodiscard]] float findingFraction() const { return m_finding.fraction(); }
@@ -85,10 +84,9 @@ class EditController {
     std::shared_ptr<EditedSet> edited;
     std::shared_ptr<LiveSet> live;  ///< of its result
   };
-  using Thresholds = std::map<std::string, float>;
   struct FoundOf {
     std::shared_ptr<const SolvedSet> set;
-    Thresholds thresholds;
+    ShadowOptions options;
     ShadowsByLight found;
   };
 
@@ -99,7 +97,7 @@ class EditController {
   [[nodiscard]] static Room makeRoom(std::shared_ptr<const SolvedSet> set,
                                      std::shared_ptr<FoundShadows> found);
   void adopt(Room room);
-  /// Looks for shadows where somebody needs them and there are none for the thresholds of now.
+  /// Looks for shadows where somebody needs them and there are none for what the document says now.
   void seekShadows();
   /// What of the document can be shown now.
   [[nodiscard]] EditStack usable(const EditStack& wanted);
@@ -126,12 +124,12 @@ class EditController {
   EditStack m_wanted;  ///< the document's when it was looked at last
   bool m_followed = false;
   std::shared_ptr<FoundShadows> m_found = std::make_shared<FoundShadows>();  ///< of m_set
-  Thresholds m_foundFor;                                                     ///< thresholds of what was found
-  Thresholds m_findingFor;      ///< thresholds of what is looked for
-  bool m_needsShadows = false;  ///< somebody has asked for them
-  bool m_stopped = false;       ///< the person has stopped the search
-  bool m_filesStale = false;    ///< files of edits have to be read again
-  std::string m_complaint;      ///< about the edits, said already
+  ShadowOptions m_foundFor;                                                  ///< what they were found for
+  ShadowOptions m_findingFor;                                                ///< what they are looked for
+  bool m_needsShadows = false;                                               ///< somebody has asked for them
+  bool m_stopped = false;     ///< the person has stopped the search
+  bool m_filesStale = false;  ///< files of edits have to be read again
+  std::string m_complaint;    ///< about the edits, said already
   uint64_t m_revision = 0;
   int m_part = 0;             ///< of the picture that is computed next
   std::deque<Drawn> m_drawn;  ///< the last ones: kept until somebody uses them

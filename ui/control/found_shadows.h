@@ -5,8 +5,9 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "core/base/error.h"
+#include "core/capture/no_such_light.h"
 #include "core/shadow/result/light_shadows.h"
 
 namespace swaplight {
@@ -18,8 +19,10 @@ using ShadowsByLight = std::map<std::string, std::shared_ptr<const LightShadows>
 [[nodiscard]] inline const std::shared_ptr<const LightShadows>& shadowsOf(const ShadowsByLight& found,
                                                                           const std::string& light) {
   const auto known = found.find(light);
-  if (known == found.end()) throw InputError("\"{}\" is not a light of the set: it has no shadows.", light);
-  return known->second;
+  if (known != found.end()) return known->second;
+  std::vector<std::string> names;
+  for (const auto& [name, shadows] : found) names.push_back(name);
+  throw noSuchLight("shadows", light, names);
 }
 
 /// What was found last, for several threads: what one of them has got never changes under it.

@@ -63,34 +63,44 @@ void ShadowController::drawOutlines() {
   const std::shared_ptr<const LightShadows> found = m_parts.edits.shadows(name);
   const bool exact = found && m_parts.edits.shadowsCurrent();
   if (!exact && !m_preview) return;
-  const std::optional<float> threshold = shadowThresholdOf(m_parts.lights.document(), name);
+  const Document& document = m_parts.lights.document();
+  Drawn next{
+      light, shadowThresholdOf(document, name), shadowMarksOf(document, name), exact ? found : nullptr, {}};
   const auto wanted = [&](const Drawn& drawn) {
-    return drawn.light == light &&
-           (exact ? drawn.exact == found : !drawn.exact && drawn.threshold == threshold);
+    if (drawn.light != light) return false;
+    if (exact) return drawn.exact == found;
+    return !drawn.exact && drawn.threshold == next.threshold && drawn.marks == next.marks;
   };
   if (const auto known = std::find_if(m_drawn.begin(), m_drawn.end(), wanted); known != m_drawn.end()) {
     m_drawn.splice(m_drawn.end(), m_drawn, known);
     return;
   }
   if (m_drawing.running()) return;
-  Drawn next{light, threshold, exact ? found : nullptr, {}};
   m_drawing.start(
       [next = std::move(next), preview = m_preview](const Progress&) {
-        Drawn drawn = next;
-        drawn.outlines = drawn.exact
-                             ? shadowOutlines(drawn.exact->labels, drawn.exact->visibility.width())
-                             : preview->shadows(static_cast<size_t>(drawn.light), drawn.threshold).outlines();
-        return drawn;
+        Drawn done = next;
+        done.shown = drawn(next, preview.get());
+        return done;
       },
       m_wake);
 }
 
-const ShadowOutlines* ShadowController::outlines() const {
+ShadowController::Shown ShadowController::drawn(const Drawn& wanted, const ShadowPreview* preview) {
+  if (wanted.exact) {
+    const int width = wanted.exact->visibility.width();
+    return {shadowOutlines(wanted.exact->labels, width), UntoldPixels(wanted.exact->labels, width, 1)};
+  }
+  const PreviewedShadows seen =
+      preview->shadows(static_cast<size_t>(wanted.light), wanted.threshold, wanted.marks);
+  return {seen.outlines(), UntoldPixels(seen.labels, seen.width, seen.scale)};
+}
+
+const ShadowController::Shown* ShadowController::shown() const {
   if (!m_parts.session.set()) return nullptr;
   const int light = this->light();
   const auto last = std::find_if(m_drawn.rbegin(), m_drawn.rend(),
                                  [&](const Drawn& drawn) { return drawn.light == light; });
-  return last == m_drawn.rend() ? nullptr : &last->outlines;
+  return last == m_drawn.rend() ? nullptr : &last->shown;
 }
 
 void ShadowController::choose(int x, int y) {

@@ -9,6 +9,7 @@
 
 #include "core/shadow/detect/shadow_preview.h"
 #include "core/shadow/result/connected_shadow.h"
+#include "core/shadow/result/untold_pixels.h"
 #include "core/view/window_pixels.h"
 #include "render/viewport_renderer.h"
 #include "ui/control/edit_controller.h"
@@ -40,8 +41,13 @@ class ShadowController {
   void show();
   /// nullptr while it is being made.
   [[nodiscard]] const ShadowPreview* preview() const { return m_preview.get(); }
-  /// Of the light that is shown; nullptr while there are none to show.
-  [[nodiscard]] const ShadowOutlines* outlines() const;
+  /// A light's shadows as the viewer draws them.
+  struct Shown {
+    ShadowOutlines outlines;
+    UntoldPixels untold;
+  };
+  /// Of the light that is shown; nullptr while there is nothing to show.
+  [[nodiscard]] const Shown* shown() const;
   /// Chooses the shadow that holds a pixel of the picture, as soon as the shadows are found.
   void choose(int x, int y);
   void chooseAll();
@@ -55,8 +61,9 @@ class ShadowController {
   struct Drawn {
     int light = 0;
     std::optional<float> threshold;
+    ShadowMarks marks;
     std::shared_ptr<const LightShadows> exact;  ///< nullptr: of the preview
-    ShadowOutlines outlines;
+    Shown shown;
   };
   /// A light's visibility as the viewer needs it.
   struct Seen {
@@ -81,6 +88,7 @@ class ShadowController {
   void follow();
   void makePreview();
   void drawOutlines();
+  [[nodiscard]] static Shown drawn(const Drawn& wanted, const ShadowPreview* preview);
   void resolveClick();
 
   Parts m_parts;

@@ -1,6 +1,7 @@
 #include "ui/control/shadow_edit.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/edit/mask/selection.h"
 #include "ui/control/light_edit.h"
@@ -30,6 +31,11 @@ int shadowLight(const ChosenLights& lights, const OpenSet& set) {
   return set.original->capture.lightIndex(name);
 }
 
+std::string shownShadowLight(const EditingContext& studio) {
+  const int index = shadowLight(studio, *studio.set());
+  return index < 0 ? std::string() : studio.set()->original->capture.lights[static_cast<size_t>(index)].name;
+}
+
 std::optional<float> shadowThresholdOf(const Document& document, const std::string& light) {
   const auto given = document.edits.shadowThresholds.find(light);
   return given == document.edits.shadowThresholds.end() ? std::nullopt : std::optional(given->second);
@@ -45,6 +51,33 @@ void resetShadowThreshold(const EditingContext& studio, const std::string& light
   Document next = studio.document();
   next.edits.shadowThresholds.erase(light);
   studio.editor.edit("Shadows of " + light + ": automatic threshold", std::move(next));
+}
+
+const ShadowMarks& shadowMarksOf(const Document& document, const std::string& light) {
+  static const ShadowMarks none;
+  const auto made = document.edits.shadowMarks.find(light);
+  return made == document.edits.shadowMarks.end() ? none : made->second;
+}
+
+void markShadow(const EditingContext& studio, const std::string& light, const ShadowMark& mark, float reach) {
+  Document next = studio.document();
+  ShadowMarks& marks = next.edits.shadowMarks[light];
+  const auto near = [&](const ShadowMark& other) {
+    return std::hypot(static_cast<float>(other.x - mark.x), static_cast<float>(other.y - mark.y)) <= reach;
+  };
+  const auto there = std::find_if(marks.begin(), marks.end(), near);
+  const bool again = there != marks.end() && there->is == mark.is;
+  if (there != marks.end()) marks.erase(there);
+  if (!again) marks.push_back(mark);
+  if (marks.empty()) next.edits.shadowMarks.erase(light);
+  const char* said = mark.is == ShadowMark::Kind::Lit ? ": this is lit" : ": this is shadow";
+  studio.editor.edit("Shadows of " + light + (again ? ": label removed" : said), std::move(next));
+}
+
+void clearShadowMarks(const EditingContext& studio, const std::string& light) {
+  Document next = studio.document();
+  if (next.edits.shadowMarks.erase(light) == 0) return;
+  studio.editor.edit("Shadows of " + light + ": labels cleared", std::move(next));
 }
 
 int shadowEdit(const EditingContext& studio, const std::string& light, const ShadowKinds& kinds) {

@@ -16,12 +16,23 @@ namespace swaplight {
 /// which has none.
 [[nodiscard]] int shadowLight(const ChosenLights& lights, const OpenSet& set);
 
+/// Its name; empty where it has none. Of the set that is open.
+[[nodiscard]] std::string shownShadowLight(const EditingContext& studio);
+
 /// The threshold that the person has given a light.
 [[nodiscard]] std::optional<float> shadowThresholdOf(const Document& document, const std::string& light);
 /// Shows another threshold while a gesture goes on.
 void previewShadowThreshold(const EditingContext& studio, const std::string& light, float threshold);
 /// The light finds its threshold by itself again, as one step.
 void resetShadowThreshold(const EditingContext& studio, const std::string& light);
+
+/// What the person has said of places of a light's shadows.
+[[nodiscard]] const ShadowMarks& shadowMarksOf(const Document& document, const std::string& light);
+/// Says of a place that it is in shadow or lit, as one step. A mark within `reach` pixels of it goes where it
+/// says the same, else it becomes this one.
+void markShadow(const EditingContext& studio, const std::string& light, const ShadowMark& mark, float reach);
+/// Forgets all of a light's marks, as one step.
+void clearShadowMarks(const EditingContext& studio, const std::string& light);
 
 /// Kinds of shadow edits that one slider makes.
 using ShadowKinds = std::vector<ShadowOperation::Kind>;

@@ -9,9 +9,8 @@ void addShadowActions(ActionTable& actions, EditingContext& studio) {
                "Find each light's shadows, see their outlines and edit them.",
                [&studio] {
                  studio.layout.shadows = !shadowsShown(studio);
-                 if (!studio.layout.shadows) return;
-                 studio.layout.edits = true;
                  studio.tool = nullptr;
+                 if (studio.layout.shadows) studio.layout.edits = true;
                },
                [&studio] { return studio.set() && !studio.document().rig.lights.empty(); },
                [&studio] { return shadowsShown(studio); }});
@@ -24,6 +23,13 @@ void addShadowActions(ActionTable& actions, EditingContext& studio) {
                "Edit all of the light's shadows instead of the one that was clicked.",
                [&studio] { studio.shadows.chooseAll(); },
                [&studio] { return shadowsShown(studio) && studio.editing.shadow.chosen && !studio.tool; }});
+  actions.add({"shadows.clear_marks", "Clear the light's shadow labels", "",
+               "Forget what was said to be shadow or lit of this light.",
+               [&studio] { clearShadowMarks(studio, shownShadowLight(studio)); },
+               [&studio] {
+                 return shadowsShown(studio) &&
+                        !shadowMarksOf(studio.document(), shownShadowLight(studio)).empty();
+               }});
 }
 
 }  // namespace swaplight

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "ui/control/shadow_edit.h"
+#include "ui/kit/hatch.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/shadows/shadow_colors.h"
+#include "ui/shadows/shadow_legend.h"
 
 namespace swaplight {
 namespace {
@@ -81,37 +84,23 @@ class OutlinePen {
   std::vector<ImVec2> m_line;
 };
 
-void drawLegend(bool chosen, ImVec2 origin, ImVec2 size) {
-  struct Line {
-    ImU32 ink;
-    float width;
-    const char* words;
-  };
-  const std::array<Line, 3> lines{{{kUmbraInk, 2, "umbra: none of the light"},
-                                   {kPenumbraInk, 1.5F, "penumbra: part of it"},
-                                   {kChosenInk, 3, "the selected shadow"}}};
-  const size_t count = chosen ? 3 : 2;
-  ImGui::PushFont(fonts().small);
-  const float row = ImGui::GetTextLineHeight() + px(4);
-  float width = 0;
-  for (size_t i = 0; i < count; ++i) width = std::max(width, ImGui::CalcTextSize(lines[i].words).x);
-  const ImVec2 high(origin.x + size.x - px(12), origin.y + size.y - px(12));
-  const ImVec2 low(high.x - width - px(48), high.y - row * static_cast<float>(count) - px(10));
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(low, high, IM_COL32(0, 0, 0, 200), px(5));
-  for (size_t i = 0; i < count; ++i) {
-    const float y = low.y + px(6) + row * static_cast<float>(i);
-    const float middle = y + ImGui::GetTextLineHeight() / 2;
-    draw->AddLine(ImVec2(low.x + px(8), middle), ImVec2(low.x + px(30), middle), lines[i].ink,
-                  px(lines[i].width));
-    for (const float x : {14.F, 22.F})
-      if (i != 0)
-        draw->AddLine(ImVec2(low.x + px(x), middle), ImVec2(low.x + px(x), middle + px(5)), lines[i].ink,
-                      px(1));
-    draw->AddText(ImVec2(low.x + px(38), y), kText, lines[i].words);
+void hatch(const UntoldPixels& untold, const ViewWindow& window, ImVec2 origin) {
+  if (untold.share() == 0) return;
+  drawHatch(origin,
+            ImVec2(origin.x + static_cast<float>(window.width), origin.y + static_cast<float>(window.height)),
+            kUntoldInk, [&](float x, float y) {
+              return untold.at(static_cast<float>(window.pictureX(double{x} - origin.x)),
+                               static_cast<float>(window.pictureY(double{y} - origin.y)));
+            });
+}
+
+void drawMarks(const ShadowMarks& marks, const ViewWindow& window, ImVec2 origin) {
+  for (size_t i = 0; i < marks.size(); ++i) {
+    const ImVec2 at(origin.x + static_cast<float>(window.windowX(marks[i].x + .5)),
+                    origin.y + static_cast<float>(window.windowY(marks[i].y + .5)));
+    drawShadowMark(marks[i].is, at);
+    markRect({"shadows.mark.", std::to_string(i)}, at.x - px(4), at.y - px(4), at.x + px(4), at.y + px(4));
   }
-  ImGui::PopFont();
-  markRect("shadows.legend", low.x, low.y, high.x, high.y);
 }
 
 }  // namespace
@@ -119,26 +108,30 @@ void drawLegend(bool chosen, ImVec2 origin, ImVec2 size) {
 void drawShadowOverlay(EditingContext& studio, const ViewWindow& window, ImVec2 origin, ImVec2 size) {
   if (!shadowsShown(studio)) return;
   const ShadowState& state = studio.editing.shadow;
-  const ShadowOutlines* outlines = studio.shadows.outlines();
+  const ShadowController::Shown* shown = state.outlines ? studio.shadows.shown() : nullptr;
+  const ShadowMarks& marks = shadowMarksOf(studio.document(), shownShadowLight(studio));
   const bool chosen = state.chosen.has_value();
-  if (!chosen && !(state.outlines && outlines)) return;
+  if (!chosen && !shown && marks.empty()) return;
   ImGui::GetWindowDrawList()->PushClipRect(
       origin,
       ImVec2(origin.x + static_cast<float>(window.width), origin.y + static_cast<float>(window.height)),
       true);
   OutlinePen pen(window, origin);
-  if (state.outlines && outlines) {
-    pen.drawTicks(outlines->penumbra, kPenumbraInk);
-    pen.draw(outlines->penumbra, kPenumbraInk, px(1.2F));
-    pen.draw(outlines->umbra, kUmbraInk, px(1.6F));
+  if (shown) {
+    hatch(shown->untold, window, origin);
+    pen.drawTicks(shown->outlines.penumbra, kPenumbraInk);
+    pen.draw(shown->outlines.penumbra, kPenumbraInk, px(1.2F));
+    pen.draw(shown->outlines.umbra, kUmbraInk, px(1.6F));
   }
   if (chosen) {
     pen.drawTicks(state.chosen->outline, kChosenInk);
     pen.draw(state.chosen->outline, kChosenInk, px(2.6F));
   }
+  drawMarks(marks, window, origin);
   ImGui::GetWindowDrawList()->PopClipRect();
-  drawLegend(chosen, origin, size);
-  markState("shadows.outlines", outlines && state.outlines ? "drawn" : "none");
+  drawShadowLegend({shown != nullptr, shown && shown->untold.share() > 0, chosen, !marks.empty()}, origin,
+                   size);
+  markState("shadows.outlines", shown ? "drawn" : "none");
 }
 
 }  // namespace swaplight

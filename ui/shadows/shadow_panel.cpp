@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,6 +24,7 @@ using SubjectKind = ViewSubject::Kind;
 
 constexpr float kGap = 4;
 constexpr float kHistogramHeight = 92;
+constexpr float kToldShare = .001F;  // of the picture: less cannot be seen hatched
 
 void lightCombo(EditingContext& studio) {
   const std::vector<LightSetting>& lights = studio.document().rig.lights;
@@ -124,6 +126,30 @@ void threshold(EditingContext& studio, const std::string& light, int index) {
   if (reset && given) resetShadowThreshold(studio, light);
 }
 
+/// Says of places what they are, where the search cannot tell or is wrong.
+void labels(EditingContext& studio, const std::string& light) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float half = std::floor((room - px(kGap)) / 2);
+  actionTextButton(studio.actions, "shadows.mark_shadow", "This is shadow", half);
+  ImGui::SameLine(0, px(kGap));
+  actionTextButton(studio.actions, "shadows.mark_lit", "This is lit", room - half - px(kGap));
+  const ShadowController::Shown* shown = studio.shadows.shown();
+  const float untold = shown ? shown->untold.share() : 0;
+  const size_t made = shadowMarksOf(studio.document(), light).size();
+  if (untold < kToldShare && made == 0) return;
+  ImGui::AlignTextToFramePadding();
+  hint(untold < kToldShare ? fmt::format("{} label{}", made, made == 1 ? "" : "s")
+                           : fmt::format("{:.0f} % cannot be told", std::max(100 * untold, 1.F)));
+  markState("shadows.untold", fmt::format("{:.4f}", untold));
+  tooltip(
+      "Hatched in the picture: the light is too weak there, or shadow and dim light look alike. Such places "
+      "count as lit. Take \"This is shadow\" or \"This is lit\" and click there.");
+  if (made == 0) return;
+  const float button = px(64);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
+  actionTextButton(studio.actions, "shadows.clear_marks", "Clear", button);
+}
+
 }  // namespace
 
 void drawShadowPanel(EditingContext& studio) {
@@ -135,12 +161,13 @@ void drawShadowPanel(EditingContext& studio) {
     hint("Lights added by edits\nhave no shadows.");
     return;
   }
-  const std::string light = studio.set()->original->capture.lights[static_cast<size_t>(index)].name;
+  const std::string light = shownShadowLight(studio);
   if (studio.shadows.preview())
     threshold(studio, light, index);
   else
     hint("analysing the light …");
   searchLine(studio);
+  labels(studio, light);
   drawShadowSliders(studio, light);
 }
 

@@ -7,6 +7,7 @@
 #include "ui/tools/lamp_tool.h"
 #include "ui/tools/pick_tool.h"
 #include "ui/tools/selection_tool.h"
+#include "ui/tools/shadow_mark_tool.h"
 #include "ui/tools/stencil_tool.h"
 
 namespace swaplight {
@@ -34,8 +35,8 @@ void addToolActions(ActionTable& actions, EditingContext& studio) {
 std::span<const PictureTool* const> pictureTools() {
   // The handles of a shape go before laying on a new one. Picking comes last: it is what Alt makes of the
   // others.
-  static constexpr std::array<const PictureTool*, 6> kTools = {&kSelectionTool, &kBrushTool,   &kHandleTool,
-                                                               &kLampTool,      &kStencilTool, &kPickTool};
+  static constexpr std::array<const PictureTool*, 7> kTools = {
+      &kSelectionTool, &kBrushTool, &kHandleTool, &kShadowMarkTool, &kLampTool, &kStencilTool, &kPickTool};
   return kTools;
 }
 

@@ -143,7 +143,7 @@ void EditedSet::setStack(const EditStack& stack) {
   const bool sameLights = stack.newLights == m_stack.newLights;
 
   // Prepare what is new; what failed to prepare leaves the old stack in force.
-  const bool sameShadows = stack.shadowThresholds == m_stack.shadowThresholds;
+  const bool sameShadows = shadowOptionsOf(stack) == shadowOptionsOf(m_stack);
   const auto stays = [&](const Edit& edit) { return sameShadows || !usesShadows(edit); };
   if (!sameShadows) m_context.forgetDrawn();
   std::vector<Prepared> prepared;

@@ -27,7 +27,8 @@ class EditedSet {
   /// Keeps the set: it must not change. Shadows are asked for when an edit needs them.
   explicit EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows = {});
 
-  /// Takes a new stack. Computes nothing yet; asks for shadows again where their thresholds have changed.
+  /// Takes a new stack. Computes nothing yet; asks for shadows again where their thresholds or marks have
+  /// changed.
   /// Where the stack has other new lights, result() has other images; those of lights that stay keep their
   /// pixels where they lie in memory. Throws InputError, and keeps the old stack then.
   void setStack(const EditStack& stack);

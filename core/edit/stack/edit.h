@@ -9,6 +9,7 @@
 #include "core/base/json_fwd.h"
 #include "core/edit/mask/mask.h"
 #include "core/edit/operations/operations.h"
+#include "core/shadow/result/shadow_options.h"
 
 namespace swaplight {
 
@@ -38,6 +39,8 @@ struct EditStack {
   int width = 0, height = 0;  ///< of the picture that the masks are for: see fitEdits; 0: nobody has said
   /// Where a light's shadows begin (ShadowOptions::thresholds); a light that is not named finds it by itself.
   std::map<std::string, float> shadowThresholds;
+  /// What is said of single places of a light's shadows (ShadowOptions::marks).
+  ShadowMarksByLight shadowMarks;
 
   void append(Edit edit) { edits.push_back(std::make_shared<const Edit>(std::move(edit))); }
   void replace(size_t index, Edit edit) { edits[index] = std::make_shared<const Edit>(std::move(edit)); }
@@ -57,6 +60,8 @@ struct EditStack {
                                   const std::function<std::string(const std::string&)>& rename);
 /// The stack for a picture of this size: strokes are painted again where it is another.
 [[nodiscard]] EditStack fitEdits(const EditStack& stack, int width, int height);
+/// What the stack says of how shadows are to be found.
+[[nodiscard]] ShadowOptions shadowOptionsOf(const EditStack& stack);
 /// Whether something in it needs the lights' shadows.
 [[nodiscard]] bool usesShadows(const Edit& edit);
 [[nodiscard]] bool usesShadows(const Mask& mask);

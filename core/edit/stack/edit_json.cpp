@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/edit/fields/field_json.h"
 #include "core/edit/operations/operation_json.h"
 #include "core/edit/stack/edit.h"
 #include "core/file/json_fields.h"
@@ -11,6 +12,8 @@ namespace swaplight {
 namespace {
 
 constexpr size_t kMostEdits = 4096;
+constexpr size_t kMostMarks = 1024;  // of a light
+constexpr double kMostPixels = 1e6;  // of a side of a picture
 
 std::vector<std::string> readNames(JsonFields& fields, const char* key) {
   std::vector<std::string> names;
@@ -41,6 +44,42 @@ std::map<std::string, float> readThresholds(JsonFields& fields) {
   return thresholds;
 }
 
+const char* wordOf(ShadowMark::Kind kind) {
+  return kind == ShadowMark::Kind::Lit ? "lit" : "shadow";
+}
+
+ShadowMark readMark(const Json& json, const std::string& where) {
+  JsonFields fields(json, where);
+  const std::string is = fields.text("is").value_or("");
+  if (is != "shadow" && is != "lit")
+    throw InputError("{}: \"is\" is \"{}\", expected shadow or lit.", where, is);
+  const Json* at = fields.find("at");
+  if (!at) throw InputError("{}: has no \"at\", the pixel [x, y] that it is about.", where);
+  const auto pixel = pairFromJson(*at, where + ": at");
+  for (const double number : pixel)
+    if (!(number >= 0 && number < kMostPixels))
+      throw InputError("{}: \"at\" is {}, expected a pixel of the picture.", where, at->dump());
+  return {is == "lit" ? ShadowMark::Kind::Lit : ShadowMark::Kind::Shadow, static_cast<int>(pixel[0]),
+          static_cast<int>(pixel[1])};
+}
+
+ShadowMarksByLight readMarks(JsonFields& fields) {
+  ShadowMarksByLight all;
+  const Json* json = fields.find("shadow_marks");
+  if (!json) return all;
+  if (!json->is_object())
+    throw InputError("{}: \"shadow_marks\" is {}, expected lists of marks by light.", fields.where(),
+                     describeJson(*json));
+  JsonFields lights(*json, fields.where() + ": shadow_marks");
+  for (const auto& [light, value] : json->items())
+    for (const Json& mark : lights.list(light, "a list of marks", kMostMarks)) {
+      ShadowMarks& marks = all[light];
+      marks.push_back(readMark(
+          mark, fields.where() + ": shadow mark " + std::to_string(marks.size() + 1) + " of " + light));
+    }
+  return all;
+}
+
 }  // namespace
 
 Json jsonFromEditStack(const EditStack& stack) {
@@ -58,6 +97,9 @@ Json jsonFromEditStack(const EditStack& stack) {
   Json json = {{"new_lights", stack.newLights}, {"edits", std::move(edits)}};
   for (const auto& [light, threshold] : stack.shadowThresholds)
     json["shadow_thresholds"][light] = jsonNumber(threshold);
+  for (const auto& [light, marks] : stack.shadowMarks)
+    for (const ShadowMark& mark : marks)
+      json["shadow_marks"][light].push_back({{"is", wordOf(mark.is)}, {"at", {mark.x, mark.y}}});
   return json;
 }
 
@@ -68,6 +110,7 @@ EditStack editStackFromJson(const Json& json, int width, int height, const std::
   JsonFields fields(json, where);
   stack.newLights = readNames(fields, "new_lights");
   stack.shadowThresholds = readThresholds(fields);
+  stack.shadowMarks = readMarks(fields);
   for (const Json& item : fields.list("edits", "a list of edits", kMostEdits)) {
     JsonFields one(item, where + ": edit " + std::to_string(stack.edits.size() + 1));
     Edit edit;

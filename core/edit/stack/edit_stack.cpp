@@ -26,6 +26,7 @@ size_t paintingBytes(const Painting& painting, const Painting* before) {
 
 bool EditStack::operator==(const EditStack& other) const {
   return newLights == other.newLights && shadowThresholds == other.shadowThresholds &&
+         shadowMarks == other.shadowMarks &&
          std::equal(edits.begin(), edits.end(), other.edits.begin(), other.edits.end(),
                     [](const auto& a, const auto& b) { return a == b || *a == *b; });
 }
@@ -42,6 +43,7 @@ size_t editBytes(const EditStack& stack, const EditStack& before) {
     const Painting* earlier = i < before.edits.size() ? paintingOf(*before.edits[i]) : nullptr;
     if (painting) bytes += paintingBytes(*painting, earlier);
   }
+  for (const auto& [light, marks] : stack.shadowMarks) bytes += marks.size() * sizeof(ShadowMark);
   return bytes;
 }
 
@@ -79,6 +81,13 @@ EditStack fitEdits(const EditStack& stack, int width, int height) {
     kept = std::make_shared<const Edit>(std::move(edit));
   }
   return fitted;
+}
+
+ShadowOptions shadowOptionsOf(const EditStack& stack) {
+  ShadowOptions options;
+  options.thresholds = stack.shadowThresholds;
+  options.marks = stack.shadowMarks;
+  return options;
 }
 
 bool usesShadows(const Mask& mask) {

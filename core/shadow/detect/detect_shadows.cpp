@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/capture/no_such_light.h"
 #include "core/shadow/detect/each_light.h"
 #include "core/shadow/detect/penumbra.h"
 #include "core/shadow/detect/shadow_cut.h"
@@ -13,6 +14,7 @@
 #include "core/shadow/detect/shadow_regions.h"
 #include "core/shadow/detect/shadow_sides.h"
 #include "core/shadow/detect/shadow_threshold.h"
+#include "core/shadow/marks/settled_pixels.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 #include "core/shadow/odds/umbra_odds.h"
 
@@ -54,17 +56,26 @@ double penumbraPixels(const LightShadows& shadows) {
   return outline > 0 ? 2 * area / (outline * .785) : 0;
 }
 
-void checkNames(const ShadowOptions& options, const Capture& capture) {
-  for (const auto& [light, threshold] : options.thresholds)
-    if (capture.lightIndex(light) < 0)
-      throw InputError("a threshold of shadows is for the light \"{}\", which the set does not have.", light);
+void checkOptions(const ShadowOptions& options, const SolvedSet& set) {
+  const auto check = [&](const char* what, const std::string& light) {
+    static_cast<void>(placeOfLight(set.capture, light, what));
+  };
+  for (const auto& [light, threshold] : options.thresholds) check("a threshold of shadows", light);
+  for (const auto& [light, marks] : options.marks) {
+    check("a label of shadows", light);
+    for (const ShadowMark& mark : marks)
+      if (mark.x < 0 || mark.y < 0 || mark.x >= set.width() || mark.y >= set.height())
+        throw InputError(
+            "a label of the shadows of \"{}\" is at {}, {}, outside the picture of {} x {} pixels.", light,
+            mark.x, mark.y, set.width(), set.height());
+  }
 }
 
 }  // namespace
 
 std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOptions& options,
                                         const Progress& progress, const ShadowTuning& tuning) {
-  checkNames(options, set.capture);
+  checkOptions(options, set);
   const SetEvidence evidence = gatherShadowEvidence(set, progress.part(0, .3f), tuning.evidence);
   const int smallest = smallestShadow(options, evidence.known);
   const size_t count = evidence.lights.size();
@@ -85,28 +96,43 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
       smallSetOf(evidence.contributions, sizeWithin(evidence.known.size(), tuning.odds.longest));
   std::vector<cv::Mat> divided(count);
   std::vector<cv::Mat> told(count);
+  std::vector<std::optional<SettledPixels>> settled(count);
   forEachLight(count, progress.part(.4f, .5f), kFinding, [&](size_t i) {
     const ShadowEvidence& light = evidence.lights[i];
     const ShadowSides sides = shadowSides(evidence, bright, i, tuning);
     // A threshold that is given is the user's word: nothing weighs against it.
-    const bool weighed = light.shines && !options.thresholdOf(set.capture.lights[i].name);
-    const ShadowDivision division =
-        divideShadow(shrunk(light.level, sides.apart.size()), thresholds[i], sides,
-                     weighed ? umbraOdds(small, i, tuning.odds) : LightOdds{}, tuning.cut);
-    divided[i] = visibilityOf(light, division.shadow, evidence.known, smallest, tuning.regions);
+    const std::string& name = set.capture.lights[i].name;
+    const bool weighed = light.shines && !options.thresholdOf(name);
+    const cv::Size size = sides.apart.size();
+    const cv::Size full = light.level.size();
+    const ShadowMarks& marks = options.marksOf(name);
+    const LightOdds odds =
+        weighed || (light.shines && !marks.empty()) ? umbraOdds(small, i, tuning.odds) : LightOdds{};
+    const cv::Mat word = wordOfMarks(marks, {shrunk(light.shading, size), sides.own, evidenceOfLight(odds)},
+                                     full, tuning.marks);
+    const ShadowDivision division = divideShadow(shrunk(light.level, size), thresholds[i], sides,
+                                                 weighed ? odds : LightOdds{}, word, tuning);
+    settled[i].emplace(marks, full, word, division.shadow, full, tuning.marks);
+    divided[i] =
+        visibilityOf(light, division.shadow, evidence.known, smallest, tuning.regions, settled[i]->pixels());
+    settled[i]->pinIn(divided[i]);
     told[i] = toldPixels(division, evidence.known);
+    settled[i]->tellIn(told[i]);
   });
   std::vector<RefinedVisibility> refined(count);
   std::vector<cv::Mat> visibilities(count);
   forEachLight(count, progress.part(.5f, .7f), kFinding, [&](size_t i) {
     refined[i] = refineVisibility(evidence, divided, i, tuning);
+    settled[i]->obeyIn(refined[i].visibility, divided[i]);
+    settled[i]->denyIn(refined[i].reached);
     visibilities[i] = refined[i].visibility;
   });
   forEachLight(count, progress.part(.7f, 1), "filling shadows", [&](size_t i) {
     FilledShadow filled = fillShadow(evidence, visibilities, refined[i].told, i, tuning);
     // After filling: what a surface that turns away still sees is dim of itself, and lacks nothing.
     cv::max(filled.visibility, refined[i].reached, filled.visibility);
-    removeSmallShadows(filled.visibility, smallest, tuning.regions);
+    removeSmallShadows(filled.visibility, smallest, tuning.regions, settled[i]->pixels());
+    settled[i]->obeyIn(filled.visibility, divided[i]);
     all[i].labels = labelShadows(filled.visibility, told[i], tuning.regions);
     all[i].visibility = imageOf(filled.visibility, {"Y"}, 1);
     all[i].direct = imageOf(filled.direct, {"R", "G", "B"}, evidence.white);
@@ -128,12 +154,11 @@ std::function<std::shared_ptr<const LightShadows>(const std::string& light)> sha
     std::shared_ptr<const SolvedSet> set, const ShadowOptions& options) {
   auto found = std::make_shared<std::vector<std::shared_ptr<const LightShadows>>>();
   return [set = std::move(set), options, found](const std::string& light) {
-    const int index = set->capture.lightIndex(light);
-    if (index < 0) throw InputError("\"{}\" is no light of the set: it has no shadows.", light);
+    const size_t place = placeOfLight(set->capture, light, "shadows");
     if (found->empty())
       for (LightShadows& shadows : detectShadows(*set, options))
         found->push_back(std::make_shared<const LightShadows>(std::move(shadows)));
-    return (*found)[static_cast<size_t>(index)];
+    return (*found)[place];
   };
 }
 

@@ -8,6 +8,23 @@
 namespace swaplight {
 namespace {
 
+constexpr float kNoChoice = 1000;  // cost of a side that a mark's own place cannot have
+
+// What a mark's word adds to the cost of not being lit.
+cv::Mat costOfDenying(const cv::Mat& word, const ShadowTuning& tuning) {
+  cv::Mat cost = tuning.cut.markCost * word;
+  cost.setTo(kNoChoice, word >= tuning.marks.hard);
+  cost.setTo(-kNoChoice, word <= -tuning.marks.hard);
+  return cost;
+}
+
+// Odds that a mark's word has been added to.
+LightOdds withWord(const LightOdds& odds, const cv::Mat& word, const ShadowTuning& tuning) {
+  if (odds.umbra.empty() || word.empty()) return odds;
+  const cv::Mat lit = costOfDenying(word, tuning);
+  return {odds.umbra - lit, odds.lit + lit};
+}
+
 // The cheapest cut: 255 where a pixel is parted from the light. `lit`: what it costs not to be lit.
 cv::Mat leastCut(const cv::Mat& lit, const cv::Mat& apart, float partingCost, float leastParting) {
   const cv::Size size = apart.size();
@@ -33,10 +50,10 @@ cv::Mat leastCut(const cv::Mat& lit, const cv::Mat& apart, float partingCost, fl
 
 }  // namespace
 
-cv::Mat cutShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
-                  const ShadowCutTuning& tuning) {
+cv::Mat cutShadow(const cv::Mat& level, float threshold, const ShadowSides& sides, const cv::Mat& word,
+                  const ShadowTuning& all) {
+  const ShadowCutTuning& tuning = all.cut;
   const cv::Size size = sides.apart.size();
-  if (size.area() == 1) return level < threshold;  // nothing beside it
   cv::Mat lit(size, CV_32F);
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
@@ -47,19 +64,27 @@ cv::Mat cutShadow(const cv::Mat& level, float threshold, const ShadowSides& side
       if (above < -tuning.surelyShadow) here = -tuning.sure;
       here -= tuning.sideCost * sides.toShadow.at<float>(y, x);
     }
+  if (!word.empty()) lit += costOfDenying(word, all);
+  if (size.area() == 1) return word.empty() ? level < threshold : lit < 0;  // nothing beside it
   return leastCut(lit, sides.apart, tuning.partingCost, tuning.leastParting);
 }
 
+cv::Mat evidenceOfLight(const LightOdds& odds) {
+  return odds.umbra.empty() ? cv::Mat() : cv::Mat(.5 * (odds.lit - odds.umbra));
+}
+
 cv::Mat cutShadow(const LightOdds& odds, const cv::Mat& apart, const ShadowCutTuning& tuning) {
-  const cv::Mat lit = .5 * (odds.lit - odds.umbra);
+  const cv::Mat lit = evidenceOfLight(odds);
   if (apart.total() == 1) return lit < 0;
   return leastCut(lit, apart, tuning.oddsPartingCost, tuning.leastParting);
 }
 
 ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
-                            const LightOdds& odds, const ShadowCutTuning& tuning) {
-  ShadowDivision division{cutShadow(level, threshold, sides, tuning), cv::Mat::zeros(level.size(), CV_8U)};
-  if (odds.umbra.empty()) return division;
+                            const LightOdds& unmarked, const cv::Mat& word, const ShadowTuning& all) {
+  const ShadowCutTuning& tuning = all.cut;
+  ShadowDivision division{cutShadow(level, threshold, sides, word, all), cv::Mat::zeros(level.size(), CV_8U)};
+  if (unmarked.umbra.empty()) return division;
+  const LightOdds odds = withWord(unmarked, word, all);
   const cv::Mat byOdds = cutShadow(odds, sides.apart, tuning);
   const auto wide = [&](cv::Mat parts) {
     cv::morphologyEx(parts, parts, cv::MORPH_OPEN, disk(tuning.border * referenceUnit(parts)));
@@ -74,6 +99,11 @@ ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowS
   division.shadow.setTo(255, shadow);
   division.shadow.setTo(0, lit | untold);
   division.untold = untold | unsupported;
+  if (!word.empty()) {
+    division.shadow.setTo(255, word <= -all.marks.hard);  // opening may have taken the place for a border's
+    division.shadow.setTo(0, word >= all.marks.hard);
+    division.untold.setTo(0, cv::abs(word) >= all.marks.settled);
+  }
   return division;
 }
 

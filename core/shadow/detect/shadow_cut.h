@@ -10,9 +10,13 @@ namespace swaplight {
 /// Shadow (255) cut from light (0), 8-bit, at the size of `sides`: the cut that costs least, where pixels pay
 /// for a side that their level and the edges beside them speak against, and neighbours for being parted where
 /// nothing looks like a border (minimum cut, Boykov and Jolly, "Interactive graph cuts", ICCV 2001).
-/// `level`: of ShadowEvidence, at that size.
+/// `level`: of ShadowEvidence, at that size. `word`: of wordOfMarks(), at that size; it weighs more than
+/// anything else, and where it is near -1 or 1 there is no choice (the seeds of Boykov and Jolly).
 [[nodiscard]] cv::Mat cutShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
-                                const ShadowCutTuning& tuning = {});
+                                const cv::Mat& word = {}, const ShadowTuning& tuning = {});
+
+/// Log-odds that the light arrives: the mean of what lit and umbra have. Empty where the odds are.
+[[nodiscard]] cv::Mat evidenceOfLight(const LightOdds& odds);
 
 /// The same by odds of umbra and of lit, and what may be a border: `apart` of ShadowSides.
 [[nodiscard]] cv::Mat cutShadow(const LightOdds& odds, const cv::Mat& apart,
@@ -31,8 +35,10 @@ struct ShadowDivision {
 /// odds too weak to speak for a shadow in what the level has lit leave it lit; and in between it cannot be
 /// told, and counts as lit: a shadow that is not removed is less wrong than light that is. Nor can it be told
 /// where only the level speaks for a shadow, though the odds would rather have it than not. Odds of empty
-/// pictures say nothing.
+/// pictures say nothing. What a person's marks say (`word`, or an empty picture) both cuts obey, and where it
+/// is strong it is told.
 [[nodiscard]] ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
-                                          const LightOdds& odds, const ShadowCutTuning& tuning = {});
+                                          const LightOdds& odds, const cv::Mat& word = {},
+                                          const ShadowTuning& tuning = {});
 
 }  // namespace swaplight

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "core/set/shrunk_set.h"
@@ -9,10 +10,34 @@
 #include "core/shadow/detect/shadow_evidence.h"
 #include "core/shadow/detect/shadow_regions.h"
 #include "core/shadow/detect/shadow_threshold.h"
+#include "core/shadow/marks/settled_pixels.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 #include "core/shadow/odds/umbra_odds.h"
 
 namespace swaplight {
+
+/// What each light's marks said last: they stay as they are while a hand drags the threshold.
+struct LastWords {
+  struct Word {
+    ShadowMarks marks;
+    cv::Mat word;
+  };
+  std::mutex mutex;
+  std::vector<Word> words;
+
+  template <typename Make>
+  cv::Mat of(size_t light, const ShadowMarks& marks, const Make& make) {
+    {
+      const std::lock_guard lock(mutex);
+      if (words[light].marks == marks) return words[light].word;
+    }
+    const cv::Mat word = make();
+    const std::lock_guard lock(mutex);
+    words[light] = {marks, word};
+    return word;
+  }
+};
+
 namespace {
 
 constexpr double kPixels = 1.2e6;
@@ -43,7 +68,8 @@ ShadowHistogram histogramOf(const cv::Mat& level, const cv::Mat& known, float li
 
 }  // namespace
 
-ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress) {
+ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress)
+    : m_width(set.width()), m_height(set.height()) {
   const auto pixels = static_cast<double>(set.contributions.front().pixelCount());
   const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kPixels))));
   const Progress gathering = progress.part(.1f, 1);
@@ -68,23 +94,37 @@ ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress) {
     m_lights[i].odds =
         std::make_shared<const LightOdds>(evidence->lights[i].shines ? umbraOdds(small, i) : LightOdds{});
   }
+  m_words = std::make_shared<LastWords>();
+  m_words->words.resize(m_lights.size());
   evidence->contributions.clear();
   for (ShadowEvidence& light : evidence->lights)
     for (cv::Mat* used : {&light.slope, &light.edge, &light.ratio}) used->release();
   m_evidence = std::move(evidence);
 }
 
-PreviewedShadows ShadowPreview::shadows(size_t light, const std::optional<float>& threshold) const {
+PreviewedShadows ShadowPreview::shadows(size_t light, const std::optional<float>& threshold,
+                                        const ShadowMarks& marks) const {
   const float given = std::max(threshold.value_or(m_lights[light].threshold), 1e-6f);
   const cv::Mat& known = m_evidence->known;
   const int smallest = smallestShadow({}, known);
   const float level = m_lights[light].lit + std::log(given);
   const PreviewedLight& previewed = m_lights[light];
-  const cv::Mat& levels = m_evidence->lights[light].level;
-  const ShadowDivision division = divideShadow(shrunk(levels, previewed.sides->apart.size()), level,
-                                               *previewed.sides, threshold ? LightOdds{} : *previewed.odds);
-  const cv::Mat visibility = visibilityOf(m_evidence->lights[light], division.shadow, known, smallest);
-  return {labelShadows(visibility, toldPixels(division, known)), known.cols, m_scale};
+  const ShadowEvidence& evidence = m_evidence->lights[light];
+  const cv::Size size = previewed.sides->apart.size();
+  const cv::Size picture(m_width, m_height);
+  const cv::Mat word = m_words->of(light, marks, [&] {
+    return wordOfMarks(
+        marks, {shrunk(evidence.shading, size), previewed.sides->own, evidenceOfLight(*previewed.odds)},
+        picture);
+  });
+  const ShadowDivision division = divideShadow(shrunk(evidence.level, size), level, *previewed.sides,
+                                               threshold ? LightOdds{} : *previewed.odds, word);
+  const SettledPixels settled(marks, picture, word, division.shadow, known.size());
+  cv::Mat visibility = visibilityOf(evidence, division.shadow, known, smallest, {}, settled.pixels());
+  settled.pinIn(visibility);
+  cv::Mat told = toldPixels(division, known);
+  settled.tellIn(told);
+  return {labelShadows(visibility, told), known.cols, m_scale};
 }
 
 float stopsFromThreshold(float threshold) {

@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/set/solved_set.h"
+#include "core/shadow/result/shadow_mark.h"
 #include "core/shadow/result/shadow_outline.h"
 
 namespace swaplight {
@@ -15,6 +16,7 @@ namespace swaplight {
 struct SetEvidence;
 struct ShadowSides;
 struct LightOdds;
+struct LastWords;
 
 /// How bright a light shows, pixel by pixel, reflectance mostly taken out: the shares of the pixels in even
 /// steps from kLowestStops to kHighestStops over well-lit pixels. The ends hold what lies beyond.
@@ -44,8 +46,10 @@ class ShadowPreview {
   [[nodiscard]] const ShadowHistogram& histogram(size_t light) const { return m_lights[light].histogram; }
   /// The threshold that the light has of itself (as ShadowOptions::threshold).
   [[nodiscard]] float ownThreshold(size_t light) const { return m_lights[light].threshold; }
-  /// A light's shadows for a threshold; nothing: its own. May be called in any thread.
-  [[nodiscard]] PreviewedShadows shadows(size_t light, const std::optional<float>& threshold) const;
+  /// A light's shadows for a threshold (nothing: its own) and marks in the set's pixels. May be called in any
+  /// thread.
+  [[nodiscard]] PreviewedShadows shadows(size_t light, const std::optional<float>& threshold,
+                                         const ShadowMarks& marks = {}) const;
 
  private:
   struct PreviewedLight {
@@ -57,6 +61,8 @@ class ShadowPreview {
   };
   std::shared_ptr<const SetEvidence> m_evidence;
   std::vector<PreviewedLight> m_lights;
+  std::shared_ptr<LastWords> m_words;
+  int m_width, m_height;  // of the set
   float m_scale = 1;
 };
 

@@ -32,16 +32,17 @@ cv::Mat insideOf(const cv::Mat& mask, cv::Size full) {
   return inside;
 }
 
-// Sets the pixels of small connected parts of `mask` (8-bit) to 0.
-void removeSmallParts(cv::Mat& mask, int smallest) {
+// Sets the pixels of small connected parts of `mask` (8-bit) to 0, where none of them is marked.
+void removeSmallParts(cv::Mat& mask, int smallest, std::span<const cv::Point> marked) {
   cv::Mat parts, statistics, centers;
   const int count = cv::connectedComponentsWithStats(mask, parts, statistics, centers, 8, CV_32S);
+  std::vector<bool> small(static_cast<size_t>(count));
+  for (int part = 1; part < count; ++part)
+    small[static_cast<size_t>(part)] = statistics.at<int>(part, cv::CC_STAT_AREA) < smallest;
+  for (const cv::Point pixel : marked) small[static_cast<size_t>(parts.at<int>(pixel))] = false;
   for (int y = 0; y < mask.rows; ++y)
-    for (int x = 0; x < mask.cols; ++x) {
-      const int part = parts.at<int>(y, x);
-      if (part > 0 && part < count && statistics.at<int>(part, cv::CC_STAT_AREA) < smallest)
-        mask.at<uchar>(y, x) = 0;
-    }
+    for (int x = 0; x < mask.cols; ++x)
+      if (small[static_cast<size_t>(parts.at<int>(y, x))]) mask.at<uchar>(y, x) = 0;
 }
 
 }  // namespace
@@ -51,20 +52,21 @@ int smallestShadow(const ShadowOptions& options, const cv::Mat& known) {
   return std::max(4, static_cast<int>(std::lround(share)));
 }
 
-void removeSmallShadows(cv::Mat& visibility, int smallest, const ShadowRegionsTuning& tuning) {
+void removeSmallShadows(cv::Mat& visibility, int smallest, const ShadowRegionsTuning& tuning,
+                        std::span<const cv::Point> marked) {
   cv::Mat shadow = visibility < tuning.lit;
   cv::Mat large = shadow.clone();
-  removeSmallParts(large, smallest);
+  removeSmallParts(large, smallest, marked);
   visibility.setTo(1, shadow & ~large);
   cv::Mat gaps = ~(visibility < tuning.umbra);
   if (cv::countNonZero(gaps) == static_cast<int>(gaps.total())) return;  // in no umbra
   cv::Mat largeGaps = gaps.clone();
-  removeSmallParts(largeGaps, smallest);
+  removeSmallParts(largeGaps, smallest, marked);
   visibility.setTo(0, gaps & ~largeGaps);
 }
 
 cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& shadow, const cv::Mat& known, int smallest,
-                     const ShadowRegionsTuning& tuning) {
+                     const ShadowRegionsTuning& tuning, std::span<const cv::Point> marked) {
   const cv::Size full = light.level.size();
   cv::Mat cut;
   cv::resize(shadow, cut, full, 0, 0, cv::INTER_NEAREST);
@@ -86,7 +88,7 @@ cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& shadow, const c
   cv::ximgproc::guidedFilter(light.level * tuning.guideScale, lit, visibility, radius, tuning.guideEpsilon);
   cv::min(visibility, 1, visibility);
   cv::max(visibility, 0, visibility);
-  removeSmallShadows(visibility, smallest, tuning);
+  removeSmallShadows(visibility, smallest, tuning, marked);
   return visibility;
 }
 

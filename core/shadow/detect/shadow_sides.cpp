@@ -101,9 +101,9 @@ ShadowSides shadowSides(const SetEvidence& set, const std::vector<cv::Mat>& brig
   addSides(clear, slopes, unit, sides.toShadow);
   const cv::Mat clearSteps = asFloat(steps >= tuning.sides.leastStep) * tuning.sides.stepStrength;
   addSides(clearSteps, slopesOf(smooth(shrunk(evidence.level, size))), unit, sides.toShadow);
-  sides.apart = bends / tuning.sides.bendApart +
-                cv::min(steps, tuning.sides.mostApart) / tuning.sides.stepApart +
-                outline / tuning.sides.outlineApart;
+  sides.own =
+      bends / tuning.sides.bendApart + cv::min(steps, tuning.sides.mostApart) / tuning.sides.stepApart;
+  sides.apart = sides.own + outline / tuning.sides.outlineApart;
   return sides;
 }
 

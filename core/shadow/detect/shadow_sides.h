@@ -12,6 +12,7 @@ namespace swaplight {
 struct ShadowSides {
   cv::Mat toShadow;  ///< above 0: just beyond an edge, on its dark side; below 0: just before one
   cv::Mat apart;     ///< 0 or more: how much here looks like a border, to neighbours of one kind or another
+  cv::Mat own = {};  ///< the part of it that is this light's alone: not the outlines of things
 };
 
 /// A border of a light's shadow is one of three things. A cast one is a step of the light that the other

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/shadow/detect/penumbra_tuning.h"
+#include "core/shadow/marks/mark_tuning.h"
 #include "core/shadow/odds/umbra_tuning.h"
 
 namespace swaplight {
@@ -115,13 +116,14 @@ struct ShadowSidesTuning {
 
 /// Of the minimum cut (shadow_cut.h). Its costs are relative to each other.
 struct ShadowCutTuning {
-  float surelyShadow = .9F;   ///< log below the threshold
-  float surelyLit = 1.7F;     ///< log above the threshold; in between, the edges decide
-  float sure = 5;             ///< cost of a side that this rules out
-  float levelCost = .1F;      ///< of a unit of the level's logarithm
-  float middle = .25F;        ///< log above the threshold: as likely lit as in shadow
-  float sideCost = .3F;       ///< of a side that edges speak against
-  float partingCost = 4;      ///< of neighbours on either side where there is no border
+  float surelyShadow = .9F;  ///< log below the threshold
+  float surelyLit = 1.7F;    ///< log above the threshold; in between, the edges decide
+  float sure = 5;            ///< cost of a side that this rules out
+  float levelCost = .1F;     ///< of a unit of the level's logarithm
+  float middle = .25F;       ///< log above the threshold: as likely lit as in shadow
+  float sideCost = .3F;      ///< of a side that edges speak against
+  float markCost = 10;    ///< of a side that a mark denies: half its word outweighs what the level rules out
+  float partingCost = 4;  ///< of neighbours on either side where there is no border
   float leastParting = .02F;  ///< the same where there is one
   float oddsPartingCost = 2;  ///< log-odds of one pixel: as partingCost, in the cut by odds
   float border = 3;           ///< units: where two cuts part by less than twice this, they mean one border
@@ -138,6 +140,7 @@ struct ShadowCutTuning {
                       std::pair{"level_cost", &T::levelCost},
                       std::pair{"middle", &T::middle},
                       std::pair{"side_cost", &T::sideCost},
+                      std::pair{"mark_cost", &T::markCost},
                       std::pair{"parting_cost", &T::partingCost},
                       std::pair{"least_parting", &T::leastParting},
                       std::pair{"odds_parting_cost", &T::oddsPartingCost},
@@ -172,6 +175,7 @@ struct ShadowTuning {
   ShadowThresholdTuning threshold;
   ShadowSidesTuning sides;
   UmbraOddsTuning odds;
+  ShadowMarkTuning marks;
   ShadowCutTuning cut;
   ShadowRegionsTuning regions;
   FadingLightTuning fading;
@@ -186,6 +190,7 @@ struct ShadowTuning {
                       std::pair{"threshold", &T::threshold},
                       std::pair{"sides", &T::sides},
                       std::pair{"odds", &T::odds},
+                      std::pair{"marks", &T::marks},
                       std::pair{"cut", &T::cut},
                       std::pair{"regions", &T::regions},
                       std::pair{"fading", &T::fading},

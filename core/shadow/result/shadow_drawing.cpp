@@ -46,6 +46,23 @@ void tickShadows(cv::Mat& picture, const LightShadows& shadows, const cv::Scalar
                color, 1, cv::LINE_AA);
 }
 
+/// Rising lines, of each light between those of the others.
+void hatchUntold(cv::Mat& picture, const LightShadows& shadows, const cv::Scalar& color, size_t light,
+                 size_t count) {
+  const int thick = std::max(1, picture.rows / 400);
+  const int apart = std::max(8, picture.rows / 45) * static_cast<int>(count);
+  const int shift = apart * static_cast<int>(light) / static_cast<int>(count);
+  const cv::Vec3f ink(static_cast<float>(color[0]), static_cast<float>(color[1]),
+                      static_cast<float>(color[2]));
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x) {
+      const auto pixel = static_cast<size_t>(y) * static_cast<size_t>(picture.cols) + static_cast<size_t>(x);
+      if (shadows.labels[pixel] != ShadowLabel::Unknown || (x + y + shift) % apart >= thick) continue;
+      auto& here = picture.at<cv::Vec3b>(y, x);
+      here = cv::Vec3f(here) * .4F + ink * .6F;
+    }
+}
+
 }  // namespace
 
 Image drawShadowOutlines(const SolvedSet& set, const std::vector<NamedShadows>& lights) {
@@ -53,6 +70,7 @@ Image drawShadowOutlines(const SolvedSet& set, const std::vector<NamedShadows>& 
   const int height = std::clamp(picture.rows / 26, 10, 60);
   for (size_t i = 0; i < lights.size(); ++i) {
     const cv::Scalar& color = kColors[i % kColors.size()];
+    hatchUntold(picture, *lights[i].shadows, color, i, lights.size());
     tickShadows(picture, *lights[i].shadows, color * .55);
     outline(picture, *lights[i].shadows, ShadowLabel::Penumbra, color * .55, 1);
     outline(picture, *lights[i].shadows, ShadowLabel::Umbra, color, std::max(1, picture.rows / 400));

@@ -23,7 +23,8 @@ void writeShadows(const std::vector<NamedShadows>& lights, const std::filesystem
 void checkShadowFile(const std::filesystem::path& file);
 
 /// The set under all its lights, dimmed, with the outline of each light's umbra and, thinner, of its
-/// penumbra with ticks on the shadow's side, in a colour a light, and their names. R G B, sRGB code values.
+/// penumbra with ticks on the shadow's side, in a colour a light, and their names; hatched in that colour,
+/// where it cannot be told. R G B, sRGB code values.
 [[nodiscard]] Image drawShadowOutlines(const SolvedSet& set, const std::vector<NamedShadows>& lights);
 
 }  // namespace swaplight

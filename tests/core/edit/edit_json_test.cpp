@@ -55,6 +55,7 @@ EditStack everyKind() {
   EditStack stack;
   stack.newLights = {"sun"};
   stack.shadowThresholds = {{"key", .125f}};
+  stack.shadowMarks = {{"key", {{ShadowMark::Kind::Lit, 5, 6}, {ShadowMark::Kind::Shadow, 7, 8}}}};
   for (size_t i = 0; i < shapes.size(); ++i) {
     Edit edit;
     edit.name = "edit " + std::to_string(i);
@@ -105,6 +106,13 @@ TEST(EditJson, SaysWhereSomethingIsWrong) {
               testing::AllOf(HasSubstr("shape 1"), HasSubstr("ellipse")));
   EXPECT_THAT(message(R"({"edits": [], "shadow_thresholds": {"key": 7}})"),
               testing::AllOf(HasSubstr("key"), HasSubstr("between 0 and 1")));
+  EXPECT_THAT(message(R"({"edits": [], "shadow_marks": {"key": [{"is": "dark", "at": [1, 2]}]}})"),
+              testing::AllOf(HasSubstr("mark 1 of key"), HasSubstr("dark"), HasSubstr("shadow or lit")));
+  EXPECT_THAT(message(R"({"edits": [], "shadow_marks": {"key": [{"is": "lit"}]}})"), HasSubstr("[x, y]"));
+  EXPECT_THAT(message(R"({"edits": [], "shadow_marks": {"key": [{"is": "lit", "at": [-1, 2]}]}})"),
+              HasSubstr("pixel of the picture"));
+  EXPECT_THAT(message(R"({"edits": [], "shadow_marks": {"key": 3}})"), HasSubstr("list of marks"));
+  EXPECT_THAT(message(R"({"edits": [], "shadow_marks": 3})"), HasSubstr("by light"));
   EXPECT_THAT(message(R"({"edits": [{"operation": "curve", "points": [[0, 1], 3]}]})"), HasSubstr("[x, y]"));
   EXPECT_THAT(
       message(

@@ -158,6 +158,39 @@ TEST(EditController, FindsShadowsWhenAskedAndOnceForAll) {
                          key->visibility.plane(0)));
 }
 
+TEST(EditController, ALabelIsObeyedByTheSearch) {
+  StudioParts studio;
+  studio.open(test::discSet());
+  studio.until("no shadows", [&] { return studio.edits.shadows("key") != nullptr; });
+  const auto visible = [&] { return studio.edits.shadows("key")->visibility.view().at(0, 80, 60); };
+  EXPECT_LT(visible(), .1F);
+  Document next = studio.editor.document();
+  next.edits.shadowMarks["key"] = {{ShadowMark::Kind::Lit, 80, 60}};
+  studio.editor.edit("This is lit", next);
+  EXPECT_FALSE(studio.edits.shadowsCurrent());
+  studio.until("no other shadows", [&] { return studio.edits.shadowsCurrent(); });
+  EXPECT_EQ(visible(), 1);
+  studio.editor.undo();
+  studio.until("the first ones", [&] { return studio.edits.shadowsCurrent(); });
+  EXPECT_LT(visible(), .1F);
+}
+
+TEST(EditController, ASearchThatFailsIsSaidOnce) {
+  StudioParts studio;
+  studio.open(test::discSet());
+  Document next = studio.editor.document();
+  next.edits.shadowMarks["key"] = {{ShadowMark::Kind::Lit, 8000, 60}};
+  studio.editor.edit("Of a larger picture", next);
+  static_cast<void>(studio.edits.shadows("key"));
+  studio.until("nothing is said", [&] { return studio.errors() > 0; });
+  for (int i = 0; i < 50; ++i) {
+    studio.frame();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  EXPECT_EQ(studio.errors(), 1U) << studio.said();
+  EXPECT_THAT(studio.said(), HasSubstr("8000, 60"));
+}
+
 TEST(EditController, AShadowsEditWaitsForTheShadows) {
   StudioParts studio;
   studio.open(test::discSet());

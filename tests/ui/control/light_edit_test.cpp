@@ -168,6 +168,30 @@ TEST(ShadowEdit, ThresholdsAreGivenAndTakenBack) {
   EXPECT_EQ(shadowThresholdOf(studio.editor.document(), "key"), -1);
 }
 
+TEST(ShadowEdit, PlacesAreLabelledAndTheSameClickTakesTheLabelBack) {
+  using Kind = ShadowMark::Kind;
+  StudioParts studio;
+  studio.open(test::discSet());
+  const auto marks = [&] { return shadowMarksOf(studio.editor.document(), "key"); };
+  const auto& context = studio.editingContext;
+  markShadow(context, "key", {Kind::Lit, 80, 60}, 5);
+  markShadow(context, "key", {Kind::Shadow, 20, 20}, 5);
+  EXPECT_EQ(marks(), (ShadowMarks{{Kind::Lit, 80, 60}, {Kind::Shadow, 20, 20}}));
+  EXPECT_EQ(studio.editor.history().steps().back().name, "Shadows of key: this is shadow");
+  EXPECT_TRUE(shadowMarksOf(studio.editor.document(), "fill").empty());
+  markShadow(context, "key", {Kind::Shadow, 82, 61}, 5);  // near the first: it says something else now
+  EXPECT_EQ(marks(), (ShadowMarks{{Kind::Shadow, 20, 20}, {Kind::Shadow, 82, 61}}));
+  markShadow(context, "key", {Kind::Shadow, 21, 22}, 5);  // the same of the same place: taken back
+  EXPECT_EQ(marks(), (ShadowMarks{{Kind::Shadow, 82, 61}}));
+  clearShadowMarks(context, "key");
+  EXPECT_TRUE(studio.editor.document().edits.shadowMarks.empty());
+  const size_t steps = studio.editor.history().steps().size();
+  clearShadowMarks(context, "key");
+  EXPECT_EQ(studio.editor.history().steps().size(), steps) << "nothing to clear";
+  for (int i = 0; i < 5; ++i) studio.editor.undo();
+  EXPECT_TRUE(marks().empty());
+}
+
 TEST(ShadowEdit, ASlidersEditComesChangesAndGoes) {
   using Kind = ShadowOperation::Kind;
   StudioParts studio;

@@ -6,6 +6,7 @@
 #include "core/image/io/image_io.h"
 #include "core/relight/setting.h"
 #include "tests/support/studio_parts.h"
+#include "ui/control/shadow_edit.h"
 
 namespace swaplight {
 namespace {
@@ -24,15 +25,36 @@ void showShadowsUntil(StudioParts& studio, const char* what, const Condition& ho
 TEST(ShadowController, ShowsAPreviewThenWhatWasFound) {
   StudioParts studio;
   studio.open(test::discSet());
-  EXPECT_EQ(studio.shadows.outlines(), nullptr);
+  EXPECT_EQ(studio.shadows.shown(), nullptr);
   showShadowsUntil(studio, "no preview", [&] { return studio.shadows.preview() != nullptr; });
   showShadowsUntil(studio, "no outlines", [&] {
-    return studio.edits.shadowsCurrent() && !studio.shadows.busy() && studio.shadows.outlines() != nullptr;
+    return studio.edits.shadowsCurrent() && !studio.shadows.busy() && studio.shadows.shown() != nullptr;
   });
-  EXPECT_FALSE(studio.shadows.outlines()->umbra.empty()) << "the disc's";
+  EXPECT_FALSE(studio.shadows.shown()->outlines.umbra.empty()) << "the disc's";
   studio.view.selectedLight = 1;
   showShadowsUntil(studio, "no outlines of the other light",
-                   [&] { return !studio.shadows.busy() && studio.shadows.outlines() != nullptr; });
+                   [&] { return !studio.shadows.busy() && studio.shadows.shown() != nullptr; });
+}
+
+TEST(ShadowController, KnowsWhereNothingCanBeToldUntilItIsSaid) {
+  StudioParts studio;
+  SolvedSet set = test::discSet();
+  for (Image& contribution : set.contributions)
+    for (int c = 0; c < 3; ++c)
+      for (int y = 0; y < 30; ++y) std::fill_n(contribution.span().row(c, y), 40, 0.F);  // black
+  updateBeta(set);
+  studio.open(std::move(set));
+  const auto shown = [&] {
+    return studio.edits.shadowsCurrent() && !studio.shadows.busy() && studio.shadows.shown() != nullptr;
+  };
+  showShadowsUntil(studio, "nothing is shown", shown);
+  EXPECT_TRUE(studio.shadows.shown()->untold.at(20, 15));
+  EXPECT_FALSE(studio.shadows.shown()->untold.at(150, 110));
+  markShadow(studio.editingContext, "key", {ShadowMark::Kind::Shadow, 20, 15}, 1);
+  showShadowsUntil(studio, "the preview does not follow",
+                   [&] { return studio.shadows.shown() && !studio.shadows.shown()->untold.at(20, 15); });
+  showShadowsUntil(studio, "nothing is found", shown);
+  EXPECT_FALSE(studio.shadows.shown()->untold.at(20, 15));
 }
 
 TEST(ShadowController, AClickChoosesTheShadowUnderItOrAllOfThem) {
