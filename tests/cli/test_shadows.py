@@ -60,8 +60,9 @@ class ShadowsTest(cli.CliTest):
         self.succeed('shadows', self.solved, *said, '-o', self.path('said.exr'), '-q')
         label = cli.read_image(self.path('said.exr'))['shadow_key.label']
         self.assertEqual((label[60, 90], label[20, 20]), (3, 1))
-        self.assertGreater((label[50:71, 80:101] == 3).mean(), .95)
-        self.assertGreater((label[18:23, 18:23] == 1).mean(), .5)
+        self.assertGreater((label[55:66, 85:96] == 3).mean(), .95)
+        self.assertEqual(label[60, 72], 1, 'not far through what is surely dark: that takes a second click')
+        self.assertGreater((label[18:23, 18:23] != 3).mean(), .5)
         marks = {'shadow_marks': {'key': [{'is': 'lit', 'at': [90, 60]}, {'is': 'shadow', 'at': [20, 20]}]}}
         with open(self.path('marks.json'), 'w') as file:
             json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': [], **marks}, file)
@@ -78,7 +79,7 @@ class ShadowsTest(cli.CliTest):
             json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': [remove],
                        'shadow_marks': {'key': [{'is': 'lit', 'at': [90, 60]}]}}, file)
         before, after = self.frame('--light', 'fill=off'), self.frame('--light', 'fill=off', '--edits', self.path('e.json'))
-        np.testing.assert_allclose(after[55:66, 85:96], before[55:66, 85:96], rtol=.02)  # nothing to remove here
+        np.testing.assert_allclose(after[58:63, 88:93], before[58:63, 88:93], rtol=.02)  # nothing to remove here
 
     def test_what_is_wrong_with_labels_is_said_before_the_search(self):
         output = ['-o', self.path('x.exr')]

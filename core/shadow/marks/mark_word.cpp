@@ -10,6 +10,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kFarthest = 3;  // powers of e: a word that is so weak says nothing
+constexpr float kSure = 3;      // log-odds; more is no more sure, but the noise of large numbers
 
 /// How far a mark's word has to go to each pixel, in powers of e. `cost`: of a step on the surface.
 cv::Mat distanceFrom(const ShadowMark& mark, cv::Point at, const cv::Mat& cost, const MarkedSurface& surface,
@@ -20,7 +21,7 @@ cv::Mat distanceFrom(const ShadowMark& mark, cv::Point at, const cv::Mat& cost, 
   const cv::Mat darker = against(surface.shading);
   const cv::Mat wrong = cv::max(darker - (darker.at<float>(at) + tuning.tolerance), 0) / tuning.tolerance;
   if (surface.evidence.empty()) return surfaceDistance(cost, at, kFarthest) + wrong;
-  const cv::Mat contrary = against(surface.evidence);
+  const cv::Mat contrary = cv::min(against(surface.evidence), kSure);
   const cv::Mat resisted = cost + tuning.contrary / referenceUnit(cost) * cv::max(cv::min(contrary, 1), 0);
   const cv::Mat stronger = tuning.stronger * cv::max(contrary - contrary.at<float>(at), 0);
   return surfaceDistance(resisted, at, kFarthest) + wrong + stronger;
