@@ -165,6 +165,59 @@ class Cues(StudioTest):
         _, saved = self.save_as('undone')
         self.assertNotIn('follow', saved['cues'][1])
 
+    def times(self, name):
+        return [(cue['fade'], cue.get('follow')) for cue in self.save_as(name)[1]['cues']]
+
+    def pull(self, key, seconds, shift=False):
+        """Drags a key of the line of time by so many seconds."""
+        studio = self.studio
+        x, y = studio.point(key)
+        if shift:
+            studio.xdotool('keydown', 'shift')
+        studio.drag((x, y), (x + round(seconds * self.pixels_a_second()), y))
+        if shift:
+            studio.xdotool('keyup', 'shift')
+        studio.move(*studio.point('viewer.picture'))
+
+    def pixels_a_second(self):
+        """Cue 2 begins where cue 1 ends and stands after its fade."""
+        fade = self.shown_fade
+        return (self.studio.point('cue.2.stand')[0] - self.studio.point('cue.2.begin')[0]) / fade
+
+    def test_keys_of_the_line_of_time_are_dragged_and_undone(self):
+        studio = self.open_line()
+        for _ in range(3):
+            self.run_line('record')
+        self.run_line('cue 2 thru 3 time 4')
+        self.run_line('cue 1 follow 2')
+        studio.key('Escape')
+        self.shown_fade = 4
+        studio.screenshot('cue_track')
+        self.pull('cue.2.stand', 2)
+        (_, _), (fade, _), (other, _) = self.times('faded')
+        self.assertAlmostEqual(fade, 6, delta=.15)
+        self.assertAlmostEqual(fade * 10, round(fade * 10), places=3, msg='to a tenth of a second')
+        self.assertEqual(other, 4, 'what comes later moves along')
+        self.shown_fade = fade
+        self.pull('cue.2.begin', -1)
+        (_, follow), (same, _), _ = self.times('begun')
+        self.assertAlmostEqual(follow, 1, delta=.15)
+        self.assertEqual(same, fade)
+        self.pull('cue.3.begin', 2)  # cue 2 waited for GO
+        self.assertAlmostEqual(self.times('follows')[1][1], 3, delta=.15)
+        studio.key('ctrl+z')
+        self.assertIsNone(self.times('waits_again')[1][1])
+        studio.key('ctrl+z', 'ctrl+z')
+        self.assertEqual(self.times('undone_all'), [(3, 2), (4, None), (4, None)])
+        studio.key('ctrl+shift+z')
+        self.assertEqual(self.times('redone')[1][0], fade)
+        self.shown_fade = fade
+        self.pull('cue.2.stand', .5, shift=True)
+        fine = self.times('fine')[1][0]
+        self.assertAlmostEqual(fine, fade + .5, delta=.06)
+        self.pull('cue.2.begin', -50)
+        self.assertEqual(self.times('least')[0][1], 0)
+
     def test_a_version_brings_its_edits_back(self):
         studio = self.open_edits()
         self.add('gain')

@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -163,7 +164,13 @@ void CuePanel::drawCue(const LightsContext& studio, CuePlayer& cues, const Cue& 
 void CuePanel::drawList(const LightsContext& studio, CuePlayer& cues) {
   const CueList list = studio.document().cues;  // a row may change it
   if (list.empty()) return;
-  if (!ImGui::BeginTable("##cues", 5, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
+  const float below = px(CueTrack::kHeight) + ImGui::GetStyle().ItemSpacing.y;
+  const float room =
+      std::max(ImGui::GetContentRegionAvail().y - below, 3 * ImGui::GetFrameHeightWithSpacing());
+  const float rows = static_cast<float>(list.size() + 1) * (ImGui::GetFrameHeight() + px(6)) + px(8);
+  if (!ImGui::BeginTable("##cues", 5, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg,
+                         ImVec2(0, std::min(room, rows))))
+    return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Cue", ImGuiTableColumnFlags_WidthFixed, px(kNumberWidth));
   ImGui::TableSetupColumn("Look", ImGuiTableColumnFlags_WidthStretch);
@@ -181,6 +188,7 @@ void CuePanel::draw(const LightsContext& studio, CuePlayer& cues) {
   ImGui::PopFont();
   drawButtons(studio, cues);
   drawList(studio, cues);
+  m_track.draw(studio, cues);
 }
 
 }  // namespace swaplight

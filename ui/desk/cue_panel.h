@@ -5,11 +5,12 @@
 
 #include "ui/control/lights_context.h"
 #include "ui/desk/cue_player.h"
+#include "ui/desk/cue_track.h"
 
 namespace swaplight {
 
 /// The cue list as a desk shows it: number, version, fade and follow, which cue stands and which is next; GO,
-/// BACK and Record.
+/// BACK and Record; below it the same on a line of time.
 class CuePanel {
  public:
   static constexpr float kWidth = 336;  ///< at scale 1
@@ -26,6 +27,7 @@ class CuePanel {
 
   /// What stands in fields that are typed into. Two in the frame in which a click leads from one to another.
   std::map<std::string, std::string> m_typed;
+  CueTrack m_track;
 };
 
 }  // namespace swaplight
