@@ -28,5 +28,6 @@ int main(int argc, char** argv) {
   addResponseVerb(program);
   addCuesVerb(program);
   addGradeVerb(program);
+  addVersionsVerb(program);
   return program.run(argc, argv);
 }

@@ -9,6 +9,7 @@
 #include "core/export/provenance.h"
 #include "core/file/atomic_file.h"
 #include "core/file/frame_range.h"
+#include "core/report/contact_sheet.h"
 #include "core/report/session_report.h"
 #include "core/session/open_source.h"
 
@@ -43,6 +44,14 @@ std::vector<std::filesystem::path> exportCues(const ColorConfig& config,
       config, options, [&](int frame) { return frames.at(frame); }, [](const FrameOutcome&) {}, progress));
 }
 
+std::vector<GalleryPicture> versionsOf(const ColorConfig& config, const std::shared_ptr<const SolvedSet>& set,
+                                       const Document& document, const ExportRequest& request,
+                                       const Progress& progress) {
+  GalleryOptions options;
+  options.cameraLook = request.versionLook;
+  return galleryPictures(config, set, document, options, progress);
+}
+
 }  // namespace
 
 void checkExport(const ColorConfig& config, const ExportRequest& request) {
@@ -56,6 +65,8 @@ void checkExport(const ColorConfig& config, const ExportRequest& request) {
         request.file.string());
   if (request.kind == ExportKind::Look && !isLookFile(request.file))
     throw InputError("{}: the global part of a look is written as .cube, .ccc or .cc", request.file.string());
+  if (request.kind == ExportKind::Sheet && isSceneLinear(request.file))
+    throw InputError("{}: a contact sheet is for the eye: give .png, .jpg or .tif", request.file.string());
   checkWritable(request.file);
 }
 
@@ -100,8 +111,14 @@ std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
     case ExportKind::Report:
       progress.update(0, "drawing");
       writeFile(file, SessionReport({config, shown, document.rig, document.display,
-                                     document.source.filename().string()})
+                                     document.source.filename().string(),
+                                     versionsOf(config, set, document, request, progress)})
                           .html());
+      break;
+    case ExportKind::Sheet:
+      writeCodes(contactSheet(versionsOf(config, set, document, request, progress),
+                              document.source.parent_path().filename().string()),
+                 file, {}, {});
       break;
     case ExportKind::Sequence:
       break;  // above: its edits are the cues'

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,7 @@ enum class ExportKind {
   Look,      ///< what of the lighting is the same for every pixel: .cube, .ccc
   Report,    ///< a page that prints
   Sequence,  ///< the cue list as numbered frames
+  Sheet,     ///< looks and versions as a contact sheet
 };
 
 /// Whether it is made of pictures that a camera look can be put on.
@@ -31,9 +33,11 @@ enum class ExportKind {
 struct ExportRequest {
   ExportKind kind = ExportKind::Frame;
   std::filesystem::path file;
-  FrameOptions frame;     ///< Frame, Sequence; where nothing is asked for the document's view
-  LayerOptions layers;    ///< Layers; its text is filled in
-  CueTiming timing;       ///< Sequence; its file is a pattern, as name.####.exr
+  FrameOptions frame;   ///< Frame, Sequence; where nothing is asked for the document's view
+  LayerOptions layers;  ///< Layers; its text is filled in
+  CueTiming timing;     ///< Sequence; its file is a pattern, as name.####.exr
+  /// Report, Sheet: draws the camera looks of versions; without it they are plain.
+  std::function<std::shared_ptr<FrameFilter>(const FilterPipeline&)> versionLook = {};
   bool seesGrade = true;  ///< the document's grade is put on where frames leave it
   bool seesLook = true;   ///< Frame, Layers, Sequence: the document's camera look is put on, where it has one
   /// Draws the document's camera look; null where it has none, or it is not asked for.

@@ -28,6 +28,7 @@ constexpr const char* kStyle = R"(
 @page { size: A4 portrait; margin: 14mm }
 body { font: 15px/1.45 Inter, system-ui, sans-serif; color: #1d1f23; background: #fff; margin: 2em auto; max-width: 1000px; padding: 0 1em }
 h1 { font-size: 26px; margin: 0 } h2 { font-size: 18px; margin: 1.6em 0 .5em } p { margin: .3em 0 }
+.sheet { display: grid; grid-template-columns: 1fr 1fr 1fr; gap: 14px } .sheet strong { color: #1d1f23 }
 .quiet { color: #5c6370 } .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 14px }
 figure { margin: 0; break-inside: avoid } img { width: 100%; display: block; border-radius: 3px } figcaption { color: #5c6370; font-size: 13px; margin-top: 4px }
 table { border-collapse: collapse; width: 100%; break-inside: avoid } td, th { text-align: left; padding: 5px 10px 5px 0; border-bottom: 1px solid #e3e5e8; vertical-align: middle }
@@ -197,6 +198,18 @@ Image SessionReport::taken(const Image& picture, const char* name) {
   return shrunk(picture, kPictureWidth);
 }
 
+std::string SessionReport::versionSection() const {
+  if (m_subject.versions.empty()) return {};
+  std::string html = "<h2>Versions</h2>\n<div class=\"sheet\">";
+  for (const GalleryPicture& version : m_subject.versions) {
+    std::string caption = "<strong>" + escaped(version.name) + "</strong>";
+    if (!version.note.empty()) caption += "<br>" + escaped(version.note);
+    html += fmt::format("<figure><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
+                        inlineImage(jpegBytes(version.codes), "jpeg"), escaped(version.name), caption);
+  }
+  return html + "</div>\n";
+}
+
 std::string SessionReport::html() const {
   const SolvedSet& set = m_subject.set;
   std::string html = fmt::format(
@@ -208,6 +221,7 @@ std::string SessionReport::html() const {
   html += "<h2>Before and after</h2>\n<div class=\"pair\">" +
           photograph(m_subject.config, m_white, m_subject.display, "Every light at unit white") +
           photograph(m_subject.config, m_relit, m_subject.display, "With this rig") + "</div>\n";
+  html += versionSection();
   html += "<h2>Lights</h2>\n" + lightTable(m_subject, m_ranges);
   html += solverSection(set.report);
   if (!set.quality.empty())

@@ -7,6 +7,7 @@
 #include "core/measure/luminance_histogram.h"
 #include "core/ocio/color_config.h"
 #include "core/relight/rig.h"
+#include "core/report/gallery_pictures.h"
 #include "core/session/document.h"
 #include "core/set/dynamic_range.h"
 #include "core/set/solved_set.h"
@@ -19,7 +20,8 @@ struct ReportSubject {
   const SolvedSet& set;
   Rig rig;
   DisplayChoice display;
-  std::string source;  ///< as the person named it
+  std::string source;                         ///< as the person named it
+  std::vector<GalleryPicture> versions = {};  ///< the session's looks and versions, drawn
 };
 
 /// A report on a set under a rig. What it tells is found out once, when it is made.
@@ -28,9 +30,9 @@ class SessionReport {
   /// `subject.config` and `subject.set` must outlive it. Throws InputError where a colour space is not known.
   explicit SessionReport(ReportSubject subject);
 
-  /// A page (HTML) that needs nothing else and prints well: the set before and after, its lights with colour,
-  /// temperature, gel, stops and dynamic range, the solver's summary, maps of residual and sigma, luminance
-  /// before and after. The same subject gives the same page.
+  /// A page (HTML) that needs nothing else and prints well: the set before and after, the versions with names
+  /// and notes, its lights with colour, temperature, gel, stops and dynamic range, the solver's summary, maps
+  /// of residual and sigma, luminance before and after. The same subject gives the same page.
   [[nodiscard]] std::string html() const;
   /// Its figures: lights, dynamic range, solver, luminance.
   [[nodiscard]] Json json() const;
@@ -40,6 +42,7 @@ class SessionReport {
   [[nodiscard]] Image histogram() const;
 
  private:
+  [[nodiscard]] std::string versionSection() const;
   /// Takes a picture into the report: its luminance; gives it at the size of the page.
   Image taken(const Image& picture, const char* name);
 

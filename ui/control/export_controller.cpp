@@ -5,9 +5,8 @@
 namespace swaplight {
 namespace {
 
-/// Null where the document has none.
-std::shared_ptr<CameraLook> cameraLookOf(const Document& document) {
-  const FilterPipeline& look = document.cameraLook;
+/// Null where there is nothing to draw.
+std::shared_ptr<CameraLook> readyLook(const FilterPipeline& look) {
   if (look.stages.empty()) return nullptr;
   CameraLookOptions options;
   options.leftOut = [](const std::string&) {};  // it is asked for afterwards
@@ -23,8 +22,9 @@ void ExportController::start(std::shared_ptr<const ColorConfig> config, std::sha
       [config = std::move(config), set = std::move(set), document,
        request = request](const Progress& progress) mutable -> Exported {
         const std::shared_ptr<CameraLook> look =
-            hasPictures(request.kind) && request.seesLook ? cameraLookOf(document) : nullptr;
+            hasPictures(request.kind) && request.seesLook ? readyLook(document.cameraLook) : nullptr;
         request.cameraLook = look;
+        request.versionLook = readyLook;
         std::vector<std::filesystem::path> files = exportDocument(*config, set, document, request, progress);
         return {std::move(files), look ? look->leftOut() : std::vector<std::string>{}};
       },

@@ -32,7 +32,7 @@ struct KindWords {
   const char* words;
   const char* ending;  ///< of the suggested name
 };
-constexpr std::array<KindWords, 6> kKinds = {
+constexpr std::array<KindWords, 7> kKinds = {
     {{"Frame", "frame", "The relit picture.", ""},
      {"Lights as layers", "layers",
       "Every light at its current setting as a layer, for Nuke, Resolve or Blender. The layers add up to the "
@@ -47,7 +47,10 @@ constexpr std::array<KindWords, 6> kKinds = {
      {"Cues", "sequence",
       "The cue list as numbered frames: lights and light edits fade as they are played. View and camera look "
       "are those of now.",
-      ".####"}}};
+      ".####"},
+     {"Versions", "sheet",
+      "A contact sheet of the gallery: every look and version as a picture, with its name and note.",
+      "_versions"}}};
 
 struct Choice {
   const char* value;
@@ -134,6 +137,8 @@ std::string ExportDialog::mistake() const {
   if (!file.has_filename()) return "Enter a file name.";
   if (!fs::is_directory(file.has_parent_path() ? file.parent_path() : fs::path("."), error))
     return "There is no folder " + file.parent_path().string();
+  if (m_choices.kind == ExportKind::Sheet && m_galleryEmpty)
+    return "The gallery is empty: keep looks (Shift+K) or versions (Shift+V) first.";
   if (m_choices.kind == ExportKind::Sequence && !m_cueMistake.empty()) return m_cueMistake;
   if (m_choices.kind == ExportKind::Sequence && !hasFrameNumber(m_file))
     return "The name needs a place for the frame's number: name.####.exr";
@@ -337,6 +342,7 @@ void ExportDialog::draw(const ColorConfig& config, const Document& document, con
           kExportTitle, nullptr,
           ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
     return;
+  m_galleryEmpty = document.looks.empty();
   beginTabStops();
   drawKinds();
   if (m_choices.kind == ExportKind::Frame || m_choices.kind == ExportKind::Sequence)

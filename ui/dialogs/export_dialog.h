@@ -52,9 +52,10 @@ class ExportDialog {
   std::filesystem::path m_memory;  ///< the file that remembers
   ExportChoices m_choices;
   bool m_open = false;
-  bool m_focus = false;      ///< the file's name is to be typed
-  std::string m_name;        ///< of the session
-  std::string m_file;        ///< as typed
+  bool m_focus = false;  ///< the file's name is to be typed
+  std::string m_name;    ///< of the session
+  std::string m_file;    ///< as typed
+  bool m_galleryEmpty = false;
   std::string m_cueMistake;  ///< why the cue list makes no frames; empty: it does
 };
 

@@ -10,7 +10,8 @@
 namespace swaplight {
 namespace {
 
-constexpr std::array<const char*, 6> kKindNames = {"frame", "layers", "beta", "look", "report", "sequence"};
+constexpr std::array<const char*, 7> kKindNames = {"frame",  "layers",   "beta", "look",
+                                                   "report", "sequence", "sheet"};
 
 /// The value where it is one of the list, else what there was.
 void take(std::string& value, const std::string& found, const std::vector<std::string>& known) {
@@ -20,12 +21,13 @@ void take(std::string& value, const std::string& found, const std::vector<std::s
 }  // namespace
 
 const std::vector<std::string>& formatsOf(ExportKind kind) {
-  static const std::array<std::vector<std::string>, 6> formats = {{{".exr", ".png", ".tif", ".jpg", ".hdr"},
+  static const std::array<std::vector<std::string>, 7> formats = {{{".exr", ".png", ".tif", ".jpg", ".hdr"},
                                                                    {".exr"},
                                                                    {".exr", ".png"},
                                                                    {".cube", ".ccc"},
                                                                    {".html"},
-                                                                   {".exr", ".png", ".tif", ".jpg"}}};
+                                                                   {".exr", ".png", ".tif", ".jpg"},
+                                                                   {".png", ".jpg", ".tif"}}};
   return formats.at(static_cast<size_t>(kind));
 }
 

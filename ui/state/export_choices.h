@@ -14,7 +14,7 @@ inline constexpr float kMostRate = 1000;  ///< frames a second
 struct ExportChoices {
   ExportKind kind = ExportKind::Frame;
   /// The format of each kind, as its extension.
-  std::array<std::string, 6> formats = {".exr", ".exr", ".exr", ".cube", ".html", ".exr"};
+  std::array<std::string, 7> formats = {".exr", ".exr", ".exr", ".cube", ".html", ".exr", ".png"};
   bool floatFrame = false;     ///< frame, sequence: EXR in float instead of half
   bool sixteenBits = false;    ///< PNG, TIFF: instead of 8
   std::string colorSpace;      ///< frame, layers: primaries of scene-linear light; empty: the set's

@@ -1,0 +1,92 @@
+"""The versions of a session, listed and drawn as a contact sheet; and in the report."""
+import json
+
+import numpy as np
+
+import swaplight_cli as cli
+
+MARGIN, GUTTER, TITLE = 32, 24, 60  # core/report/contact_sheet.cpp
+
+
+class VersionsTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        cli.Capture(self.path('set'), height=60, width=80).save()
+        self.succeed('solve', self.path('set', 'capture.json'), '-o', self.path('solved.exr'), '--model', 'transport',
+                     '--float', '-q')
+        rig = {'lights': [{'light': 'key', 'stops': -1}, {'light': 'fill'}]}
+        scene = {'display': {'display': 'sRGB', 'view': 'ACES SDR', 'grade': {'slope': [1.2, 1, .9]}},
+                 'edits': {'size': [80, 60], 'edits': [{'name': 'Brighter', 'operation': {'kind': 'gain', 'stops': 1}}]}}
+        self.looks = [{'name': 'Plain', 'rig': rig},
+                      {'name': 'Morning', 'note': 'warm, the window is the key; ' * 9, 'rig': rig, 'scene': scene},
+                      {'name': 'N\u00e4chste', 'note': 'kurz', 'rig': {'lights': [{'light': 'key', 'on': False}]}}]
+        self.session = self.write(self.looks)
+
+    def write(self, looks, name='show.swaplight'):
+        with open(self.path(name), 'w') as file:
+            json.dump({'format': 'swaplight-session', 'version': 1, 'source': 'solved.exr', 'looks': looks}, file)
+        return self.path(name)
+
+    def tiles(self, sheet, columns, width=80, height=60):
+        count = len(self.looks)
+        rows = -(-count // columns)
+        cell = (sheet.shape[0] - 2 * MARGIN - TITLE) // rows
+        return [sheet[MARGIN + TITLE + i // columns * cell:][:height, MARGIN + i % columns * (width + GUTTER):][:, :width]
+                for i in range(count)]
+
+    def test_they_are_listed(self):
+        listed = self.succeed_json('versions', self.session)['versions']
+        self.assertEqual([(v['name'], v['kind']) for v in listed],
+                         [('Plain', 'look'), ('Morning', 'version'), ('N\u00e4chste', 'look')])
+        self.assertEqual(listed[2]['note'], 'kurz')
+
+    def test_every_picture_of_the_sheet_is_the_frame_of_its_version(self):
+        for columns in (1, 2, 3):
+            self.succeed('versions', self.session, '-o', self.path('sheet.png'), '--columns', columns)
+            for look, tile in zip(self.looks, self.tiles(cli.read_rgb(self.path('sheet.png')), columns)):
+                self.succeed('relight', self.session, '--look', look['name'], '-o', self.path('frame.png'))
+                np.testing.assert_allclose(tile, cli.read_rgb(self.path('frame.png')), atol=1.01 / 255,
+                                           err_msg=f'{look["name"]} {columns}')
+
+    def test_names_and_notes_are_written_below(self):
+        sheet = self.path('sheet.png')
+        self.succeed('versions', self.session, '-o', sheet, '--columns', 3)
+        with_notes = cli.read_rgb(sheet)
+        below = with_notes[MARGIN + TITLE + 60:]
+        for i in range(3):
+            caption = below[:, MARGIN + i * (80 + GUTTER):][:, :80]
+            self.assertGreater(caption.max(), .5, 'the name')
+        self.assertLess(np.abs(below[:, MARGIN + 80 + 2:MARGIN + 80 + GUTTER - 2] - 30 / 255).max(), .01, 'nothing runs over')
+        for look in self.looks:
+            look.pop('note', None)
+        self.write(self.looks)
+        self.succeed('versions', self.session, '-o', sheet, '--columns', 3)
+        self.assertLess(len(cli.read_rgb(sheet)), len(with_notes), 'no room is kept for notes that nobody wrote')
+
+    def test_large_pictures_are_shrunk_in_light(self):
+        self.succeed('versions', self.session, '-o', self.path('small.tif'), '--width', 64, '--columns', 3)
+        self.assertEqual(cli.read_rgb(self.path('small.tif')).shape[1], 2 * MARGIN + 3 * 64 + 2 * GUTTER)
+
+    def test_the_report_shows_them(self):
+        self.succeed('report', self.session, '-o', self.path('report.html'))
+        with open(self.path('report.html')) as file:
+            page = file.read()
+        self.assertIn('Versions', page)
+        for look in self.looks:
+            self.assertIn(look['name'], page)
+            self.assertIn(look.get('note', '').strip()[:20], page)
+        plain = self.write([], 'none.swaplight')
+        self.succeed('report', plain, '-o', self.path('plain.html'))
+        with open(self.path('plain.html')) as file:
+            self.assertNotIn('Versions', file.read())
+
+    def test_bad_input_is_said_in_a_line(self):
+        self.deny('versions', self.write([], 'none.swaplight'), '-o', self.path('x.png'), naming='gallery is empty')
+        self.deny('versions', self.session, '-o', self.path('x.exr'), naming='.png, .jpg or .tif')
+        self.deny('versions', self.session, '-o', self.path('solved.exr.png', 'x.png'), naming='solved.exr.png')
+        self.deny('versions', self.path('no.swaplight'), naming='no.swaplight')
+        self.deny('versions', self.session, '-o', self.path('x.png'), '--columns', 0, naming='--columns')
+
+
+if __name__ == '__main__':
+    cli.main()
