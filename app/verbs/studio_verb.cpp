@@ -101,6 +101,7 @@ void addStudioVerb(Program& program) {
   const auto a = std::make_shared<Arguments>();
   CLI::App& verb = program.addVerb("studio", "Open the desktop studio", [a](Terminal& terminal) {
     readSize(!a->size.empty() ? a->size : a->measures() ? "1920x1080" : "1600x900", a->options);
+    a->options.sizeGiven = !a->size.empty() || a->measures();
     a->options.samplesFolder = SWAPLIGHT_SAMPLES_DIR;
     if (a->bench) return bench(a->options, terminal);
     if (a->benchPaint) return benchPainting(a->options, terminal);
@@ -116,7 +117,9 @@ void addStudioVerb(Program& program) {
   verb.add_option("--screenshot", a->options.screenshot,
                   "Render the studio's window to an image file; needs no display")
       ->type_name("PNG");
-  verb.add_option("--size", a->size, "Window size in pixels (default: 1600x900; 1920x1080 for measurements)")
+  verb.add_option(
+          "--size", a->size,
+          "Window size in pixels (default: as it was last, first 1600x900; 1920x1080 for measurements)")
       ->type_name("WxH");
   verb.add_option("--scale", a->options.scale, "Interface scale (default: the desktop's)")
       ->check(NumberRange(0.5, 4.0))

@@ -69,8 +69,8 @@ class Studio:
         # A machine that draws five frames a second: SWAPLIGHT_FRAME_SECONDS=0.2
         slow = self.environment.get('SWAPLIGHT_FRAME_SECONDS')
         self.process = subprocess.Popen(
-            [PROGRAM, 'studio', *map(str, arguments), '--size', size, '--scale', scale, '--probe-layout', self.probe]
-            + (['--frame-seconds', slow] if slow else []),
+            [PROGRAM, 'studio', *map(str, arguments), '--scale', scale, '--probe-layout', self.probe]
+            + (['--size', size] if size else []) + (['--frame-seconds', slow] if slow else []),
             env=self.environment, stderr=subprocess.PIPE, text=True)
         self.last_click = (-1000, -1000, 0)
 

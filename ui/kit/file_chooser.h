@@ -23,6 +23,10 @@ class FileChooser {
   };
 
   void ask(Question question);
+  /// Where the last question ended; empty: there was none.
+  [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
+  /// Where a question begins that names no folder, from the last time.
+  void beginIn(std::filesystem::path folder) { m_folder = std::move(folder); }
   [[nodiscard]] bool isOpen() const { return m_question.has_value(); }
   /// Draws the dialog while a question is open.
   void draw();

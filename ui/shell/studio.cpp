@@ -18,6 +18,7 @@
 #include "ui/kit/theme.h"
 #include "ui/shell/script.h"
 #include "ui/shell/studio_window.h"
+#include "ui/state/window_memory.h"
 
 namespace swaplight {
 namespace {
@@ -92,13 +93,18 @@ void sayLastCrash(Messages& messages) {
         report->string());
 }
 
+std::unique_ptr<Window> openFor(const StudioOptions& options) {
+  if (!options.screenshot.empty()) return openOffscreen(options.width, options.height);
+  if (options.sizeGiven) return openWindow("Swaplight", options.width, options.height);
+  const WindowMemory last = readWindowMemory(windowMemoryFile());
+  return openWindow("Swaplight", last.width, last.height, last.maximized);
+}
+
 }  // namespace
 
 void runStudio(const StudioOptions& options) {
   const ImGuiSession imgui;
-  const std::unique_ptr<Window> window = options.screenshot.empty()
-                                             ? openWindow("Swaplight", options.width, options.height)
-                                             : openOffscreen(options.width, options.height);
+  const std::unique_ptr<Window> window = openFor(options);
   applyTheme(options.scale > 0 ? options.scale : window->contentScale());
   if (!options.layoutProbe.empty()) probeLayout(options.layoutProbe);
   if (!options.script.empty()) rememberLayout();

@@ -12,6 +12,7 @@ struct StudioOptions {
   std::filesystem::path file;  ///< opened at once; empty: the first screen
   int width = 1600;            ///< of the window, in pixels
   int height = 900;
+  bool sizeGiven = true;                ///< else the window stands as it did last
   Engine engine = Engine::Auto;         ///< who computes what the viewer shows
   float scale = 0;                      ///< of the interface; 0: the desktop's
   std::filesystem::path screenshot;     ///< written once the file is there, without a window; then ends

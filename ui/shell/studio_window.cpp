@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/diagnosis/program_log.h"
 #include "core/file/user_folders.h"
@@ -38,6 +39,8 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
       m_layoutFile(stateFolder() / "panels.json"),
       m_layout(readPanelLayout(m_layoutFile)),
       m_layoutOnDisk(m_layout),
+      m_place(readWindowMemory(windowMemoryFile())),
+      m_sizeGiven(options.sizeGiven),
       m_sets([&window] { window.wake(); }),
       m_session(m_editor, m_view, m_sets, m_messages, m_colors, stateFolder(), [&window] { window.wake(); }),
       m_swatches(stateFolder() / "colors.json"),
@@ -92,6 +95,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
       m_wizard([&window] { window.wake(); }),
       m_tourSample(options.samplesFolder / "three_point" / "capture.json"),
       m_keys(configFolder() / "keys.txt") {
+  m_chooser.beginIn(m_place.folder);
   addActions();
   try {
     readKeyFile(m_actions, configFolder() / "keys.txt");
@@ -102,6 +106,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
 
 StudioWindow::~StudioWindow() {
   if (m_layout != m_layoutOnDisk) writePanelLayout(m_layout, m_layoutFile);
+  keepWindow();
 }
 
 // At once, not at the end: a studio that dies has its panels again.
@@ -109,6 +114,18 @@ void StudioWindow::keepLayout() {
   if (m_layout == m_layoutOnDisk || ImGui::IsAnyMouseDown()) return;
   writePanelLayout(m_layout, m_layoutFile);
   m_layoutOnDisk = m_layout;
+}
+
+// The size that it had before it was maximised is the one to go back to; one that was asked for once is not
+// kept.
+void StudioWindow::keepWindow() const {
+  WindowMemory now = m_place;
+  if (const auto place = m_window.place(); place && !m_sizeGiven) {
+    now.maximized = place->maximized;
+    if (!place->maximized) std::tie(now.width, now.height) = std::pair(place->width, place->height);
+  }
+  if (!m_chooser.folder().empty()) now.folder = m_chooser.folder();
+  if (now != m_place) writeWindowMemory(now, windowMemoryFile());
 }
 
 void StudioWindow::startTour() {

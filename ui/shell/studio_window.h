@@ -25,6 +25,7 @@
 #include "ui/scopes/scopes_panel.h"
 #include "ui/shell/panel_info.h"
 #include "ui/shell/studio.h"
+#include "ui/state/window_memory.h"
 #include "ui/window/window.h"
 
 namespace swaplight {
@@ -86,6 +87,7 @@ class StudioWindow {
   void askForExportName();
   void drawDialogs();
   void keepLayout();
+  void keepWindow() const;
   void startTour();
   void drawTour();
   void drawThumbnails();
@@ -105,6 +107,8 @@ class StudioWindow {
   ViewState m_view;
   PanelLayout m_layout;
   PanelLayout m_layoutOnDisk;
+  WindowMemory m_place;  ///< as it was at the start
+  bool m_sizeGiven;
   Messages m_messages;
   ColorChoice m_colors;
   SetController m_sets;

@@ -31,13 +31,14 @@ std::string lastGlfwError() {
 /// GLFW as long as the window lives, and its window.
 class GlfwWindow {
  public:
-  GlfwWindow(const std::string& title, int width, int height) {
+  GlfwWindow(const std::string& title, int width, int height, bool maximized) {
     if (glfwInit() == 0)
       throw ResourceError(fmt::format("no window: {}. Is there a display?", lastGlfwError()));
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_MAXIMIZED, maximized ? GLFW_TRUE : GLFW_FALSE);
     m_window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!m_window) {
       const std::string why = lastGlfwError();
@@ -96,7 +97,8 @@ std::string keyName(int key, int scancode) {
 
 class DesktopWindow : public Window {
  public:
-  DesktopWindow(const std::string& title, int width, int height) : m_window(title, width, height) {
+  DesktopWindow(const std::string& title, int width, int height, bool maximized)
+      : m_window(title, width, height, maximized) {
     glfwSetWindowUserPointer(m_window, this);
     installCallbacks();
     ImGui_ImplGlfw_InitForOpenGL(m_window, false);
@@ -160,6 +162,15 @@ class DesktopWindow : public Window {
   [[nodiscard]] bool closeAsked() const override { return glfwWindowShouldClose(m_window) != 0; }
   void refuseClose() override { glfwSetWindowShouldClose(m_window, GLFW_FALSE); }
   void setTitle(const std::string& title) override { glfwSetWindowTitle(m_window, title.c_str()); }
+
+  [[nodiscard]] std::optional<Place> place() const override {
+    if (glfwGetWindowMonitor(m_window) || glfwGetWindowAttrib(m_window, GLFW_ICONIFIED) != 0)
+      return std::nullopt;
+    Place place;
+    glfwGetWindowSize(m_window, &place.width, &place.height);
+    place.maximized = glfwGetWindowAttrib(m_window, GLFW_MAXIMIZED) != 0;
+    return place;
+  }
 
   void toggleFullScreen() override {
     if (glfwGetWindowMonitor(m_window)) {
@@ -263,8 +274,8 @@ class DesktopWindow : public Window {
 
 }  // namespace
 
-std::unique_ptr<Window> openWindow(const std::string& title, int width, int height) {
-  return std::make_unique<DesktopWindow>(title, width, height);
+std::unique_ptr<Window> openWindow(const std::string& title, int width, int height, bool maximized) {
+  return std::make_unique<DesktopWindow>(title, width, height, maximized);
 }
 
 }  // namespace swaplight

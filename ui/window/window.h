@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +53,12 @@ class Window {
   virtual void refuseClose() {}
   virtual void setTitle(const std::string& /*title*/) {}
   virtual void toggleFullScreen() {}
+  /// How it stands on the desktop; nothing where it fills the screen, or there is no desktop.
+  struct Place {
+    int width = 0, height = 0;  ///< in units of the desktop
+    bool maximized = false;
+  };
+  [[nodiscard]] virtual std::optional<Place> place() const { return std::nullopt; }
   /// Frames are kept from the next one on, for pixels().
   virtual void keepPixels() {}
 
@@ -86,7 +93,8 @@ class Window {
 };
 
 /// A window. Throws ResourceError where there is no display or no OpenGL 4.1.
-[[nodiscard]] std::unique_ptr<Window> openWindow(const std::string& title, int width, int height);
+[[nodiscard]] std::unique_ptr<Window> openWindow(const std::string& title, int width, int height,
+                                                 bool maximized = false);
 /// A picture in memory; needs no display. Throws ResourceError where there is no OpenGL 4.1.
 [[nodiscard]] std::unique_ptr<Window> openOffscreen(int width, int height);
 

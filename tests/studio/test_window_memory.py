@@ -1,0 +1,81 @@
+"""The window comes back as it stood, and files are chosen where they were chosen last."""
+import json
+import os
+import unittest
+
+from studio_session import Studio, StudioTest
+
+
+class WindowMemory(StudioTest):
+    size = (1920, 1080)
+
+    def begin(self, **options):
+        self.studio = Studio(self.display, self.folder, **{'size': None, **options})
+        self.studio.item('welcome.open')
+        self.studio.settle()
+        return self.studio
+
+    def resize(self, width, height):
+        self.studio.xdotool('search', '--name', 'Swaplight', 'windowsize', '%@', width, height)
+        self.studio.settle()
+
+    def window(self):
+        with open(os.path.join(self.folder, '.local/state/swaplight/window.json')) as file:
+            return json.load(file)
+
+    def right_end(self):
+        """Of what is at the right end of the status bar."""
+        return max(x1 for _, _, x1, _ in self.studio.layout()['items'].values())
+
+    def test_the_size_is_kept(self):
+        self.begin()
+        before = self.right_end()
+        self.resize(1200, 800)
+        smaller = self.right_end()
+        self.assertLess(smaller, before - 300)
+        self.assertTrue(self.studio.quit())
+        self.assertEqual((self.window()['width'], self.window()['height']), (1200, 800))
+        self.begin()
+        self.assertEqual(self.right_end(), smaller)
+        self.assertTrue(self.studio.quit())
+
+    def test_a_size_that_was_asked_for_once_is_not_kept(self):
+        self.begin()
+        self.resize(1200, 800)
+        self.assertTrue(self.studio.quit())
+        self.begin(size='1700x1000')
+        self.assertTrue(self.studio.quit())
+        self.assertEqual(self.window()['width'], 1200)
+
+    def test_files_are_chosen_where_they_were_last(self):
+        os.makedirs(self.path('sets/night'))
+        self.begin()
+        self.studio.click('welcome.open')
+        self.studio.item('chooser.name')
+        self.studio.type(self.path('sets/night'))
+        self.studio.key('Return')
+        self.studio.settle()
+        self.studio.screenshot('window_memory_chooser')
+        self.studio.key('Escape')
+        self.studio.settle()
+        self.assertTrue(self.studio.quit())
+        self.assertEqual(self.window()['folder'], self.path('sets/night'))
+        self.begin()
+        self.studio.click('welcome.open')
+        self.studio.item('chooser.name')
+        self.studio.key('Escape')
+        self.assertTrue(self.studio.quit())
+        self.assertEqual(self.window()['folder'], self.path('sets/night'))
+
+    def test_a_memory_that_cannot_be_read_does_not_matter(self):
+        folder = os.path.join(self.folder, '.local/state/swaplight')
+        os.makedirs(folder)
+        for text in ('{', '{"width": -5, "height": 1e9, "maximized": 7, "folder": 3}', '[]'):
+            with open(os.path.join(folder, 'window.json'), 'w') as file:
+                file.write(text)
+            self.begin()
+            self.assertTrue(self.studio.quit(), text)
+
+
+if __name__ == '__main__':
+    unittest.main()
