@@ -47,10 +47,12 @@ std::vector<GalleryPicture> galleryPictures(const ColorConfig& config,
                                             const Document& document, const GalleryOptions& options,
                                             const Progress& progress) {
   std::vector<GalleryPicture> pictures;
+  Document whole = document;  // a session may name some lights only
+  whole.rig = fitRig(document.rig, set->capture);
   for (const SavedLook& look : document.looks) {
     progress.update(static_cast<float>(pictures.size()) / static_cast<float>(document.looks.size()),
                     "drawing " + look.name);
-    const Document recalledLook = recalled(document, look);
+    const Document recalledLook = recalled(whole, look);
     try {
       const auto filter = options.cameraLook && !recalledLook.cameraLook.stages.empty()
                               ? options.cameraLook(recalledLook.cameraLook)

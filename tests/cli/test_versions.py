@@ -14,17 +14,17 @@ class VersionsTest(cli.CliTest):
         cli.Capture(self.path('set'), height=60, width=80).save()
         self.succeed('solve', self.path('set', 'capture.json'), '-o', self.path('solved.exr'), '--model', 'transport',
                      '--float', '-q')
-        rig = {'lights': [{'light': 'key', 'stops': -1}, {'light': 'fill'}]}
+        rig = {'lights': [{'name': 'key', 'stops': -1}, {'name': 'fill'}]}
         scene = {'display': {'display': 'sRGB', 'view': 'ACES SDR', 'grade': {'slope': [1.2, 1, .9]}},
-                 'edits': {'size': [80, 60], 'edits': [{'name': 'Brighter', 'operation': {'kind': 'gain', 'stops': 1}}]}}
+                 'edits': {'size': [80, 60], 'edits': [{'name': 'Brighter', 'lights': ['key'], 'meaning': 'add', 'operation': 'fill', 'value': .5}]}}
         self.looks = [{'name': 'Plain', 'rig': rig},
                       {'name': 'Morning', 'note': 'warm, the window is the key; ' * 9, 'rig': rig, 'scene': scene},
-                      {'name': 'N\u00e4chste', 'note': 'kurz', 'rig': {'lights': [{'light': 'key', 'on': False}]}}]
+                      {'name': 'N\u00e4chste', 'note': 'kurz', 'rig': {'lights': [{'name': 'key', 'on': False}]}}]
         self.session = self.write(self.looks)
 
     def write(self, looks, name='show.swaplight'):
         with open(self.path(name), 'w') as file:
-            json.dump({'format': 'swaplight-session', 'version': 1, 'source': 'solved.exr', 'looks': looks}, file)
+            json.dump({'format': 'swaplight-session', 'version': 1, 'source': 'solved.exr', 'rig': {'lights': [{'name': 'key'}, {'name': 'fill'}]}} | ({'looks': looks} if looks else {}), file)
         return self.path(name)
 
     def tiles(self, sheet, columns, width=80, height=60):

@@ -174,7 +174,7 @@ class Cues(StudioTest):
         x, y = studio.point(key)
         if shift:
             studio.xdotool('keydown', 'shift')
-        studio.drag((x, y), (x + round(seconds * self.pixels_a_second()), y))
+        studio.drag((x, y), (max(1, x + round(seconds * self.pixels_a_second())), y))
         if shift:
             studio.xdotool('keyup', 'shift')
         studio.move(*studio.point('viewer.picture'))
