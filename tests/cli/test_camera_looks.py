@@ -218,7 +218,7 @@ class Refused(CameraLookTest):
         self.deny('look', 'apply', self.frame, *arguments, '-o', self.path('o.exr'), *options, naming=naming)
 
     def test_what_is_asked_for(self):
-        self.deny('look', 'paint', naming='expected list, show, lint, apply')
+        self.deny('look', 'paint', naming='expected list, show, star, unstar, lint, apply')
         self.deny('look', 'show', naming='name one filter')
         self.deny('look', 'apply', self.frame, '-o', self.path('o.exr'), naming='--look NAME')
         self.deny('look', 'apply', self.frame, '--filter', 'exposure', naming='-o FRAME')

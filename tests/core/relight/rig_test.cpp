@@ -74,7 +74,7 @@ TEST(Rig, ForAnotherSetTakesTheLightsByName) {
         static_cast<void>(rigFor(captureOf({"key", "back"}), rig));
       },
       testing::ThrowsMessage<InputError>(
-          testing::AllOf(testing::HasSubstr("'fill'"), testing::HasSubstr("key, back"))));
+          testing::AllOf(testing::HasSubstr("\"fill\""), testing::HasSubstr("key, back"))));
 }
 
 TEST(Rig, WrongJsonIsSaidWithItsPlace) {
