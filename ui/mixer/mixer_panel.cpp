@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/relight/rig_edit.h"
 #include "ui/camera_look/favourite_row.h"
@@ -46,6 +47,27 @@ void header(LightsContext& studio) {
   }
 }
 
+/// The row that was drawn last, from `top` on, is scrolled into view.
+void scrollToRow(float top) {
+  const float bottom = ImGui::GetCursorPosY(), height = ImGui::GetWindowHeight();
+  if (top < ImGui::GetScrollY())
+    ImGui::SetScrollY(top);
+  else if (bottom > ImGui::GetScrollY() + height)
+    ImGui::SetScrollY(bottom - height);
+}
+
+void drawRows(LightsContext& studio) {
+  for (size_t i = 0; i < studio.document().rig.groups.size(); ++i) drawGroupRow(studio, i);
+  for (size_t i = 0; i < studio.document().rig.lights.size(); ++i) {
+    const float top = ImGui::GetCursorPosY();
+    drawLightRow(studio, i);
+    // Only when another light is chosen, as a new one is: else nobody could scroll away.
+    if (studio.view.selectedLight == static_cast<int>(i) &&
+        std::exchange(studio.mixer.scrolledTo, static_cast<int>(i)) != static_cast<int>(i))
+      scrollToRow(top);
+  }
+}
+
 }  // namespace
 
 void drawMixerPanel(LightsContext& studio) {
@@ -55,8 +77,7 @@ void drawMixerPanel(LightsContext& studio) {
   const float room = ImGui::GetContentRegionAvail().y;
   const float colors = lightPanelHeight() + 2 * ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("##rows", ImVec2(0, std::max(px(kLeastRows), room - colors)));
-  for (size_t i = 0; i < studio.document().rig.groups.size(); ++i) drawGroupRow(studio, i);
-  for (size_t i = 0; i < studio.document().rig.lights.size(); ++i) drawLightRow(studio, i);
+  drawRows(studio);
   const OpenSet* set = studio.set();
   if (set && set->solved().ambient) drawAmbientRow(studio);
   ImGui::EndChild();

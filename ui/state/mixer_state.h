@@ -30,6 +30,7 @@ struct MixerState {
   bool nameFocused = false;
   float hue = 0;          ///< of the last colour that had one: a grey has none
   std::string colorSeen;  ///< the light that was shown last, with its colour
+  int scrolledTo = 0;     ///< the chosen light whose row was brought into view
   std::string gelFilter;  ///< typed into the list of gels
   std::string groupName;  ///< typed into the menu
 };
