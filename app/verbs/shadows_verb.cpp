@@ -55,15 +55,11 @@ struct LabelledPlace {
   ShadowMark mark;
 };
 
-const char* wordOf(ShadowMark::Kind is) {
-  return is == ShadowMark::Kind::Lit ? "lit" : "shadow";
-}
-
 /// X,Y or LIGHT=X,Y.
 LabelledPlace labelFromText(const std::string& text, ShadowMark::Kind is) {
   const size_t sign = text.rfind('=');
   const std::string light = sign == std::string::npos ? "" : text.substr(0, sign);
-  const std::string option = fmt::format("--label-{} {}", wordOf(is), text);
+  const std::string option = fmt::format("--label-{} {}", wordFor(is), text);
   const auto [x, y] = placeFromText(sign == std::string::npos ? text : text.substr(sign + 1), option);
   return {light, {is, x, y}};
 }
@@ -86,7 +82,7 @@ void applyLabels(const std::vector<LabelledPlace>& places, const std::vector<std
   for (const LabelledPlace& place : places) {
     if (place.light.empty() && lights.size() != 1)
       throw InputError("--label-{0} {1},{2}: say of which light: LIGHT={1},{2}; the lights are {3}",
-                       wordOf(place.mark.is), place.mark.x, place.mark.y, fmt::join(lights, ", "));
+                       wordFor(place.mark.is), place.mark.x, place.mark.y, fmt::join(lights, ", "));
     options.marks[place.light.empty() ? lights.front() : place.light].push_back(place.mark);
   }
 }

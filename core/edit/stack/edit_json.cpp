@@ -44,10 +44,6 @@ std::map<std::string, float> readThresholds(JsonFields& fields) {
   return thresholds;
 }
 
-const char* wordOf(ShadowMark::Kind kind) {
-  return kind == ShadowMark::Kind::Lit ? "lit" : "shadow";
-}
-
 ShadowMark readMark(const Json& json, const std::string& where) {
   JsonFields fields(json, where);
   const std::string is = fields.text("is").value_or("");
@@ -99,7 +95,7 @@ Json jsonFromEditStack(const EditStack& stack) {
     json["shadow_thresholds"][light] = jsonNumber(threshold);
   for (const auto& [light, marks] : stack.shadowMarks)
     for (const ShadowMark& mark : marks)
-      json["shadow_marks"][light].push_back({{"is", wordOf(mark.is)}, {"at", {mark.x, mark.y}}});
+      json["shadow_marks"][light].push_back({{"is", wordFor(mark.is)}, {"at", {mark.x, mark.y}}});
   return json;
 }
 

@@ -14,6 +14,11 @@ struct ShadowMark {
   bool operator==(const ShadowMark&) const = default;
 };
 
+/// "lit" or "shadow", as files and options say it.
+[[nodiscard]] inline const char* wordFor(ShadowMark::Kind is) {
+  return is == ShadowMark::Kind::Lit ? "lit" : "shadow";
+}
+
 /// In the order in which they were made: of two that contradict each other in a pixel the later one holds.
 using ShadowMarks = std::vector<ShadowMark>;
 /// By the light's name.
