@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/cue/cue_span.h"
 #include "core/relight/rig_edit.h"
 #include "core/relight/setting.h"
 
@@ -36,25 +37,22 @@ CueTimeline::CueTimeline(const CueList& cues, const std::vector<SavedLook>& look
                          const CueTiming& timing) {
   checkTiming(timing);
   if (cues.empty()) throw InputError("the cue list is empty: make cues in the studio first (panel Cues)");
-  double seconds = 0;
-  const auto frame = [&] {
+  const auto frame = [&](double seconds) {
     const double frames = std::round(seconds * timing.framesPerSecond);
     if (frames > kMostCueFrames)
       throw InputError("the cue list is longer than {} frames: shorten its times", kMostCueFrames);
     return timing.firstFrame + static_cast<int>(frames);
   };
+  const std::vector<CueSpan> spans = cueSpans(cues, timing.holdSeconds);
   Stage stage = now;
-  for (const Cue& cue : cues) {
-    const Stage next = stageOf(lookOf(cue, looks), stage);
-    Place place{cue, frame(), frame(), 0};
+  for (size_t i = 0; i < cues.size(); ++i) {
+    const Stage next = stageOf(lookOf(cues[i], looks), stage);
+    Place place{cues[i], frame(spans[i].begins), frame(spans[i].stands), 0};
     if (!m_places.empty()) {
-      seconds += cue.fadeSeconds;
       place.begins = m_places.back().ends;
-      place.stands = std::max(frame(), place.begins + 1);
+      place.stands = std::max(place.stands, place.begins + 1);
     }
-    const bool last = &cue == &cues.back();
-    seconds += cue.followSeconds && !last ? *cue.followSeconds : timing.holdSeconds;
-    place.ends = std::max(frame(), place.stands);
+    place.ends = std::max(frame(spans[i].ends), place.stands);
     m_fades.emplace_back(m_places.empty() ? next : stage, next);
     m_places.push_back(place);
     stage = next;
