@@ -182,9 +182,8 @@ void matteButton(ViewerContext& studio, const ResolvedStage& stage) {
   }
   markItem("camera_look.matte");
   tooltip(
-      "What this key keeps becomes the selection: edits of the lights stay inside. It is taken of the set as "
-      "it "
-      "is lit now, in sRGB and before other filters, and stays when the lights change.");
+      "What this key keeps becomes the selection: edits of the lights stay inside. It is taken of the set "
+      "as it is lit now, in sRGB and before other filters, and stays when the lights change.");
 }
 
 }  // namespace
