@@ -34,6 +34,12 @@ std::shared_ptr<CameraLook> readyLook(const FilterPipeline& pipeline, const std:
   return std::make_shared<CameraLook>(pipeline, library, where, options);
 }
 
+std::function<std::shared_ptr<FrameFilter>(const FilterPipeline&)> versionLooks(Terminal& terminal) {
+  return [&terminal](const FilterPipeline& look) {
+    return readyLook(look, "camera look " + look.name, false, {}, terminal);
+  };
+}
+
 void checkPlace(const CameraLook& look, const std::string& place) {
   for (const ResolvedStage& stage : look.stages()) {
     const std::vector<std::string>& where = stage.filter->where;

@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,10 @@ struct FilterRequest {
 [[nodiscard]] std::shared_ptr<CameraLook> readyLook(const FilterPipeline& pipeline, const std::string& where,
                                                     bool strict, CameraLookOptions options,
                                                     Terminal& terminal);
+
+/// What draws the camera looks of a gallery's versions (GalleryOptions::cameraLook).
+[[nodiscard]] std::function<std::shared_ptr<FrameFilter>(const FilterPipeline&)> versionLooks(
+    Terminal& terminal);
 
 /// Throws InputError where a filter of the look is not for this place: "shot", "light" or "frame".
 void checkPlace(const CameraLook& look, const std::string& place);

@@ -12,11 +12,22 @@ void EditArguments::addTo(CLI::App& verb) {
 
 SolvedSet EditArguments::applyTo(SolvedSet set, const EditStack& session,
                                  const std::string& sessionFile) const {
-  if (file.empty() && session == EditStack{}) return set;
-  const auto original = std::make_shared<const SolvedSet>(std::move(set));
+  if (leavesAlone(session)) return set;
+  return edited(std::make_shared<const SolvedSet>(std::move(set)), session, sessionFile);
+}
+
+std::shared_ptr<const SolvedSet> EditArguments::applyTo(const std::shared_ptr<const SolvedSet>& set,
+                                                        const EditStack& session,
+                                                        const std::string& sessionFile) const {
+  if (leavesAlone(session)) return set;
+  return std::make_shared<const SolvedSet>(edited(set, session, sessionFile));
+}
+
+SolvedSet EditArguments::edited(const std::shared_ptr<const SolvedSet>& set, const EditStack& session,
+                                const std::string& sessionFile) const {
   EditStack stack = session;
   if (!file.empty()) {
-    const EditStack added = readEdits(file, original->width(), original->height());
+    const EditStack added = readEdits(file, set->width(), set->height());
     stack.edits.insert(stack.edits.end(), added.edits.begin(), added.edits.end());
     stack.newLights.insert(stack.newLights.end(), added.newLights.begin(), added.newLights.end());
     for (const auto& [light, threshold] : added.shadowThresholds) stack.shadowThresholds[light] = threshold;
@@ -26,7 +37,7 @@ SolvedSet EditArguments::applyTo(SolvedSet set, const EditStack& session,
     }
   }
   try {
-    return withEdits(original, stack);
+    return withEdits(set, stack);
   } catch (const InputError& error) {
     throw InputError("{}: {}", file.empty() ? sessionFile : file, error.what());
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "app/program/program.h"
@@ -17,6 +18,17 @@ struct EditArguments {
   /// with the file, or the session's.
   [[nodiscard]] SolvedSet applyTo(SolvedSet set, const EditStack& session = {},
                                   const std::string& sessionFile = {}) const;
+  /// The same of a set that is used otherwise, too; without edits it is that set.
+  [[nodiscard]] std::shared_ptr<const SolvedSet> applyTo(const std::shared_ptr<const SolvedSet>& set,
+                                                         const EditStack& session,
+                                                         const std::string& sessionFile) const;
+
+ private:
+  [[nodiscard]] bool leavesAlone(const EditStack& session) const {
+    return file.empty() && session == EditStack{};
+  }
+  [[nodiscard]] SolvedSet edited(const std::shared_ptr<const SolvedSet>& set, const EditStack& session,
+                                 const std::string& sessionFile) const;
 };
 
 }  // namespace swaplight

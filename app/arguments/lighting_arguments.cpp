@@ -190,6 +190,11 @@ SolvedSet LightingArguments::openUnedited(const ColorConfig& config, const std::
   return inColorSpace(config, std::move(set), workingSpace(session));
 }
 
+std::shared_ptr<const SolvedSet> LightingArguments::edited(const std::shared_ptr<const SolvedSet>& set,
+                                                           const std::optional<Session>& session) const {
+  return m_edits.applyTo(set, session ? session->document.edits : EditStack{}, sessionFile());
+}
+
 void LightingArguments::takeAllFromSession(const std::string& option) const {
   if (sessionFile().empty())
     throw InputError("{}: cues stand in a session: give one (NAME.swaplight) as SOURCE", option);

@@ -53,6 +53,9 @@ class LightingArguments {
   /// The same without edits: a cue list has its own.
   [[nodiscard]] SolvedSet openUnedited(const ColorConfig& config, const std::optional<Session>& session,
                                        const Progress& progress) const;
+  /// What openUnedited() gave, with the edits of the session and the command line.
+  [[nodiscard]] std::shared_ptr<const SolvedSet> edited(const std::shared_ptr<const SolvedSet>& set,
+                                                        const std::optional<Session>& session) const;
   /// Throws InputError where the command line sets lights or edits, or names no session: `option` takes them
   /// from there.
   void takeAllFromSession(const std::string& option) const;

@@ -43,9 +43,7 @@ void writeSheet(const VersionsCommand& arguments, const Session& session, Termin
   const auto set = setOf(*config, document, progress.part(0, 0.5F));
   GalleryOptions options;
   options.width = arguments.width;
-  options.cameraLook = [&](const FilterPipeline& look) -> std::shared_ptr<FrameFilter> {
-    return readyLook(look, "camera look " + look.name, false, {}, terminal);
-  };
+  options.cameraLook = versionLooks(terminal);
   const auto pictures = galleryPictures(*config, set, document, options, progress.part(0.5F, 0.9F));
   Image sheet =
       contactSheet(pictures, std::filesystem::path(arguments.session).stem().string(), arguments.columns);

@@ -19,18 +19,6 @@ struct ReportCommand {
   std::string histogram;
 };
 
-/// Its versions have edits of their own.
-std::vector<GalleryPicture> versionsOf(const ColorConfig& config, const ReportCommand& arguments,
-                                       const Session& session, Terminal& terminal, const Progress& progress) {
-  GalleryOptions options;
-  options.cameraLook = [&](const FilterPipeline& look) -> std::shared_ptr<FrameFilter> {
-    return readyLook(look, "camera look " + look.name, false, {}, terminal);
-  };
-  const auto set = std::make_shared<const SolvedSet>(
-      arguments.lighting.openUnedited(config, session, progress.part(0, 0.5F)));
-  return galleryPictures(config, set, session.document, options, progress.part(0.5F, 1));
-}
-
 int run(const ReportCommand& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
@@ -41,13 +29,18 @@ int run(const ReportCommand& arguments, Terminal& terminal) {
   arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();
-  const SolvedSet set = arguments.lighting.open(*config, session, progress.part(0, 0.6F));
-  sayWarnings(set.capture.warnings, terminal);
-  const Rig rig = arguments.lighting.rig(session, set.capture, &set);
-  std::vector<GalleryPicture> versions;
-  if (session && !session->document.looks.empty())
-    versions = versionsOf(*config, arguments, *session, terminal, progress.part(0.6F, 0.8F));
-  const SessionReport report({*config, set, rig, displayOver(session, arguments.display),
+  const auto unedited = std::make_shared<const SolvedSet>(
+      arguments.lighting.openUnedited(*config, session, progress.part(0, 0.5F)));
+  std::vector<GalleryPicture> versions;  // with edits of their own
+  if (session && !session->document.looks.empty()) {
+    GalleryOptions options;
+    options.cameraLook = versionLooks(terminal);
+    versions = galleryPictures(*config, unedited, session->document, options, progress.part(0.5F, 0.8F));
+  }
+  const std::shared_ptr<const SolvedSet> set = arguments.lighting.edited(unedited, session);
+  sayWarnings(set->capture.warnings, terminal);
+  const Rig rig = arguments.lighting.rig(session, set->capture, set.get());
+  const SessionReport report({*config, *set, rig, displayOver(session, arguments.display),
                               arguments.lighting.source(session).filename().string(), std::move(versions)});
   progress.update(0.8F, "writing");
   writeFile(arguments.page, report.html());
