@@ -5,6 +5,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/capture/left_out.h"
 #include "core/file/json_file.h"
 #include "core/image/io/image_io.h"
 #include "core/ocio/chosen_config.h"
@@ -74,6 +75,7 @@ Description describeCapture(const fs::path& file) {
   d.line("pictures", fmt::format("{} x {} pixels, {} {}, {}", spec.width, spec.height, info.format,
                                  info.pixelType, capture.colorSpace));
   d.line("lights", lightsText(capture));
+  if (const auto leftOut = leftOutOf(capture); !leftOut.empty()) d.line("left out", leftOutWords(leftOut));
   if (capture.noise)
     d.line("noise", fmt::format("read {}, full well {}", capture.noise->read, capture.noise->fullWell));
   if (capture.ambient) d.line("ambient", *capture.ambient);
@@ -105,6 +107,7 @@ Description describeSolvedSet(const fs::path& file) {
   d.text = fmt::format("{}: solved set \"{}\"\n", file.string(), printable(capture.name));
   d.line("pictures", pictureText(spec, info));
   d.line("lights", lightsText(capture));
+  if (const auto leftOut = leftOutOf(capture); !leftOut.empty()) d.line("left out", leftOutWords(leftOut));
   d.line("channels", channelsText(spec));
   for (const std::string& warning : capture.warnings) d.line("warning", warning);
   if (report && !report->message.empty()) {

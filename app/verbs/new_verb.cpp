@@ -2,11 +2,13 @@
 #include <sstream>
 
 #include "app/arguments/flat_arguments.h"
+#include "app/arguments/leave_out_argument.h"
 #include "app/arguments/place_text.h"
 #include "app/program/description.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/capture/left_out.h"
 #include "core/capture/no_such_light.h"
 #include "core/capture/response_curve.h"
 #include "core/intake/capture_draft.h"
@@ -22,6 +24,7 @@ struct NewCommand {
   std::string gels;
   std::string colors;
   std::string files;
+  std::vector<std::string> leftOut;
   std::vector<std::string> shots;
   std::vector<std::string> cards;
   std::string rotation = "guess";
@@ -150,6 +153,7 @@ Description describe(const CaptureDraft& draft, const std::filesystem::path& fil
     shots.push_back({{"image", draft.folder.shots[k].file}, {"colors", colors}});
   }
   Description d{tableText(rows) + "\n", Json::object()};
+  if (!draft.leftOut.empty()) d.line("left out", leftOutWords(draft.leftOut));
   d.line("order", draft.folder.timed ? "of capture time" : "of file name");
   if (!draft.brackets.words.empty()) d.line("exposures", draft.brackets.words);
   if (!how.empty()) d.line("colours", how);
@@ -157,6 +161,7 @@ Description describe(const CaptureDraft& draft, const std::filesystem::path& fil
   d.json = {{"capture", file.string()},
             {"lights", draft.lights},
             {"shots", shots},
+            {"left_out", imagesOf(draft.leftOut)},
             {"order", draft.folder.timed ? "time" : "name"},
             {"bracket", draft.brackets.length},
             {"exposures", draft.brackets.words},
@@ -184,6 +189,7 @@ int run(const NewCommand& arguments, Terminal& terminal) {
   const std::shared_ptr<const ColorConfig> config = programConfig();
   ShotFolder folder = scanShotFolder(*config, arguments.folder);
   if (!arguments.files.empty()) folder = withShots(*config, std::move(folder), partsOf(arguments.files));
+  folder = withShotsLeftOut(std::move(folder), arguments.leftOut, "--leave-out");
   CaptureDraft draft = draftOf(folder, partsOf(arguments.lights));
   placeCoding(arguments, draft);
   for (const auto& [light, name] : arguments.flats.lamps(folder.folder)) draft.flats[light] = name;
@@ -250,6 +256,7 @@ void addNewVerb(Program& program) {
       ->allow_extra_args(false);
   verb.add_option("--shots", a->files, "Use these files in this order, instead of all by capture time")
       ->type_name("FILE,FILE");
+  addLeaveOut(verb, a->leftOut);
   verb.add_option("--color-space", a->colorSpace, "Colour space of the photographs (default: from the files)")
       ->type_name("NAME");
   verb.add_option("--response", a->response,

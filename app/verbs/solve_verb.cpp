@@ -3,11 +3,13 @@
 
 #include "app/arguments/camera_look_arguments.h"
 #include "app/arguments/flat_arguments.h"
+#include "app/arguments/leave_out_argument.h"
 #include "app/arguments/solve_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
+#include "core/capture/left_out.h"
 #include "core/capture/response_curve.h"
 #include "core/export/filtered_set.h"
 #include "core/file/json_file.h"
@@ -32,6 +34,7 @@ struct SolveCommand {
   std::string colors;
   std::string response;
   std::string tone = "declared";
+  std::vector<std::string> leftOut;
   SolvedFileOptions file;
   SolveArguments solve;
   FlatArguments flats;
@@ -81,6 +84,7 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolve();
   const std::shared_ptr<const ColorConfig> config = programConfig();
   Capture capture = readCapture(*config, sourceFile(arguments.capture));
+  capture = withShotsLeftOut(std::move(capture), arguments.leftOut, "--leave-out");
   if (!arguments.colors.empty())
     capture = withReplacedColors(std::move(capture), namedUnknowns(shotColorsFromText(arguments.colors)));
   if (!arguments.response.empty()) {
@@ -165,6 +169,7 @@ void addSolveVerb(Program& program) {
       ->type_name("NAME,param=value")
       ->expected(1)
       ->take_all();
+  addLeaveOut(verb, a->leftOut);
   a->flats.addTo(verb);
   a->solve.addTo(verb);
 }

@@ -5,6 +5,7 @@
 #include "core/base/json.h"
 #include "core/capture/capture.h"
 #include "core/capture/flat_fields.h"
+#include "core/capture/left_out.h"
 #include "core/capture/light_name.h"
 #include "core/capture/lightings.h"
 #include "core/file/json_fields.h"
@@ -16,6 +17,8 @@ namespace {
 
 constexpr const char* kFormat = "swaplight-capture";
 constexpr int kVersion = 1;
+constexpr const char* kLeftOut = "left_out";
+constexpr const char* kLeftOutShot = "left-out shot";
 constexpr size_t kMostLights = 64;  // far beyond what a solve takes; longer lists only take time
 constexpr size_t kMostShots = 4096;
 
@@ -124,13 +127,13 @@ std::string requiredPath(JsonFields& fields, const std::string& key) {
   return *path;
 }
 
-std::vector<Shot> shotsFromJson(JsonFields& fields, const std::vector<Light>& lights,
-                                std::vector<std::string>& warnings) {
-  const Json& list = fields.list("shots", "a list of shots", kMostShots);
-  if (list.empty()) throw InputError("{}: has no shots. List at least one under \"shots\".", fields.where());
+/// Those under a key; `noun` is what messages call one of them.
+std::vector<Shot> shotsFromJson(JsonFields& fields, const std::string& key, const char* noun,
+                                const std::vector<Light>& lights, std::vector<std::string>& warnings) {
+  const Json& list = fields.list(key, "a list of shots", kMostShots);
   std::vector<Shot> shots;
   for (size_t k = 0; k < list.size(); ++k) {
-    JsonFields fieldsOfShot(list[k], fmt::format("{}: shot {}", fields.where(), k + 1));
+    JsonFields fieldsOfShot(list[k], fmt::format("{}: {} {}", fields.where(), noun, k + 1));
     Shot shot;
     shot.image = requiredPath(fieldsOfShot, "image");
     fieldsOfShot.setWhere(fmt::format("{} ({})", fieldsOfShot.where(), shot.image));
@@ -231,6 +234,12 @@ Json jsonFromShot(const Shot& shot) {
   return json;
 }
 
+Json jsonFromShots(const std::vector<Shot>& shots) {
+  Json json = Json::array();
+  for (const Shot& shot : shots) json.push_back(jsonFromShot(shot));
+  return json;
+}
+
 /// What the file rules of a colour configuration, where there is one, say about the first shot; else linear
 /// Rec.709.
 void assumeColorSpace(const ColorConfig* config, Capture& capture, const std::string& where) {
@@ -271,7 +280,9 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
   const auto colorSpace = fields.text("color_space");
   if (colorSpace) capture.colorSpace = *colorSpace;
   capture.lights = lightsFromJson(fields, capture.warnings);
-  capture.shots = shotsFromJson(fields, capture.lights, capture.warnings);
+  capture.shots = shotsFromJson(fields, "shots", "shot", capture.lights, capture.warnings);
+  if (capture.shots.empty())
+    throw InputError("{}: has no shots. List at least one under \"shots\".", fields.where());
   readExposures(fields, capture.shots);
   if (!colorSpace) assumeColorSpace(config, capture, fields.where());
   capture.ambient = optionalPath(fields, "ambient");
@@ -281,6 +292,9 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
   capture.frame = frameFromJson(fields);
   capture.truth = truthFromJson(fields);
   Json extra = flatsFromJson(fields, capture.lights);
+  if (const Json* out = fields.find(kLeftOut); out && !out->is_null())
+    extra[kLeftOut] =
+        jsonFromShots(shotsFromJson(fields, kLeftOut, kLeftOutShot, capture.lights, capture.warnings));
   extra.update(keepUnknown(fields, capture.warnings), true);
   extra.update(noiseExtra, true);
   capture.extra = std::move(extra);
@@ -304,8 +318,7 @@ Json jsonFromCapture(const Capture& capture) {
     lights.push_back({{"name", light.name}, {"role", roleName(light.role)}});
     addExtra(lights.back(), light.extra);
   }
-  Json& shots = json["shots"] = Json::array();
-  for (const Shot& shot : capture.shots) shots.push_back(jsonFromShot(shot));
+  json["shots"] = jsonFromShots(capture.shots);
   if (capture.ambient) json["ambient"] = *capture.ambient;
   if (capture.dark) json["dark"] = *capture.dark;
   if (capture.noise) json["noise"] = {{"read", capture.noise->read}, {"full_well", capture.noise->fullWell}};
@@ -318,6 +331,21 @@ Json jsonFromCapture(const Capture& capture) {
 
 Capture readCapture(const ColorConfig& config, const std::filesystem::path& file) {
   return captureBy(&config, readJson(file), file.parent_path(), file);
+}
+
+std::vector<Shot> leftOutOf(const Capture& capture) {
+  if (!capture.extra.json().contains(kLeftOut)) return {};
+  JsonFields fields(capture.extra.json(), "the capture");
+  std::vector<std::string> saidBefore;
+  return shotsFromJson(fields, kLeftOut, kLeftOutShot, capture.lights, saidBefore);
+}
+
+Capture withLeftOut(Capture capture, const std::vector<Shot>& leftOut) {
+  Json extra = capture.extra.json();
+  extra.erase(kLeftOut);
+  if (!leftOut.empty()) extra[kLeftOut] = jsonFromShots(leftOut);
+  capture.extra = std::move(extra);
+  return capture;
 }
 
 void writeCapture(const Capture& capture, const std::filesystem::path& file) {

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/capture/flat_fields.h"
+#include "core/capture/left_out.h"
 #include "core/capture/light_name.h"
 
 namespace swaplight {
@@ -47,11 +48,17 @@ std::vector<float> exposuresOf(const CaptureDraft& draft) {
 CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& lights) {
   checkLightNames(lights, "the lights");
   if (lights.empty()) throw InputError("name at least one light");
-  CaptureDraft draft{folder, lights, {}, colorSpaceOf(folder), {}, {}, {}, {}};
+  CaptureDraft draft{folder, lights, {}, colorSpaceOf(folder), {}, {}, {}, {}, {}};
   if (folder.response && draft.colorSpace == "srgb") draft.colorSpace = *folder.response;
   for (const auto& [light, name] : folder.flats)
     if (std::find(lights.begin(), lights.end(), light) != lights.end()) draft.flats[light] = name;
   draft.vignetting = folder.vignetting.value_or("");
+  for (const std::string& file : folder.leftOut) {
+    Shot shot;
+    shot.image = file;
+    shot.lightColors.resize(lights.size());
+    draft.leftOut.push_back(std::move(shot));
+  }
   draft.colors.assign(folder.shots.size(), std::vector<ShotColor>(lights.size(), ShotColor{"unknown", {}}));
   return draft;
 }
@@ -112,6 +119,7 @@ Capture captureOf(const CaptureDraft& draft) {
     shot.exposureStops = exposures[k];
     capture.shots.push_back(std::move(shot));
   }
+  if (!draft.leftOut.empty()) capture = withLeftOut(std::move(capture), draft.leftOut);
   return withFlats(std::move(capture), draft.flats, draft.vignetting);
 }
 

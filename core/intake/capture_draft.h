@@ -21,6 +21,7 @@ struct CaptureDraft {
   Brackets brackets = {};                         ///< which shots are exposures of one lighting
   std::map<std::string, std::string> flats = {};  ///< light: a picture of a grey card (flat_fields.h)
   std::string vignetting = {};                    ///< a picture of an evenly lit surface, or ""
+  std::vector<Shot> leftOut = {};                 ///< photographs of the set that are not used
 
   [[nodiscard]] size_t lightings() const {
     return folder.shots.size() / static_cast<size_t>(brackets.length);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/capture/left_out.h"
 #include "core/image/io/image_io.h"
 #include "core/set/solved_file.h"
 
@@ -173,6 +174,23 @@ ShotFolder withShots(const ColorConfig& config, ShotFolder folder, const std::ve
   }
   folder.shots = std::move(shots);
   folder.timed = false;
+  return folder;
+}
+
+ShotFolder withShotsLeftOut(ShotFolder folder, const std::vector<std::string>& files,
+                            const std::string& where) {
+  for (const std::string& file : files) {
+    const auto found = std::find_if(folder.shots.begin(), folder.shots.end(),
+                                    [&](const FoundShot& shot) { return shot.file == file; });
+    if (found == folder.shots.end()) {
+      std::vector<std::string> names;
+      for (const FoundShot& shot : folder.shots) names.push_back(shot.file);
+      throw noPhotographToLeaveOut(where, file, names);
+    }
+    folder.leftOut.push_back(file);
+    folder.shots.erase(found);
+    if (folder.shots.empty()) throw nothingIsLeft(where);
+  }
   return folder;
 }
 

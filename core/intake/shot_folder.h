@@ -25,6 +25,7 @@ struct FoundShot {
 struct ShotFolder {
   std::filesystem::path folder;  ///< absolute
   std::vector<FoundShot> shots;
+  std::vector<std::string> leftOut;          ///< photographs of the set that are not used
   std::optional<std::string> ambient;        ///< a picture whose name begins with "ambient"
   std::optional<std::string> dark;           ///< one whose name begins with "dark"
   std::map<std::string, std::string> flats;  ///< of "flat_key.jpg" and the like: light, picture
@@ -44,6 +45,11 @@ struct ShotFolder {
 /// The same with these files as its shots, in this order. Throws InputError for one that is not there.
 [[nodiscard]] ShotFolder withShots(const ColorConfig& config, ShotFolder folder,
                                    const std::vector<std::string>& files);
+
+/// Without these shots, which are left out. Throws InputError, which begins with `where`: one that is not
+/// there, or none that remains.
+[[nodiscard]] ShotFolder withShotsLeftOut(ShotFolder folder, const std::vector<std::string>& files,
+                                          const std::string& where);
 
 /// The space of the shots, as a capture's file names it. Throws InputError where they differ.
 [[nodiscard]] std::string colorSpaceOf(const ShotFolder& folder);

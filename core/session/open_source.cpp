@@ -65,11 +65,12 @@ std::vector<fs::path> filesOfSource(const fs::path& path) {
   if (!json.is_object()) return files;
   if (const auto space = json.find("color_space"); space != json.end() && space->is_string())
     if (isResponseFile(space->get<std::string>())) add(json, "color_space");
-  if (const auto shots = json.find("shots"); shots != json.end() && shots->is_array())
-    for (const Json& shot : *shots) {
-      add(shot, "image");
-      if (shot.is_object()) addAll(shot, "flats");
-    }
+  for (const char* list : {"shots", "left_out"})
+    if (const auto shots = json.find(list); shots != json.end() && shots->is_array())
+      for (const Json& shot : *shots) {
+        add(shot, "image");
+        if (shot.is_object()) addAll(shot, "flats");
+      }
   for (const char* pictures : {"truth", "flats"}) addAll(json, pictures);
   return files;
 }

@@ -67,6 +67,34 @@ class New(cli.CliTest):
         self.deny(*arguments, '--crop', 'much', naming='X,Y,WIDTH,HEIGHT')
         self.deny(*arguments, '--scale', '3', naming='0.5 for half')
 
+    def test_a_photograph_that_is_left_out_changes_nothing(self):
+        folder = self.photographs()
+        self.succeed('new', folder, '--lights', 'key,fill,back', '--colors', RING)
+        self.succeed('solve', folder, '-o', self.path('without.exr'))
+        cli.write_image(os.path.join(folder, 'IMG_10b.exr'), np.full((48, 64, 3), .5))
+        arguments = ['new', folder, '--lights', 'key,fill,back', '--colors', RING, '--force']
+        result = self.succeed_json(*arguments, '--leave-out', 'IMG_10b.exr')
+        self.assertEqual(([shot['image'] for shot in result['shots']], result['left_out']),
+                         (['IMG_9.exr', 'IMG_10.exr', 'IMG_11.exr'], ['IMG_10b.exr']))
+        self.assertEqual(self.manifest()['left_out'], [{'image': 'IMG_10b.exr', 'light_colors': [None] * 3}])
+        self.succeed('solve', folder, '-o', self.path('new.exr'))
+        self.assertIn('IMG_10b.exr', self.succeed('info', folder).stdout)
+        # A capture that uses it, solved without it.
+        manifest = self.manifest()
+        manifest['shots'].insert(2, {'image': 'IMG_10b.exr', 'light_colors': [[1, 1, 1]] * 3})
+        del manifest['left_out']
+        with open(self.path('plain', 'capture.json'), 'w') as file:
+            json.dump(manifest, file)
+        self.succeed('solve', folder, '-o', self.path('solve.exr'), '--leave-out', 'IMG_10b.exr')
+        for light in ('key', 'fill', 'back'):
+            expected = cli.read_rgb(self.path('without.exr'), light)
+            for name in ('new.exr', 'solve.exr'):
+                np.testing.assert_array_equal(cli.read_rgb(self.path(name), light), expected)
+        left_out = self.succeed_json('info', self.path('solve.exr'))['capture']['left_out']
+        self.assertEqual(left_out[0]['light_colors'], [[1, 1, 1]] * 3)
+        self.deny('solve', folder, '-o', self.path('x.exr'), '--leave-out', 'IMG_1.exr', naming='in use are IMG_9.exr')
+        self.deny(*arguments, '--leave-out', 'IMG_9.exr,IMG_10.exr,IMG_11.exr,IMG_10b.exr', naming='leaves out all')
+
     def test_gels_are_known_by_their_numbers(self):
         folder = self.photographs(('key', 'fill'))
         result = self.succeed_json('new', folder, '--lights', 'key,fill', '--gels', 'L106,L124')

@@ -121,6 +121,80 @@ class Wizard(StudioTest):
             self.assertEqual(texts(), [[alone if i == k else others for i in range(count)] for k in range(count)])
         studio.screenshot('wizard_one_off')
 
+    def test_a_photograph_is_left_out_and_stays_so(self):
+        manifest = self.photographs('two_swapped')
+        first, second = (os.path.join(self.shots, shot['image']) for shot in manifest['shots'])
+        shutil.copy(first, os.path.join(self.shots, 'shot_01b.exr'))  # once more, by mistake
+        colors = [['/'.join(map(str, color)) for color in shot['light_colors']] for shot in manifest['shots']]
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        self.assertEqual(os.path.basename(second), 'shot_02.exr')
+        studio.click('wizard.fewer')
+        self.fill_in(0, *colors[0])
+        self.fill_in(1, 'L201')
+        studio.click('wizard.use.1', 0.05)
+        studio.wait(lambda layout: layout.get('wizard.use.1.on') == 'no', 'it is left out')
+        studio.settle()
+        studio.click('wizard.guess')
+        studio.wait(lambda layout: 'guessed' in layout.get('wizard.guess_words', ''), 'the guess')
+        self.assertEqual([studio.state(f'wizard.cell.2.{i}.text') for i in range(2)], colors[1])
+        studio.screenshot('wizard_left_out')
+        studio.click('wizard.solve')
+        studio.wait_ready()
+        written = self.written()
+        self.assertEqual([shot['image'] for shot in written['shots']], ['shot_01.exr', 'shot_02.exr'])
+        self.assertEqual([shot['light_colors'] for shot in written['shots']],
+                         [shot['light_colors'] for shot in manifest['shots']])
+        left_out, = written['left_out']
+        self.assertEqual(left_out['image'], 'shot_01b.exr')
+        self.assertIsNone(left_out['light_colors'][1])
+        studio.quit()
+        # Another day: the folder's capture.json says it all.
+        studio = self.start()
+        studio.item('welcome.new')
+        studio.key('ctrl+n')
+        studio.item('chooser.name')
+        studio.type(self.shots)
+        studio.key('Return')
+        studio.item('wizard.cell.2.1')
+        studio.settle()
+        self.assertEqual([studio.state(f'wizard.use.{k}.on') for k in range(3)], ['yes', 'no', 'yes'])
+        self.assertEqual([[studio.state(f'wizard.cell.{k}.{i}.text') for i in range(2)] for k in (0, 2)], colors)
+        self.assertEqual(studio.state('wizard.cell.1.1.text'), '')
+        studio.screenshot('wizard_read_back')
+        studio.click('wizard.replace', 0.05)
+        studio.click('wizard.solve')
+        studio.wait_ready()
+        self.assertEqual(self.written(), written)
+
+    def test_a_photograph_more_hides_no_brackets_once_it_is_left_out(self):
+        with open(os.path.join(SAMPLES, 'two_swapped', 'capture.json')) as file:
+            manifest = json.load(file)
+        names = iter(range(1, 8))
+        for shot, gains in zip(manifest['shots'], ((2, 1, .125, 4), (1, .125, 4))):
+            source = oiio.ImageInput.open(os.path.join(SAMPLES, 'two_swapped', shot['image']))
+            pixels = np.asarray(source.read_image('float'))[..., :3]
+            source.close()
+            for gain in gains:
+                path = os.path.join(self.shots, f'IMG_{next(names)}.exr')
+                output = oiio.ImageOutput.create(path)
+                spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], 3, 'half')
+                self.assertTrue(output.open(path, spec) and output.write_image(np.minimum(gain * pixels, 1)))
+                output.close()
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        self.assertIn('a lighting of its own', studio.state('wizard.brackets'))
+        studio.click('wizard.use.0', 0.05)
+        studio.wait(lambda layout: '6 photographs are 2 lightings of 3 exposures: found' in layout.get('wizard.brackets', ''),
+                    'the brackets are found')
+        self.assertEqual([studio.state(f'wizard.use.{k}.on') for k in range(3)], ['no', 'yes', 'yes'])
+        self.fill_in(1, *('/'.join(map(str, color)) for color in manifest['shots'][0]['light_colors']))
+        studio.screenshot('wizard_brackets_left_out')
+        studio.click('wizard.use.0', 0.05)
+        studio.wait(lambda layout: 'a lighting of its own' in layout.get('wizard.brackets', ''), 'it is used again')
+
     def test_a_gel_from_the_list_and_a_colour_from_a_white_card(self):
         rng = np.random.default_rng(5)
         for k, color in enumerate(([.8, .3, .1], [.1, .3, .8])):

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/capture/light_name.h"
+#include "core/intake/photograph_choice.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/manners.h"
@@ -62,6 +63,12 @@ void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::p
         found.warnings = found.folder.notes;
         for (std::string& warning : pictureWarnings(draft, *found.pixels))
           found.warnings.push_back(std::move(warning));
+        try {
+          if (const fs::path file = found.folder.folder / "capture.json"; fs::exists(file))
+            found.told = readCapture(*config, file);
+        } catch (const InputError& error) {
+          found.warnings.emplace_back(error.what());  // what is in it cannot be filled in
+        }
         return found;
       },
       m_wake);
@@ -71,14 +78,16 @@ void CaptureWizard::close() {
   m_reading.cancel();
   m_guessing.cancel();
   m_checking.cancel();
-  if (m_folder && m_found) m_typed = {*m_folder, m_lights, m_exposures, m_cells, m_frame, m_solve};
+  if (m_folder && m_found)
+    m_typed = {*m_folder, m_lights, m_brackets, m_exposures, m_exposuresTold, m_rows, m_frame, m_solve};
   m_folder.reset();
   m_found.reset();
   m_textures.clear();
   m_lights.clear();
-  m_cells.clear();
+  m_rows.clear();
   m_brackets = {};
   m_exposures.clear();
+  m_exposuresTold = false;
   m_exposuresWrong.clear();
   m_guess.clear();
   m_picking.reset();
@@ -92,72 +101,45 @@ void CaptureWizard::update(Messages& messages) {
   const Taken read = takeOrReport(m_reading, messages, "these photographs", [this](Photographs found) {
     if (!m_folder) return;
     m_found = std::move(found);
-    m_brackets = m_found->brackets;
+    for (size_t k = 0; k < m_found->folder.shots.size(); ++k) m_rows.push_back({{k}});
+    setBracketsTo(m_found->brackets);
     m_exposures = exposureList(m_brackets);
-    m_cells.resize(m_found->folder.shots.size() / static_cast<size_t>(m_brackets.length));
-    setLights(std::clamp<size_t>(m_cells.size(), 2, 4));
-    restoreTyped();
+    setLights(std::clamp<size_t>(m_rows.size(), 2, 4));
+    if (!restoreTyped() && m_found->told) restoreTold(*m_found->told);
     for (const SmallPicture& thumbnail : m_found->thumbnails)
       m_textures.emplace_back().update(thumbnail.width, thumbnail.height, thumbnail.rgba.data());
   });
-  takeOrReport(m_checking, messages, "these exposures", [this](std::vector<std::string> warnings) {
-    if (m_found) m_found->warnings = std::move(warnings);
+  takeOrReport(m_checking, messages, "these exposures", [this](Checked checked) {
+    if (!m_found) return;
+    m_found->warnings = std::move(checked.warnings);
+    if (!checked.brackets) return;
+    setBracketsTo(std::move(*checked.brackets));
+    m_exposures = exposureList(m_brackets);
   });
   const Taken guessed = takeOrReport(m_guessing, messages, "this guess", [this](const RotationGuess& guess) {
     if (!m_found) return;
     const CaptureDraft placed = withRotation(draft(), ring(), guess.steps);
-    for (size_t k = 1; k < m_cells.size(); ++k)
+    const std::vector<size_t> rows = lightings();
+    for (size_t k = 1; k < rows.size(); ++k)
       for (size_t i = 0; i < m_lights.size(); ++i)
-        m_cells[k][i] = {placed.colors[firstShot(k)][i].text, true};
+        m_rows[rows[k]].cells[i] = {placed.colors[k * static_cast<size_t>(m_brackets.length)][i].text, true};
     m_guess = guess.words;
   });
   if ((read == Taken::Failed || guessed == Taken::Failed) && !m_found) close();
 }
 
-void CaptureWizard::restoreTyped() {
-  if (m_typed.folder != m_folder) return;
-  if (m_typed.exposures != m_exposures) readExposures(m_typed.exposures);
-  if (m_typed.cells.size() != m_cells.size()) return;
-  m_lights = m_typed.lights;
-  m_cells = m_typed.cells;
-  m_frame = m_typed.frame;
-  m_solve = m_typed.solve;
-}
-
 void CaptureWizard::setLights(size_t count) {
   while (m_lights.size() < count) m_lights.emplace_back(kUsualNames[m_lights.size()]);
   m_lights.resize(count);
-  for (std::vector<Cell>& row : m_cells) row.resize(count);
-}
-
-void CaptureWizard::readExposures(const std::string& text) {
-  m_exposures = text;
-  m_exposuresWrong.clear();
-  Brackets brackets;
-  try {
-    if (!text.empty()) brackets = toldBrackets(m_found->folder, text);
-  } catch (const InputError& error) {
-    m_exposuresWrong = error.what();
-    return;
-  }
-  if (brackets.stops == m_brackets.stops && brackets.length == m_brackets.length) return;
-  m_brackets = std::move(brackets);
-  m_picking.reset();
-  m_cells.resize(m_found->folder.shots.size() / static_cast<size_t>(m_brackets.length));
-  setLights(m_lights.size());
-  m_checking.start(
-      [draft = emptyDraft({"light"}), pixels = m_found->pixels](const Progress&) {
-        std::vector<std::string> warnings = draft.folder.notes;
-        for (std::string& warning : pictureWarnings(draft, *pixels)) warnings.push_back(std::move(warning));
-        return warnings;
-      },
-      m_wake);
+  for (WizardRow& row : m_rows) row.cells.resize(count);
 }
 
 void CaptureWizard::oneLampAShot(bool on) {
-  setLights(m_cells.size());
-  for (size_t k = 0; k < m_cells.size(); ++k)
-    for (size_t i = 0; i < m_lights.size(); ++i) m_cells[k][i] = {(k == i) == on ? "white" : "off", false};
+  const std::vector<size_t> rows = lightings();
+  setLights(rows.size());
+  for (size_t k = 0; k < rows.size(); ++k)
+    for (size_t i = 0; i < m_lights.size(); ++i)
+      m_rows[rows[k]].cells[i] = {(k == i) == on ? "white" : "off", false};
   m_guess.clear();
 }
 
@@ -166,12 +148,13 @@ std::string CaptureWizard::mistake() const {
   if (!m_exposuresWrong.empty()) return m_exposuresWrong;
   try {
     checkLightNames(m_lights, "the lights");
-    for (size_t k = 0; k < m_cells.size(); ++k)
+    for (const size_t row : lightings())
       for (size_t i = 0; i < m_lights.size(); ++i) {
-        if (m_cells[k][i].text.empty())
+        const std::string& text = m_rows[row].cells[i].text;
+        if (text.empty())
           return fmt::format("What colour was {} in {}? (\"unknown\" if you cannot tell.)", m_lights[i],
-                             m_found->folder.shots[firstShot(k)].file);
-        static_cast<void>(shotColorFromText(m_cells[k][i].text));
+                             fileOf(row));
+        static_cast<void>(shotColorFromText(text));
       }
   } catch (const InputError& error) {
     return error.what();
@@ -179,33 +162,11 @@ std::string CaptureWizard::mistake() const {
   return {};
 }
 
-CaptureDraft CaptureWizard::emptyDraft(const std::vector<std::string>& lights) const {
-  CaptureDraft draft = draftOf(m_found->folder, lights);
-  setBrackets(draft, m_brackets);
-  return draft;
-}
-
-CaptureDraft CaptureWizard::draft() const {
-  CaptureDraft draft = emptyDraft(m_lights);
-  draft.frame = m_frame;
-  for (size_t k = 0; k < m_cells.size(); ++k) {
-    std::vector<ShotColor> colors;
-    for (const Cell& cell : m_cells[k]) colors.push_back(shotColorFromText(cell.text));
-    setLighting(draft, k, std::move(colors));
-  }
-  return draft;
-}
-
-std::vector<ShotColor> CaptureWizard::ring() const {
-  std::vector<ShotColor> ring;
-  for (const Cell& cell : m_cells.front()) ring.push_back(shotColorFromText(cell.text));
-  return ring;
-}
-
 void CaptureWizard::guess() {
-  m_guessing.start([draft = emptyDraft(m_lights), pixels = m_found->pixels,
-                    ring = ring()](const Progress&) { return guessRotation(draft, *pixels, ring); },
-                   m_wake);
+  m_guessing.start(
+      [draft = emptyDraft(m_lights), all = m_found->pixels, used = usedPhotographs(m_rows),
+       ring = ring()](const Progress&) { return guessRotation(draft, *pixelsOf(all, used), ring); },
+      m_wake);
 }
 
 void CaptureWizard::drawReading() {
@@ -218,9 +179,11 @@ void CaptureWizard::drawReading() {
 void CaptureWizard::drawLights() {
   const ShotFolder& folder = m_found->folder;
   hint(folder.folder.string());
-  hint(fmt::format("{} photographs of {} x {} pixels, sorted by {}", folder.shots.size(),
+  const size_t out = folder.shots.size() - usedPhotographs(m_rows).size();
+  hint(fmt::format("{} photographs of {} x {} pixels, sorted by {}{}", folder.shots.size(),
                    m_found->pixels->width(), m_found->pixels->height(),
-                   folder.timed ? "capture time" : "file name"));
+                   folder.timed ? "capture time" : "file name",
+                   out > 0 ? fmt::format("; {} left out", out) : ""));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Lights");
   ImGui::SameLine(0, px(10));
@@ -248,8 +211,8 @@ void CaptureWizard::drawLights() {
 }
 
 void CaptureWizard::drawExposures() {
-  const size_t count = m_found->folder.shots.size();
-  if (count < 4) return;  // no two lightings of two exposures
+  const size_t count = usedPhotographs(m_rows).size();
+  if (m_found->folder.shots.size() < 4) return;  // no two lightings of two exposures
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Exposures");
   ImGui::SameLine(0, px(10));
@@ -265,8 +228,8 @@ void CaptureWizard::drawExposures() {
   std::string words =
       m_checking.running() ? "checking the photographs …"
       : m_brackets.length > 1
-          ? fmt::format("{} photographs are {} lightings of {} exposures{}", count, m_cells.size(),
-                        m_brackets.length, m_brackets.words == m_found->brackets.words ? ": found" : "")
+          ? fmt::format("{} photographs are {} lightings of {} exposures{}", count, lightings().size(),
+                        m_brackets.length, m_exposuresTold ? "" : ": found")
           : "every photograph is a lighting of its own";
   hint(words);
   markState("wizard.brackets", words);
@@ -274,8 +237,9 @@ void CaptureWizard::drawExposures() {
 
 // The two ways of photographing lights that have no gels.
 void CaptureWizard::drawPresets() {
-  const bool fits = m_cells.size() > 1 && m_cells.size() <= kMostLights;
-  const std::string count = fits ? fmt::format("{} photographs, {} lights: ", m_cells.size(), m_cells.size())
+  const size_t rows = lightings().size();
+  const bool fits = rows > 1 && rows <= kMostLights;
+  const std::string count = fits ? fmt::format("{} photographs, {} lights: ", rows, rows)
                                  : fmt::format("For 2 to {} photographs: ", kMostLights);
   const auto preset = [&](const char* words, const char* mark, bool on, const char* tip) {
     ImGui::BeginDisabled(!fits);
@@ -291,14 +255,16 @@ void CaptureWizard::drawPresets() {
 
 void CaptureWizard::drawGuess() {
   drawPresets();
-  const bool first = std::all_of(m_cells.front().begin(), m_cells.front().end(), [](const Cell& cell) {
+  const std::vector<size_t> rows = lightings();
+  const std::vector<Cell>& cells = m_rows[rows.front()].cells;
+  const bool first = std::all_of(cells.begin(), cells.end(), [](const Cell& cell) {
     try {
       return !cell.text.empty() && shotColorFromText(cell.text).color.has_value();
     } catch (const InputError&) {
       return false;
     }
   });
-  ImGui::BeginDisabled(!first || m_guessing.running() || m_cells.size() < 2);
+  ImGui::BeginDisabled(!first || m_guessing.running() || rows.size() < 2);
   if (ImGui::Button(m_guessing.running() ? "Guessing …" : "Guess the others")) guess();
   ImGui::EndDisabled();
   markItem("wizard.guess");

@@ -15,6 +15,7 @@
 #include "core/ocio/color_config.h"
 #include "core/solve/model/solve_options.h"
 #include "render/surface.h"
+#include "ui/dialogs/wizard_rows.h"
 #include "ui/jobs/take_or_report.h"
 
 namespace swaplight {
@@ -45,22 +46,36 @@ class CaptureWizard {
     std::shared_ptr<const CapturePixels> pixels;
     std::vector<SmallPicture> thumbnails;
     Brackets brackets;
+    std::optional<Capture> told;  ///< by the capture.json that is there
     std::vector<std::string> warnings;
   };
-  /// A light's colour in a lighting, as it is being typed.
-  struct Cell {
-    std::string text;
-    bool guessed = false;
+  /// What is to be said of the photographs that are used, and their brackets, where those were looked for.
+  struct Checked {
+    std::optional<Brackets> brackets;
+    std::vector<std::string> warnings;
   };
+  using Cell = WizardCell;
 
   void close();
   /// What was typed for this folder before it was closed without a solve, or before a solve that failed.
-  void restoreTyped();
+  [[nodiscard]] bool restoreTyped();
+  /// What the folder's capture.json tells.
+  void restoreTold(const Capture& capture);
   void setLights(size_t count);
   /// The shots as other brackets: "0, -3, +2", or "" for none.
   void readExposures(const std::string& text);
-  [[nodiscard]] size_t firstShot(size_t lighting) const {
-    return lighting * static_cast<size_t>(m_brackets.length);
+  /// The brackets that the text tells; nothing where it is wrong, and why then stands in m_exposuresWrong.
+  [[nodiscard]] std::optional<Brackets> typedBrackets();
+  /// Leaves a row's photographs out, or takes them in again: their brackets are looked for anew.
+  void useRow(size_t row, bool used);
+  void setBracketsTo(Brackets brackets);
+  /// Looks at the photographs that are used; for their brackets, too, where asked to.
+  void check(bool findBrackets);
+  /// The rows that are used, each a lighting.
+  [[nodiscard]] std::vector<size_t> lightings() const;
+  [[nodiscard]] ShotFolder usedFolder() const;
+  [[nodiscard]] const std::string& fileOf(size_t row) const {
+    return m_found->folder.shots[m_rows[row].first()].file;
   }
   /// One light a photograph, on alone in it (`on`), or off alone.
   void oneLampAShot(bool on);
@@ -74,11 +89,13 @@ class CaptureWizard {
   void drawLights();
   void drawExposures();
   void drawTable(float height);
-  void drawLighting(size_t lighting);
-  void drawThumbnail(size_t lighting);
+  void drawRow(size_t row);
+  void drawUse(size_t row);
+  void drawThumbnail(size_t row);
+  void takeCard(size_t row, int x, int y);
   void cropOnThumbnail(ImVec2 at, ImVec2 size);
   void drawFrame();
-  void drawCell(size_t lighting, size_t light);
+  void drawCell(size_t row, size_t light);
   void drawGuess();
   /// What is to be said about the pictures and the colours.
   [[nodiscard]] std::vector<std::string> warnings() const;
@@ -89,17 +106,20 @@ class CaptureWizard {
   std::optional<std::filesystem::path> m_folder;
   Job<Photographs> m_reading;
   Job<RotationGuess> m_guessing;
-  Job<std::vector<std::string>> m_checking;  ///< the photographs as other brackets
+  Job<Checked> m_checking;  ///< the photographs as other brackets, or fewer
   std::optional<Photographs> m_found;
   std::vector<SurfaceTexture> m_textures;
   std::vector<std::string> m_lights;
   Brackets m_brackets;
-  std::string m_exposures;                             ///< as typed; "" where none are told or found
-  std::string m_exposuresWrong;                        ///< what is wrong with them
-  std::vector<std::vector<Cell>> m_cells;              ///< [lighting][light]
-  std::string m_guess;                                 ///< in words
-  std::string m_filter;                                ///< typed into the list of gels
-  std::optional<std::pair<size_t, size_t>> m_picking;  ///< the cell whose colour a click takes from its shot
+  std::string m_exposures;       ///< as typed; "" where none are told or found
+  bool m_exposuresTold = false;  ///< they were typed
+  std::string m_exposuresWrong;  ///< what is wrong with them
+  std::vector<WizardRow> m_rows;
+  std::string m_guess;   ///< in words
+  std::string m_filter;  ///< typed into the list of gels
+  std::optional<std::pair<size_t, size_t>>
+      m_picking;  ///< row, light: the cell whose colour a click takes from its shot
+  std::optional<std::pair<size_t, bool>> m_toUse;  ///< a row that was ticked or unticked
   CaptureFrame m_frame;
   std::optional<std::pair<float, float>> m_cropping;  ///< where a drag over a thumbnail began, 0..1
   bool m_replace = false;
@@ -108,8 +128,10 @@ class CaptureWizard {
   struct Typed {
     std::filesystem::path folder;
     std::vector<std::string> lights;
+    Brackets brackets;
     std::string exposures;
-    std::vector<std::vector<Cell>> cells;
+    bool exposuresTold = false;
+    std::vector<WizardRow> rows;
     CaptureFrame frame;
     SolveOptions solve;
   };

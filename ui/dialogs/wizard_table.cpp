@@ -116,47 +116,62 @@ void CaptureWizard::drawFrame() {
   tooltip("Use the whole photographs again");
 }
 
-void CaptureWizard::drawThumbnail(size_t lighting) {
-  const size_t shot = firstShot(lighting);
+void CaptureWizard::takeCard(size_t row, int x, int y) {
+  try {
+    CaptureDraft card = emptyDraft({"light"});
+    std::vector<size_t> shots = m_rows[row].photographs;
+    const std::vector<size_t> used = usedPhotographs(m_rows);
+    // The lighting by itself: only its pictures are looked at.
+    Brackets own{static_cast<int>(shots.size()), {}, {}};
+    std::vector<FoundShot> files;
+    for (const size_t shot : shots) {
+      const auto place = std::find(used.begin(), used.end(), shot) - used.begin();
+      if (!m_brackets.stops.empty()) own.stops.push_back(m_brackets.stops[static_cast<size_t>(place)]);
+      files.push_back(m_found->folder.shots[shot]);
+    }
+    card.folder.shots = std::move(files);
+    card.colors.resize(shots.size());
+    card.brackets = std::move(own);
+    m_rows[row].cells[m_picking->second] = {
+        colorOfCard(card, *pixelsOf(m_found->pixels, shots), 0, x, y).text, false};
+    m_picking.reset();
+  } catch (const InputError&) {
+    // black: the next click may hit the card
+  }
+}
+
+void CaptureWizard::drawThumbnail(size_t row) {
+  const size_t shot = m_rows[row].first();
   const SmallPicture& picture = m_found->thumbnails[shot];
   const float scale = std::min(px(kThumbnailColumn - 10) / static_cast<float>(picture.width),
                                px(kRowHeight) / static_cast<float>(picture.height));
   const ImVec2 size(std::floor(scale * static_cast<float>(picture.width)),
                     std::floor(scale * static_cast<float>(picture.height)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 end(at.x + size.x, at.y + size.y);
   beginNoTabStops();
   const bool clicked = ImGui::InvisibleButton("##picture", size);
   endNoTabStops();
-  markItem({"wizard.picture.", lighting});
-  const bool picking = m_picking && m_picking->first == lighting;
-  if (!picking) cropOnThumbnail(at, size);
-  drawTexture(m_textures[shot].id(), at, ImVec2(at.x + size.x, at.y + size.y));
-  if (picking)
-    ImGui::GetWindowDrawList()->AddRect(at, ImVec2(at.x + size.x, at.y + size.y), kAccent, 0, 0, px(2));
+  markItem({"wizard.picture.", row});
+  const bool picking = m_picking && m_picking->first == row;
+  if (!picking && m_rows[row].used) cropOnThumbnail(at, size);
+  drawTexture(m_textures[shot].id(), at, end);
+  if (picking) ImGui::GetWindowDrawList()->AddRect(at, end, kAccent, 0, 0, px(2));
   drawCrop(m_frame, *m_found->pixels, at, size);
+  if (!m_rows[row].used) ImGui::GetWindowDrawList()->AddRectFilled(at, end, IM_COL32(0, 0, 0, 190));
   if (!picking || !clicked) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const auto pixel = [](float place, float length, int count) {
     return std::clamp(static_cast<int>(place / length * static_cast<float>(count)), 0, count - 1);
   };
-  const Image& pixels = m_found->pixels->shots[shot];
-  Cell& cell = m_cells[lighting][m_picking->second];
-  try {
-    cell = {colorOfCard(emptyDraft({"light"}), *m_found->pixels, lighting,
-                        pixel(mouse.x - at.x, size.x, pixels.width()),
-                        pixel(mouse.y - at.y, size.y, pixels.height()))
-                .text,
-            false};
-    m_picking.reset();
-  } catch (const InputError&) {
-    return;  // black: the next click may hit the card
-  }
+  takeCard(row, pixel(mouse.x - at.x, size.x, m_found->pixels->width()),
+           pixel(mouse.y - at.y, size.y, m_found->pixels->height()));
 }
 
-void CaptureWizard::drawCell(size_t lighting, size_t light) {
-  Cell& cell = m_cells[lighting][light];
+void CaptureWizard::drawCell(size_t row, size_t light) {
+  Cell& cell = m_rows[row].cells[light];
   const Reading reading = readingOf(cell.text);
-  const std::string mark = fmt::format("wizard.cell.{}.{}", lighting, light);
+  const std::string mark = fmt::format("wizard.cell.{}.{}", row, light);
   const float side = ImGui::GetFrameHeight();
   ImGui::PushID(static_cast<int>(light));
   ImGui::Dummy(ImVec2(0, (px(kRowHeight) - 2 * side) / 2));
@@ -171,8 +186,10 @@ void CaptureWizard::drawCell(size_t lighting, size_t light) {
   const bool wrong = !reading.mistake.empty(), guessed = cell.guessed;
   if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kMute);
   if (!wrong && guessed) ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
-  if (ImGui::InputTextWithHint("##colour", lighting == 0 ? "gel or colour" : "to be guessed", &cell.text))
-    cell.guessed = false;
+  const char* expected = !m_rows[row].used            ? "left out"
+                         : row == lightings().front() ? "gel or colour"
+                                                      : "to be guessed";
+  if (ImGui::InputTextWithHint("##colour", expected, &cell.text)) cell.guessed = false;
   if (wrong || guessed) ImGui::PopStyleColor();
   markItem(mark);
   markState(mark + ".text", cell.text);
@@ -181,10 +198,10 @@ void CaptureWizard::drawCell(size_t lighting, size_t light) {
                          : "This light's colour in this photograph");
   ImGui::SameLine(0, px(4));
   beginNoTabStops();  // from field to field: all that the two buttons give can be typed
-  const bool picking = m_picking == std::pair(lighting, light);
+  const bool picking = m_picking == std::pair(row, light);
   if (toggleButton(kIconPicker, picking, kAccent, side,
                    "Then click a white card in this photograph that only this light reaches"))
-    m_picking = picking ? std::nullopt : std::optional(std::pair(lighting, light));
+    m_picking = picking ? std::nullopt : std::optional(std::pair(row, light));
   markItem({mark, ".pick"});
   ImGui::SameLine(0, px(4));
   if (toggleButton(kIconDown, false, kAccent, side, "Gels, white, off, unknown")) ImGui::OpenPopup("##gels");
@@ -208,19 +225,45 @@ void CaptureWizard::drawCell(size_t lighting, size_t light) {
   ImGui::PopID();
 }
 
-void CaptureWizard::drawLighting(size_t lighting) {
-  ImGui::PushID(static_cast<int>(lighting));
+// The line below the picture: its name, and the tick that keeps it.
+void CaptureWizard::drawUse(size_t row) {
+  const WizardRow& shown = m_rows[row];
+  const std::vector<size_t> used = lightings();
+  const auto place = std::find(used.begin(), used.end(), row);
+  const size_t more = shown.photographs.size() - 1;
+  const std::string words = (shown.used ? fmt::format("{}  ", place - used.begin() + 1) : "") + fileOf(row) +
+                            (more > 0 ? fmt::format(" and {} more", more) : "");
+  bool keep = shown.used;
+  ImGui::PushFont(fonts().small);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+  ImGui::PushStyleColor(ImGuiCol_Text, kFaint);
+  ImGui::BeginDisabled(shown.used && used.size() < 2);
+  beginNoTabStops();
+  const bool changed = ImGui::Checkbox(words.c_str(), &keep);
+  endNoTabStops();
+  ImGui::EndDisabled();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  markItem({"wizard.use.", row});
+  markState(fmt::format("wizard.use.{}.on", row), shown.used ? "yes" : "no");
+  tooltip(shown.used ? "Untick to leave it out: it stays in the folder, and its colours here"
+                     : "Left out of the capture. Tick to use it again");
+  if (changed) m_toUse = std::pair(row, keep);
+}
+
+void CaptureWizard::drawRow(size_t row) {
+  ImGui::PushID(static_cast<int>(m_rows[row].first()));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  drawThumbnail(lighting);
-  const std::string& file = m_found->folder.shots[firstShot(lighting)].file;
-  const int more = m_brackets.length - 1;
-  hint(more > 0 ? fmt::format("{}  {} and {} more", lighting + 1, file, more)
-                : fmt::format("{}  {}", lighting + 1, file));
+  drawThumbnail(row);
+  drawUse(row);
+  ImGui::BeginDisabled(!m_rows[row].used);
   for (size_t i = 0; i < m_lights.size(); ++i) {
     ImGui::TableNextColumn();
-    drawCell(lighting, i);
+    drawCell(row, i);
   }
+  ImGui::EndDisabled();
   ImGui::PopID();
 }
 
@@ -247,8 +290,9 @@ void CaptureWizard::drawTable(float height) {
     markItem({"wizard.light.", i});
     tooltip("This light's name");
   }
-  for (size_t k = 0; k < m_cells.size(); ++k) drawLighting(k);
+  for (size_t row = 0; row < m_rows.size(); ++row) drawRow(row);
   ImGui::EndTable();
+  if (const auto change = std::exchange(m_toUse, std::nullopt)) useRow(change->first, change->second);
 }
 
 }  // namespace swaplight

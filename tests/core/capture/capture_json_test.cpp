@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/capture.h"
+#include "core/capture/left_out.h"
 #include "tests/support/builtin_colors.h"
 #include "tests/support/temporary_folder.h"
 
@@ -106,6 +107,36 @@ TEST(CaptureJson, ExposuresOfABracketAreRepeatedByAllOthers) {
   json["exposures"] = {0, -3};
   json["shots"][1]["exposure_stops"] = 1;
   EXPECT_THAT(errorOf(json), HasSubstr("shot 2 has \"exposure_stops\""));
+}
+
+TEST(CaptureJson, WhatIsLeftOutIsKeptWithItsColoursAndNoShot) {
+  Json json = manifest();
+  json["left_out"] = {json["shots"][1]};
+  json["left_out"][0]["image"] = "blurred.exr";
+  json["left_out"][0]["light_colors"][1] = nullptr;
+  const Capture capture = captureFromJson(json, "set");
+  EXPECT_EQ(capture.shotCount(), 2);
+  const std::vector<Shot> leftOut = leftOutOf(capture);
+  ASSERT_EQ(leftOut.size(), 1u);
+  EXPECT_EQ(leftOut[0].image, "blurred.exr");
+  EXPECT_FALSE(leftOut[0].lightColors[1]);
+  EXPECT_TRUE(capture.warnings.empty());
+  EXPECT_EQ(jsonFromCapture(capture), json);
+  json["left_out"][0]["light_colors"] = {1, 2};
+  EXPECT_THAT(errorOf(json), HasSubstr("left-out shot 1 (blurred.exr)"));
+}
+
+TEST(CaptureJson, ShotsThatAreLeftOutKeepTheOthersExposures) {
+  Json json = manifest();
+  json["shots"][1]["exposure_stops"] = -1;
+  const Capture fewer = withShotsLeftOut(captureFromJson(json, "set"), {"shot_01.exr"}, "--leave-out");
+  ASSERT_EQ(fewer.shotCount(), 1);
+  EXPECT_EQ(fewer.shots[0].exposureStops, -1);
+  EXPECT_EQ(leftOutOf(fewer)[0].lightColors.size(), 2u);
+  EXPECT_EQ(inputError([&] { (void)withShotsLeftOut(fewer, {"shot_01.exr"}, "--leave-out"); }),
+            "--leave-out: there is no photograph \"shot_01.exr\" to leave out; those in use are shot_02.exr");
+  EXPECT_EQ(inputError([&] { (void)withShotsLeftOut(fewer, {"shot_02.exr"}, "--leave-out"); }),
+            "--leave-out: leaves out all photographs. Keep at least one a light.");
 }
 
 TEST(CaptureJson, SurvivesTheDisk) {

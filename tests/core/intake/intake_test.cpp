@@ -4,8 +4,10 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/capture/left_out.h"
 #include "core/image/io/image_io.h"
 #include "core/intake/capture_draft.h"
+#include "core/intake/photograph_choice.h"
 #include "core/intake/replaced_colors.h"
 #include "core/intake/rotation_guess.h"
 #include "core/solve/solve.h"
@@ -73,6 +75,47 @@ TEST(ShotFolder, AFolderWithoutPhotographsIsSaid) {
               ThrowsMessage<InputError>(HasSubstr("has no photographs")));
   EXPECT_THAT([&] { static_cast<void>(scanShotFolder(test::builtinColors(), folder.path() / "none")); },
               ThrowsMessage<InputError>(HasSubstr("is no folder")));
+}
+
+TEST(PhotographChoice, ACaptureTellsOfThePhotographsBesideIt) {
+  const TemporaryFolder folder;
+  for (const char* name : {"1.exr", "2.exr", "3.exr", "4.exr"}) writePicture(folder.path() / name);
+  const ShotFolder all = scanShotFolder(test::builtinColors(), folder.path());
+  const ShotFolder used = withShotsLeftOut(all, {"2.exr"}, "--leave-out");
+  EXPECT_THAT(filesOf(used), ElementsAre("1.exr", "3.exr", "4.exr"));
+  CaptureDraft draft = draftOf(used, {"key", "fill"});
+  setLighting(draft, 0, shotColorsFromText("0.9/0.2/0.15,off"));
+  setLighting(draft, 1, shotColorsFromText("unknown,?a"));
+  Capture capture = captureOf(draft);
+  capture.shots.pop_back();  // a photograph that came later
+  std::vector<Shot> leftOut = leftOutOf(capture);
+  leftOut[0].lightColors[1] = Rgb(1);
+  capture = withLeftOut(std::move(capture), leftOut);
+  const std::vector<ToldPhotograph> told = toldPhotographs(capture, all);
+  ASSERT_EQ(told.size(), 4u);
+  EXPECT_THAT(told[0].colors, ElementsAre("0.9/0.2/0.15", "off"));
+  EXPECT_FALSE(told[1].used);
+  EXPECT_THAT(told[1].colors, ElementsAre("", "white"));
+  EXPECT_THAT(told[2].colors, ElementsAre("unknown", "?a"));
+  EXPECT_TRUE(told[3].used);
+  EXPECT_THAT(told[3].colors, IsEmpty());
+  EXPECT_THAT([&] { static_cast<void>(withShotsLeftOut(all, {"5.exr"}, "--leave-out")); },
+              ThrowsMessage<InputError>(HasSubstr("no photograph \"5.exr\" to leave out")));
+}
+
+TEST(PhotographChoice, PicturesOfSomeAreThoseOfTheirPlaces) {
+  auto pixels = std::make_shared<CapturePixels>();
+  for (const float value : {1.0F, 2.0F, 3.0F}) {
+    pixels->shots.emplace_back(ImageSpec::rgb(2, 2), value);
+    pixels->clipLevel.push_back(10 * value);
+    pixels->quantum.push_back(100 * value);
+  }
+  EXPECT_EQ(pixelsOf(pixels, {0, 1, 2}), pixels) << "nothing is copied";
+  const auto some = pixelsOf(pixels, {0, 2});
+  ASSERT_EQ(some->shots.size(), 2u);
+  EXPECT_EQ(some->shots[1].plane(0)[0], 3);
+  EXPECT_THAT(some->clipLevel, ElementsAre(10, 30));
+  EXPECT_THAT(some->quantum, ElementsAre(100, 300));
 }
 
 TEST(ShotColor, IsAGelANumberOrUnknown) {
