@@ -38,6 +38,9 @@ void addBrushActions(ActionTable& actions, EditingContext& studio) {
                [&brush] { brush.hardness = std::min(1.0F, brush.hardness + kHardnessStep); }, painting});
   actions.add({"brush.erase", "Erase", "X", "Erase what the brush has painted. Press again to paint.",
                [&brush] { brush.erase = !brush.erase; }, painting, [&brush] { return brush.erase; }});
+  actions.add({"brush.edges", "Follow edges", "Shift+X",
+               "Paint only what is like the surface under the middle of the brush.",
+               [&brush] { brush.edges = !brush.edges; }, painting, [&brush] { return brush.edges; }});
   for (int tenth = 1; tenth <= 10; ++tenth)
     actions.add({fmt::format("brush.opacity_{}", 10 * tenth), fmt::format("Brush at {} %", 10 * tenth),
                  std::to_string(tenth % 10), "The most a stroke can build up to.",

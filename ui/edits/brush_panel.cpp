@@ -22,6 +22,7 @@ void drawBrushPanel(EditingContext& studio) {
   percentSlider("Opacity", "brush.opacity", &brush.opacity, 100,
                 "The most a stroke builds up to, however often it crosses itself.  (1 to 9, 0 is 100 %)");
   percentSlider("Flow", "brush.flow", &brush.flow, 100, "How fast a stroke builds up to its opacity.");
+  actionTextButton(studio.actions, "brush.edges", "Follow edges", ImGui::GetContentRegionAvail().x);
   actionTextButton(studio.actions, "brush.erase", "Erase", ImGui::GetContentRegionAvail().x);
   actionTextButton(studio.actions, "brush.new_light", "New light by painting",
                    ImGui::GetContentRegionAvail().x);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "core/edit/stack/edit.h"
@@ -17,10 +18,12 @@ struct BrushState {
   float hardness = 0.5F;
   float opacity = 1;
   float flow = 0.5F;
-  float light = 0.5F;  ///< that Add adds, as a part of the picture under all lights
-  float level = 0.5F;  ///< that SetTo sets the light's part to
-  int softness = 16;   ///< pixels over which Soften blurs
-  bool erase = false;  ///< takes paint off again
+  float light = 0.5F;                      ///< that Add adds, as a part of the picture under all lights
+  float level = 0.5F;                      ///< that SetTo sets the light's part to
+  int softness = 16;                       ///< pixels over which Soften blurs
+  bool erase = false;                      ///< takes paint off again
+  bool edges = false;                      ///< stays on the surface under its middle
+  std::shared_ptr<const EdgeGuide> guide;  ///< the picture that it then looks at
 
   /// A stroke under way.
   struct Going {

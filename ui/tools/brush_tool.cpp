@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/edit/guide/edge_guide.h"
 #include "core/edit/mask/selection.h"
 #include "ui/control/light_edit.h"
 #include "ui/kit/theme.h"
@@ -69,7 +70,16 @@ Stroke strokeOf(const EditingContext& studio) {
   stroke.flow = brush.flow;
   stroke.opacity = brush.opacity;
   stroke.erase = brush.erase;
+  stroke.edges = brush.edges;
   return stroke;
+}
+
+/// The painting with the guide of the set that is open: painted again where it had another, as from a file.
+Painting guided(EditingContext& studio, const Painting& painting) {
+  const std::shared_ptr<const SolvedSet>& set = studio.set()->original;
+  std::shared_ptr<const EdgeGuide>& guide = studio.editing.brush.guide;
+  if (!guide || !guide->isOf(*set)) guide = std::make_shared<const EdgeGuide>(set);
+  return painting.guide() == guide ? painting : painting.guidedBy(guide);
 }
 
 void showStroke(EditingContext& studio) {
@@ -108,6 +118,7 @@ void beginStroke(EditingContext& studio, const StrokePoint& at) {
     going.painting = Painting(pictures.width(), pictures.height());
   }
   Stroke stroke = strokeOf(studio);
+  if (stroke.edges || going.painting.followsEdges()) going.painting = guided(studio, going.painting);
   if (ImGui::GetIO().KeyShift && brush.last) stroke.points.push_back(*brush.last);
   stroke.points.push_back(at);
   going.painting.begin(std::move(stroke));

@@ -30,7 +30,7 @@ std::optional<std::vector<PixelRect>> paintedDifference(const PreparedEdit& a, c
     const auto* paintA = std::get_if<PaintShape>(&maskA[i].shape);
     const auto* paintB = std::get_if<PaintShape>(&maskB[i].shape);
     if (paintA && paintB && maskA[i].invert == maskB[i].invert)
-      append(areas, paintA->painting->mask().differences(paintB->painting->mask()), 0);
+      append(areas, a.mask->raster(i)->differences(*b.mask->raster(i)), 0);
     else if (!(maskA[i] == maskB[i]))
       return std::nullopt;
   }

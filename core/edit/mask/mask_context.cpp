@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/edit/guide/edge_guide.h"
 #include "core/edit/mask/selection_drawing.h"
 
 namespace swaplight {
@@ -11,13 +12,17 @@ MaskContext::MaskContext(const SolvedSet& set, ShadowSource shadows)
     : m_set(set), m_shadows(std::move(shadows)) {}
 
 std::shared_ptr<const MaskRaster> MaskContext::raster(const MaskShape& shape, int shadowZone) {
-  if (const auto* paint = std::get_if<PaintShape>(&shape.shape))
+  if (const auto* paint = std::get_if<PaintShape>(&shape.shape); paint && isPainted(*paint->painting))
     return {paint->painting, &paint->painting->mask()};
   if (!std::holds_alternative<ShadowShape>(shape.shape)) shadowZone = 0;
   if (auto raster = known(shape, shadowZone)) return raster;
   auto raster = draw(shape, shadowZone);
   if (raster) m_drawn.push_back({shape, shadowZone, raster});
   return raster;
+}
+
+bool MaskContext::isPainted(const Painting& painting) const {
+  return !painting.followsEdges() || (painting.guide() && painting.guide()->isOf(m_set));
 }
 
 std::shared_ptr<const MaskRaster> MaskContext::known(const MaskShape& shape, int shadowZone) {
@@ -45,7 +50,8 @@ std::shared_ptr<const MaskRaster> MaskContext::draw(const MaskShape& shape, int 
         } else if constexpr (std::is_same_v<T, SelectionShape>) {
           return made(drawSelection(s, *this));
         } else if constexpr (std::is_same_v<T, PaintShape>) {
-          return {s.painting, &s.painting->mask()};
+          if (!m_guide) m_guide = std::make_shared<const EdgeGuide>(m_set);
+          return made(s.painting->guidedBy(m_guide).mask());
         } else if constexpr (requires { s.valueAt(0.F, 0.F); }) {
           return nullptr;
         } else {

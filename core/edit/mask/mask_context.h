@@ -45,11 +45,14 @@ class MaskContext {
     int shadowZone = 0;
     std::weak_ptr<const MaskRaster> raster;
   };
+  /// Whether a painting's own mask is the one on this set: it follows no edges, or this set's.
+  [[nodiscard]] bool isPainted(const Painting& painting) const;
   std::shared_ptr<const MaskRaster> draw(const MaskShape& shape, int shadowZone);
 
   const SolvedSet& m_set;
   ShadowSource m_shadows;
   std::vector<Drawn> m_drawn;
+  std::shared_ptr<const EdgeGuide> m_guide;  ///< of the set; nullptr: not needed yet
 };
 
 }  // namespace swaplight

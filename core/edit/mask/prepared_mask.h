@@ -14,6 +14,8 @@ class PreparedMask {
 
   /// Fills out[0..count) with the mask at the pixels x.. of row y. Returns whether any is above 0.
   bool row(int x, int y, int count, float* out) const;
+  /// A shape of the mask as pixels; nullptr for a formula.
+  [[nodiscard]] const MaskRaster* raster(size_t shape) const { return m_parts[shape].raster.get(); }
   /// Where the mask may be above 0.
   [[nodiscard]] const PixelRect& bounds() const { return m_bounds; }
   /// The same in parts: around what is painted or drawn, many small ones.

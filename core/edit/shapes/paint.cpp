@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/edit/guide/edge_guide.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
 
@@ -45,6 +46,16 @@ std::pair<double, double> reaching(const StrokePoint& from, const StrokePoint& t
 }
 
 }  // namespace
+
+Painting Painting::guidedBy(std::shared_ptr<const EdgeGuide> guide) const {
+  Painting again(m_mask.width(), m_mask.height(), std::move(guide));
+  for (const auto& stroke : m_strokes) again.begin(*stroke);
+  return again;
+}
+
+bool Painting::followsEdges() const {
+  return std::any_of(m_strokes.begin(), m_strokes.end(), [](const auto& stroke) { return stroke->edges; });
+}
 
 void Painting::begin(Stroke stroke) {
   const std::vector<StrokePoint> points = std::move(stroke.points);
@@ -96,6 +107,10 @@ PixelRect Painting::dab(const StrokePoint& at) {
   const PixelRect area =
       intersection({left, top, right - left, bottom - top}, {0, 0, m_mask.width(), m_mask.height()});
   const float target = stroke.erase ? 0 : stroke.opacity * 65535.f;
+  const EdgeGuide* guide = stroke.edges && !area.empty() ? m_guide.get() : nullptr;
+  // As far apart as dabs lie: along the path every place is the middle of one.
+  const EdgeGuide::Surface surface =
+      guide ? guide->surfaceAt(at.x, at.y, kSpacing * radius) : EdgeGuide::Surface{};
 
   // Tile by tile, move each pixel some way towards the target, never past it.
   for (int row = area.y / kMaskTile; !area.empty() && row <= (area.bottom() - 1) / kMaskTile; ++row)
@@ -106,7 +121,8 @@ PixelRect Painting::dab(const StrokePoint& at) {
         for (int x = part.x; x < part.right(); ++x) {
           const float dx = (static_cast<float>(x) + .5f - at.x) / radius;
           const float dy = (static_cast<float>(y) + .5f - at.y) / radius;
-          const float share = flow * brushProfile(std::sqrt(dx * dx + dy * dy), hardness);
+          float share = flow * brushProfile(std::sqrt(dx * dx + dy * dy), hardness);
+          if (guide && share > 0) share *= guide->likeness(surface, x, y);
           uint16_t& pixel = tile[y % kMaskTile * kMaskTile + x % kMaskTile];
           const auto now = static_cast<float>(pixel);
           const float step = share * (stroke.erase ? stroke.opacity : 1.f) * (target - now);
@@ -138,14 +154,16 @@ Json jsonFromStroke(const Stroke& stroke) {
   Json points = Json::array();
   for (const StrokePoint& p : stroke.points)
     points.push_back({jsonNumber(p.x), jsonNumber(p.y), jsonNumber(p.pressure)});
-  return {{"radius", jsonNumber(stroke.radius)},
-          {"hardness", jsonNumber(stroke.hardness)},
-          {"flow", jsonNumber(stroke.flow)},
-          {"opacity", jsonNumber(stroke.opacity)},
-          {"erase", stroke.erase},
-          {"pressure_to_radius", stroke.pressureToRadius},
-          {"pressure_to_flow", stroke.pressureToFlow},
-          {"points", std::move(points)}};
+  Json json = {{"radius", jsonNumber(stroke.radius)},
+               {"hardness", jsonNumber(stroke.hardness)},
+               {"flow", jsonNumber(stroke.flow)},
+               {"opacity", jsonNumber(stroke.opacity)},
+               {"erase", stroke.erase},
+               {"pressure_to_radius", stroke.pressureToRadius},
+               {"pressure_to_flow", stroke.pressureToFlow},
+               {"points", std::move(points)}};
+  if (stroke.edges) json["edges"] = true;
+  return json;
 }
 
 Stroke strokeFromJson(const Json& json, const std::string& where) {
@@ -161,6 +179,7 @@ Stroke strokeFromJson(const Json& json, const std::string& where) {
   stroke.erase = fields.boolean("erase").value_or(stroke.erase);
   stroke.pressureToRadius = fields.boolean("pressure_to_radius").value_or(stroke.pressureToRadius);
   stroke.pressureToFlow = fields.boolean("pressure_to_flow").value_or(stroke.pressureToFlow);
+  stroke.edges = fields.boolean("edges").value_or(stroke.edges);
   for (const Json& p : fields.list("points", "the places of the brush as [x, y, pressure]"))
     stroke.points.push_back(pointFromJson(p, where));
   return stroke;
