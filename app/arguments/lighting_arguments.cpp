@@ -12,6 +12,7 @@
 #include "core/session/open_source.h"
 #include "core/session/version.h"
 #include "core/set/set_color_space.h"
+#include "core/setups/other_set.h"
 
 namespace swaplight {
 namespace {
@@ -77,6 +78,10 @@ void LightingArguments::addTo(CLI::App& verb) {
   verb.add_option("--rig", m_rig, "A rig of lights (JSON)")->type_name("FILE");
   verb.add_option("--session", m_session, "Use a session's edits, rig and view and, without SOURCE, its set")
       ->type_name("FILE");
+  verb.add_option("--from", m_from,
+                  "Use a session of another set of the same lights, with --look one of its versions: its "
+                  "lights by their names, and the edits that have no place in its picture")
+      ->type_name("FILE");
   verb.add_option("--working-space", m_workingSpace,
                   "Working space in which lights are mixed: lin_rec709, acescg or aces2065_1 (default: the "
                   "session's, else the set's)")
@@ -99,13 +104,25 @@ void LightingArguments::addTo(CLI::App& verb) {
 }
 
 const std::string& LightingArguments::sessionFile() const {
+  if (!m_from.empty()) return m_from;
   return m_session.empty() && isSessionFile(m_source) ? m_source : m_session;
+}
+
+Session LightingArguments::sessionOfOtherSet() const {
+  if (m_source.empty() || isSessionFile(m_source) || !m_session.empty())
+    throw InputError("--from {}: give the other set as SOURCE, and no --session", m_from);
+  Session session = readSession(m_from);
+  const std::shared_ptr<const ColorConfig> config = colors(session);
+  OtherSetDocument other = documentForSet(session.document, m_source, captureOfSource(*config, m_source));
+  session.document = std::move(other.document);
+  for (const std::string& note : other.notes) session.warnings.push_back(m_from + ": " + note);
+  return session;
 }
 
 std::optional<Session> LightingArguments::session() const {
   const std::string& file = sessionFile();
   if (file.empty()) return std::nullopt;
-  Session session = readSession(file);
+  Session session = m_from.empty() ? readSession(file) : sessionOfOtherSet();
   if (m_look.empty()) return session;
   const LookRequest request = lookRequestFromText(m_look);
   if (const SavedLook* look = savedVersion(session, request.name))
@@ -168,7 +185,7 @@ void LightingArguments::check(const ColorConfig& config, const std::optional<Ses
 
 std::vector<std::filesystem::path> LightingArguments::inputs(const std::optional<Session>& session) const {
   std::vector<std::filesystem::path> files = filesOfSource(source(session));
-  for (const std::string& file : {m_source, m_session, m_rig, m_edits.file}) files.emplace_back(file);
+  for (const std::string& file : {m_source, m_session, m_from, m_rig, m_edits.file}) files.emplace_back(file);
   if (session) {
     files.push_back(session->document.colorConfig);
     static_cast<void>(withFiles(session->document.edits, [&](const std::string& file) {

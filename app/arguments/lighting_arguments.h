@@ -65,6 +65,8 @@ class LightingArguments {
 
  private:
   [[nodiscard]] const std::string& sessionFile() const;
+  /// The session of another set, for the lights of this one.
+  [[nodiscard]] Session sessionOfOtherSet() const;
   /// What the rig's file holds: read once, since a shell's `<(...)` gives it once only.
   [[nodiscard]] const Json& rigFile() const;
 
@@ -74,6 +76,7 @@ class LightingArguments {
   std::string m_rig;
   mutable std::shared_ptr<const Json> m_rigFile;
   std::string m_session;
+  std::string m_from;
   std::string m_look;
   std::string m_workingSpace;
   std::vector<std::string> m_keys;

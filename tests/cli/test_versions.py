@@ -63,6 +63,36 @@ class VersionsTest(cli.CliTest):
         self.succeed('versions', self.session, '-o', sheet, '--columns', 3)
         self.assertLess(len(cli.read_rgb(sheet)), len(with_notes), 'no room is kept for notes that nobody wrote')
 
+    def test_they_serve_another_set_of_the_same_lights(self):
+        cli.Capture(self.path('close'), names=('fill', 'key', 'lamp'), height=48, width=64).save()
+        close = self.path('close.exr')
+        self.succeed('solve', self.path('close', 'capture.json'), '-o', close, '--model', 'transport', '--float', '-q')
+        edits = [{'name': 'Brighter', 'lights': ['key'], 'meaning': 'add', 'operation': 'fill', 'value': .5}]
+        word = {'name': 'Word', 'lights': ['key'], 'meaning': 'add', 'operation': 'fill', 'value': 1,
+                'mask': [{'shape': 'rectangle', 'x': 2, 'y': 2, 'width': 20, 'height': 20}]}
+        self.looks[1]['scene']['edits']['edits'].append(word)
+        self.looks[1]['rig']['lights'].append({'name': 'rim'})
+        self.looks[1]['scene']['display'] = {}
+        with open(self.path('edits.json'), 'w') as file:
+            json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': edits}, file)
+        self.write(self.looks)
+        result = self.succeed('relight', close, '--from', self.session, '--look', 'Morning', '-o', self.path('a.exr'))
+        said = result.stderr
+        for words in ('not in this set, left out: rim', 'only in this set, as captured: lamp',
+                      'Morning: light edits of the other picture are left out: Word'):
+            self.assertIn(words, said)
+        self.succeed('relight', close, '--light', 'key=-1st', '--edits', self.path('edits.json'), '-o', self.path('b.exr'))
+        frame = cli.read_rgb(self.path('a.exr'))
+        self.assertEqual(frame.shape, (48, 64, 3))
+        np.testing.assert_array_equal(frame, cli.read_rgb(self.path('b.exr')))
+        self.succeed('relight', close, '--from', self.session, '--look', 'Plain', '-o', self.path('plain.exr'))
+        self.succeed('relight', close, '--light', 'key=-1st', '-o', self.path('line.exr'))
+        plain = cli.read_rgb(self.path('plain.exr'))
+        np.testing.assert_array_equal(plain, cli.read_rgb(self.path('line.exr')))
+        self.assertGreater(np.abs(frame - plain).mean(), .01, 'its edit is there')
+        self.deny('relight', '--from', self.session, '-o', self.path('x.exr'), naming='give the other set as SOURCE')
+        self.deny('relight', self.path('none.exr'), '--from', self.session, '-o', self.path('x.exr'), naming='no such file')
+
     def test_large_pictures_are_shrunk_in_light(self):
         self.succeed('versions', self.session, '-o', self.path('small.tif'), '--width', 64, '--columns', 3)
         self.assertEqual(cli.read_rgb(self.path('small.tif')).shape[1], 2 * MARGIN + 3 * 64 + 2 * GUTTER)

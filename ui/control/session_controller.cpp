@@ -8,6 +8,7 @@
 #include "core/session/broken_recovery.h"
 #include "core/session/open_source.h"
 #include "core/set/solve_verdict.h"
+#include "core/setups/other_set.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;
@@ -75,6 +76,24 @@ void SessionController::open(const fs::path& path, const SolveOptions& solve) {
 void SessionController::openWithoutPictures(const fs::path& path) {
   try {
     adopt(pendingFor(path), std::nullopt);
+  } catch (const std::exception& error) {
+    m_messages.error(error.what());
+  }
+}
+
+void SessionController::useOnSet(const fs::path& path) {
+  try {
+    m_editor.commit();
+    const fs::path source = sourceFile(path);
+    if (fs::weakly_canonical(source) == fs::weakly_canonical(m_editor.document().source))
+      throw InputError("{}: this set is open already. Choose another one.", source.string());
+    OtherSetDocument other =
+        documentForSet(m_editor.document(), source, captureOfSource(*m_colors.config(), source));
+    Pending pending;
+    pending.session.document = std::move(other.document);
+    pending.session.warnings = std::move(other.notes);
+    pending.fromOtherSet = true;
+    begin(std::move(pending));
   } catch (const std::exception& error) {
     m_messages.error(error.what());
   }
@@ -166,7 +185,8 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   m_colors.follow(document.colorConfig, m_messages);
   checkDisplay(document);
   m_editor.reset(document, "Open " + shortName(document.source));
-  if (pending.unsaved) m_editor.markUnsaved();
+  const bool unsaved = pending.unsaved || pending.fromOtherSet;
+  if (unsaved) m_editor.markUnsaved();
   m_view = viewStateFromJson(pending.session.studio.json());
   ++m_opened;
   m_file = pending.file;
@@ -174,7 +194,7 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   m_set = std::move(set);
   ++m_setRevision;
   m_autosaved = m_editor.revision();
-  if (pending.unsaved) m_autosaved = kNothingAutosaved;
+  if (unsaved) m_autosaved = kNothingAutosaved;
   m_recent.add(m_file.empty() ? m_editor.document().source : m_file);
 }
 

@@ -32,6 +32,9 @@ class SessionController {
   void open(const std::filesystem::path& path, const SolveOptions& solve = {});
   /// The same without solving or reading the pictures, for a file that stopped us before.
   void openWithoutPictures(const std::filesystem::path& path);
+  /// What there is now, with its gallery and cues, as a new session on another set (a solved set or a
+  /// capture) of the same lights, which are found by their names. What cannot come along is said.
+  void useOnSet(const std::filesystem::path& path);
   /// Shows a set that is there already as that of a file.
   void openSet(OpenSet set);
   /// Continues with what a studio that died has left.
@@ -82,6 +85,7 @@ class SessionController {
     Session session;
     std::filesystem::path file;
     bool unsaved = false;
+    bool fromOtherSet = false;  ///< it is new, and in no file yet
   };
   [[nodiscard]] Pending pendingFor(const std::filesystem::path& path) const;
   void begin(Pending pending);

@@ -20,8 +20,8 @@ struct Menu {
 const std::vector<Menu>& menus() {
   static const std::vector<Menu> all = {
       {"File",
-       {"file.new", "file.open", "recent", "-", "file.save", "file.save_as", "-", "file.export", "-",
-        "file.close", "file.quit"}},
+       {"file.new", "file.open", "recent", "file.use_on_set", "-", "file.save", "file.save_as", "-",
+        "file.export", "-", "file.close", "file.quit"}},
       {"Edit",
        {"edit.undo", "edit.redo", "edit.history", "-", "brush.take", "stencil.take", "brush.new_light", "-",
         "select.take", "select.invert", "select.clear", "-", "view.shadows", "shadows.mark_shadow",

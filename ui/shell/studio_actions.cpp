@@ -38,6 +38,11 @@ void StudioWindow::addFileActions() {
                  [this] { whenSaved([this] { askForPhotographs(); }); }});
   m_actions.add({"file.open", "Open …", "Ctrl+O", "Open a capture, a solved set or a session.",
                  [this] { whenSaved([this] { askForFile(); }); }});
+  m_actions.add(
+      {"file.use_on_set", "Use these versions on another set …", "",
+       "Open another set of the same lights (wide, close) with this lighting, gallery and cues: a new "
+       "session.",
+       [this] { whenSaved([this] { askForOtherSet(); }); }, [this] { return m_session.set() != nullptr; }});
   m_actions.add({"file.save", "Save", "Ctrl+S", "Save the session.",
                  [this] {
                    if (m_session.file().empty())

@@ -178,6 +178,16 @@ void StudioWindow::askForFile() {
                  [this](const fs::path& file) { open(file); }});
 }
 
+void StudioWindow::askForOtherSet() {
+  m_chooser.ask({"Use the versions on another set of these lights",
+                 "Use on it",
+                 {".json", ".exr"},
+                 false,
+                 "",
+                 m_editor.document().source.parent_path(),
+                 [this](const fs::path& file) { m_session.useOnSet(file); }});
+}
+
 void StudioWindow::askForPhotographs() {
   FileChooser::Question question;
   question.title = "Choose the folder of photographs";

@@ -81,6 +81,7 @@ class StudioWindow {
   /// Does it at once, or after the person has decided about unsaved work.
   void whenSaved(const std::function<void()>& then);
   void askForFile();
+  void askForOtherSet();
   void askForPhotographs();
   void askForSaveName(const std::function<void()>& then);
   void askForExport(std::optional<ExportKind> kind = {});

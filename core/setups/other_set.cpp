@@ -1,0 +1,98 @@
+#include "core/setups/other_set.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/session/open_source.h"
+#include "core/set/solved_file.h"
+#include "core/setups/place_free_edits.h"
+
+namespace swaplight {
+namespace {
+
+std::vector<std::string> namesOf(const Capture& capture) {
+  std::vector<std::string> names;
+  for (const Light& light : capture.lights) names.push_back(light.name);
+  return names;
+}
+
+/// A lighting and its edits for the other set's lights, one after the other; remembers what was left out.
+class Conversion {
+ public:
+  explicit Conversion(const Capture& capture) : m_capture(capture), m_names(namesOf(capture)) {}
+
+  /// `where`: "" for what is there now, else the version's name.
+  void convert(const std::string& where, Rig& rig, EditStack& edits) {
+    PlaceFreeEdits fitted = placeFreeEdits(edits, m_names);
+    if (!fitted.leftOut.empty())
+      m_notes.push_back(fmt::format("{}light edits of the other picture are left out: {}",
+                                    where.empty() ? "" : where + ": ", fmt::join(fitted.leftOut, ", ")));
+    // A lamp that has the name of a light that was painted there is as it was captured.
+    std::erase_if(rig.lights, [&](const LightSetting& light) {
+      const auto& added = edits.newLights;
+      return std::find(added.begin(), added.end(), light.light) != added.end() &&
+             m_capture.lightIndex(light.light) >= 0;
+    });
+    convert(rig, fitted.edits);
+    edits = std::move(fitted.edits);
+  }
+  /// A lighting alone, of the set's lights and those that the edits add to it.
+  void convert(Rig& rig, const EditStack& edits) {
+    const Capture all = withNewLights(m_capture, edits);
+    for (const LightSetting& light : rig.lights) {
+      (all.lightIndex(light.light) < 0 ? m_missing : m_told).insert(light.light);
+    }
+    rig = fitRig(rig, all);
+  }
+
+  [[nodiscard]] std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    if (!m_missing.empty())
+      notes.push_back(fmt::format("not in this set, left out: {}", fmt::join(m_missing, ", ")));
+    std::vector<std::string> captured;
+    for (const std::string& name : m_names)
+      if (m_told.count(name) == 0) captured.push_back(name);
+    if (!captured.empty())
+      notes.push_back(fmt::format("only in this set, as captured: {}", fmt::join(captured, ", ")));
+    notes.insert(notes.end(), m_notes.begin(), m_notes.end());
+    return notes;
+  }
+
+ private:
+  const Capture& m_capture;
+  std::vector<std::string> m_names;
+  std::set<std::string> m_missing, m_told;
+  std::vector<std::string> m_notes;
+};
+
+}  // namespace
+
+OtherSetDocument documentForSet(const Document& from, const std::filesystem::path& source,
+                                const Capture& capture) {
+  OtherSetDocument result{from, {}};
+  Document& document = result.document;
+  document.source = source;
+  document.selection.clear();
+  Conversion conversion(capture);
+  conversion.convert("", document.rig, document.edits);
+  for (SavedLook& look : document.looks) {
+    if (look.scene)
+      conversion.convert(look.name, look.rig, look.scene->edits);
+    else
+      conversion.convert(look.rig, document.edits);
+  }
+  result.notes = conversion.notes();
+  return result;
+}
+
+Capture captureOfSource(const ColorConfig& config, const std::filesystem::path& source) {
+  if (!std::filesystem::exists(source)) throw InputError("{}: there is no such file", source.string());
+  if (sourceKind(source) == SourceKind::SolvedSet) return readSolvedHeader(source).capture;
+  if (sourceKind(source) == SourceKind::Capture) return readCapture(config, sourceFile(source));
+  throw InputError("{}: neither a capture nor a solved set", source.string());
+}
+
+}  // namespace swaplight
