@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
+#include "core/look/look_place.h"
 #include "core/relight/light_command_words.h"
 
 namespace swaplight {
@@ -50,15 +51,12 @@ std::vector<int> takeCues(const CueList& cues, LightWordReader& words) {
 /// By its name, of several words where the gallery has such a one, or its place.
 const SavedLook& takeLook(const std::vector<SavedLook>& looks, LightWordReader& words) {
   const std::string first = nextWord(words, "look", "cue 3 look 2 or cue 3 look Night");
-  if (const SavedLook* look = findSavedLook(looks, first)) return *look;
-  const auto place = numberFromText(first);
-  for (size_t i = 0; place && i < looks.size(); ++i)
-    if (*place == static_cast<float>(i + 1)) return looks[i];
   std::string name = first;
-  while (!place && !words.atEnd()) {
+  for (;;) {
+    if (const auto place = placeOfLook(looks, name)) return looks[*place];
+    if (words.atEnd() || numberFromText(name)) break;
     name += ' ';
     name += words.take().text;
-    if (const SavedLook* look = findSavedLook(looks, name)) return *look;
   }
   throw InputError("'{}' is no look of the gallery, which has {}: its number or its name", name,
                    looks.size());

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/number_text.h"
+#include "core/look/look_place.h"
 #include "core/session/version.h"
 
 namespace swaplight {
@@ -27,13 +26,11 @@ size_t lookPlace(const std::vector<SavedLook>& looks, const GoRequest& request, 
     if (!before || now == 0) throw InputError("there is no look before: go 1 begins");
     return now - 1;
   }
-  if (const SavedLook* named = findSavedLook(looks, request.name))
-    return static_cast<size_t>(named - looks.data());
-  const std::optional<float> number = numberFromText(request.name);
-  if (!number || *number < 1 || *number > static_cast<float>(looks.size()) || *number != std::floor(*number))
+  const std::optional<size_t> place = placeOfLook(looks, request.name);
+  if (!place)
     throw InputError("'{}' is no look of the gallery, which has {}: go, go back, go 2 or go with a name",
                      request.name, looks.size());
-  return static_cast<size_t>(*number) - 1;
+  return *place;
 }
 
 }  // namespace

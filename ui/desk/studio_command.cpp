@@ -7,7 +7,9 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/look/look.h"
+#include "core/look/look_place.h"
 #include "core/look/rig_blend.h"
 #include "core/relight/light_command.h"
 #include "core/relight/light_command_words.h"
@@ -39,28 +41,17 @@ std::optional<std::string> after(const std::string& line, const std::string& wor
   return begins ? std::optional(trimmedLine(line.substr(word.size()))) : std::nullopt;
 }
 
-/// A look of the gallery by its place, from 1.
-const SavedLook* lookOfNumber(const std::vector<SavedLook>& looks, const std::string& text) {
-  const bool digits =
-      !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
-  if (!digits) return nullptr;
-  const size_t number = std::stoul(text);
-  if (number < 1 || number > looks.size())
-    throw InputError("there is no look {}: the gallery has {}", text, looks.size());
-  return &looks[number - 1];
-}
-
 std::string runLook(const LightsContext& studio, const std::string& text) {
   if (text.empty()) throw InputError("after look write its number or name, as look 2 or look moonlight:60%");
   const LookRequest request = lookRequestFromText(text);
   const std::vector<SavedLook>& looks = studio.document().looks;
-  const SavedLook* saved = lookOfNumber(looks, request.name);
-  if (!saved) saved = findSavedLook(looks, request.name);
-  if (saved) {
-    const std::string name = saved->name;
-    studio.editor.edit(name, recalled(studio.document(), *saved, request.amount));
-    return name;
+  if (const auto place = placeOfLook(looks, request.name)) {
+    const SavedLook saved = looks[*place];
+    studio.editor.edit(saved.name, recalled(studio.document(), saved, request.amount));
+    return saved.name;
   }
+  if (numberFromText(request.name))
+    throw InputError("there is no look {}: the gallery has {}", request.name, looks.size());
   const Rig before = studio.document().rig;
   const Look& preset = findLook(request.name);
   editRig(studio, preset.name,

@@ -1,4 +1,5 @@
 #include "core/look/look.h"
+#include "core/look/look_place.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -205,6 +206,15 @@ TEST(Look, IsAskedForByNameAndAmount) {
   EXPECT_EQ(lookRequestFromText("neon:25%").name, "neon");
   for (const char* wrong : {"neon:", "neon:2", "neon:-1", "neon:half", "neon:0.5x"})
     EXPECT_THROW(static_cast<void>(lookRequestFromText(wrong)), InputError) << wrong;
+}
+
+TEST(SavedLook, IsMeantByItsNameOrItsNumber) {
+  const std::vector<SavedLook> looks = {{"Night", "", {}}, {"3", "", {}}, {"Late night", "", {}}};
+  EXPECT_EQ(placeOfLook(looks, "night"), 0u);
+  EXPECT_EQ(placeOfLook(looks, "Late night"), 2u);
+  EXPECT_EQ(placeOfLook(looks, "2"), 1u);
+  EXPECT_EQ(placeOfLook(looks, "3"), 1u) << "a name goes before a number";
+  for (const char* none : {"", "0", "4", "1.5", "Dawn", "-1"}) EXPECT_FALSE(placeOfLook(looks, none)) << none;
 }
 
 TEST(SavedLook, ComesBackFromItsFile) {
