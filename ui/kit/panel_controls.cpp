@@ -1,5 +1,8 @@
 #include "ui/kit/panel_controls.h"
 
+#include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "ui/kit/layout_probe.h"
@@ -21,6 +24,21 @@ bool choiceButton(const char* words, bool chosen, float width, const char* mark,
   return clicked;
 }
 
+namespace {
+
+/// The format, or the text itself where it would be a zero with a minus: "-0 degrees".
+std::string formatWithoutMinusZero(const char* format, float value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format,
+                double{value});  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  if (text[0] != '-' || std::strtof(text.data(), nullptr) != 0) return format;
+  std::string literal;
+  for (const char* c = text.data() + 1; *c != 0; ++c) literal += *c == '%' ? "%%" : std::string(1, *c);
+  return literal;
+}
+
+}  // namespace
+
 bool labelledSlider(const char* label, const char* mark, float* value, float low, float high,
                     const char* format, const char* tip, ImGuiSliderFlags flags) {
   ImGui::AlignTextToFramePadding();
@@ -28,7 +46,8 @@ bool labelledSlider(const char* label, const char* mark, float* value, float low
   ImGui::SameLine(px(kLabelWidth));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   const std::string id = std::string("##") + mark;
-  const bool changed = ImGui::SliderFloat(id.c_str(), value, low, high, format, flags);
+  const bool changed =
+      ImGui::SliderFloat(id.c_str(), value, low, high, formatWithoutMinusZero(format, *value).c_str(), flags);
   markItem(mark);
   tooltip(tip);
   return changed;

@@ -24,7 +24,8 @@ using SubjectKind = ViewSubject::Kind;
 
 constexpr float kGap = 4;
 constexpr float kHistogramHeight = 92;
-constexpr float kToldShare = .001F;  // of the picture: less cannot be seen hatched
+constexpr float kLowPanel = 760, kLowHistogramHeight = 44;  ///< the edits below need the room more
+constexpr float kToldShare = .001F;                         // of the picture: less cannot be seen hatched
 
 void lightCombo(EditingContext& studio) {
   const std::vector<LightSetting>& lights = studio.document().rig.lights;
@@ -110,7 +111,8 @@ void threshold(EditingContext& studio, const std::string& light, int index) {
   const ShadowPreview& preview = *studio.shadows.preview();
   const std::optional<float> given = shadowThresholdOf(studio.document(), light);
   const float now = given.value_or(preview.ownThreshold(static_cast<size_t>(index)));
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, px(kHistogramHeight));
+  const bool low = ImGui::GetWindowHeight() < px(kLowPanel);
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, px(low ? kLowHistogramHeight : kHistogramHeight));
   if (const auto moved = shadowHistogram(preview.histogram(static_cast<size_t>(index)), now, size))
     previewShadowThreshold(studio, light, *moved);
   const float button = px(64);
