@@ -1,6 +1,7 @@
 """The export dialog in a real window: every kind is written as the command line does, and choices are remembered."""
 import json
 import os
+import shutil
 import subprocess
 import unittest
 
@@ -97,6 +98,46 @@ class ExportDialog(StudioTest):
             path = self.ask(tone + '.png', 'export.tone', 'export.tone.' + tone)
             self.same(path, 'relight', SAMPLE, '--tone', tone)
             self.assertGreater(np.abs(read(path)[1] - plain).mean(), 0.01)
+
+    def test_tabs_stay_below_the_pointer(self):
+        studio = self.open_sample()
+        studio.key('ctrl+e')
+        studio.item('export.file')
+        studio.settle()
+        kinds = ('frame', 'layers', 'beta', 'look', 'report', 'sequence', 'sheet')
+        places = {kind: studio.item('export.kind.' + kind) for kind in kinds}
+        for kind in kinds:
+            studio.click('export.kind.' + kind)
+            studio.settle()
+            self.assertEqual({other: studio.item('export.kind.' + other) for other in kinds}, places, kind)
+            self.assertLess(studio.item('export.accept')[3], 715, 'in the window')
+            studio.screenshot('export_kind_' + kind)
+
+    def test_the_versions_are_the_contact_sheet_of_the_command_line(self):
+        studio = self.open_sample()
+        studio.key('ctrl+e')
+        studio.click('export.kind.sheet')
+        studio.key('Return')
+        studio.settle()
+        self.assertTrue(studio.has('export.file'), 'there is nothing in the gallery yet')
+        studio.screenshot('export_versions_empty')
+        studio.key('Escape')
+        studio.key('shift+k')
+        studio.key('ctrl+l')
+        studio.settle()
+        studio.type('key @ 25')
+        studio.key('Return')
+        studio.key('Escape')
+        studio.key('shift+v')
+        studio.settle()
+        session, written = self.save_as('show')
+        self.assertEqual([look['name'] for look in written['looks']], ['Look 1', 'Version 1'])
+        sheet = self.ask('sheet.png', 'export.kind.sheet', 'export.format.png')
+        again = self.path('again.png')
+        named = shutil.copy(session, self.path('three_point.swaplight'))  # its name is the sheet's title
+        subprocess.run([PROGRAM, 'versions', named, '-o', again], check=True, capture_output=True)
+        np.testing.assert_array_equal(read(sheet)[1], read(again)[1])
+        self.assertGreater(read(sheet)[1].std(), .05, 'with pictures')
 
     def test_choices_are_remembered_and_mistakes_said_before(self):
         self.open_sample()

@@ -336,7 +336,8 @@ void ExportDialog::draw(const ColorConfig& config, const Document& document, con
   if (!m_open) return;
   if (!ImGui::IsPopupOpen(kExportTitle)) ImGui::OpenPopup(kExportTitle);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y * 0.45F), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  // By its upper edge: the kinds differ in height, and their tabs stay below the pointer.
+  ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y * 0.2F), ImGuiCond_Always, ImVec2(0.5F, 0));
   ImGui::SetNextWindowSize(ImVec2(std::min(px(640), screen.x - px(40)), 0));
   if (!ImGui::BeginPopupModal(
           kExportTitle, nullptr,
