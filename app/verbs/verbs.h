@@ -24,7 +24,6 @@ void addLookVerb(Program& program);
 void addLightmapVerb(Program& program);
 void addLightsVerb(Program& program);
 void addBalanceVerb(Program& program);
-void addResponseVerb(Program& program);
 void addCuesVerb(Program& program);
 
 }  // namespace swaplight

@@ -13,6 +13,12 @@ namespace swaplight {
 /// g differs by from a gamma of 2.2. Codes that nothing shows are continued smoothly.
 [[nodiscard]] std::vector<double> debevecResponse(const ResponseSamples& samples);
 
+/// Robertson, Borman and Stevenson 2003: min sum w (f(z) - t x)^2 over the response f itself, w a Gauss, so
+/// that bright codes count most. Their iteration ends where this does at once: with each pixel's light x put
+/// in, it is a quadratic form in f. f is smooth by a gamma of 2.2, as above, which continues what is not
+/// seen.
+[[nodiscard]] std::vector<double> robertsonResponse(const ResponseSamples& samples);
+
 /// How much a sample of that code says: w^2 of Debevec and Malik, 0..1.
 [[nodiscard]] double responseWeight(int level);
 

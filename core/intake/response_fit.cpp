@@ -53,7 +53,29 @@ double responseMisfit(const ResponseSamples& samples, const std::vector<double>&
   return weights > 0 ? std::sqrt(squares / weights) : 0;
 }
 
-void fitChannel(const ResponseSamples& samples, int c, ResponseFit& fit) {
+std::vector<double> risingResponse(const ResponseSamples& samples, ResponseMethod method) {
+  std::vector<double> g =
+      method == ResponseMethod::Debevec ? debevecResponse(samples) : robertsonResponse(samples);
+  makeRising(g);
+  return g;
+}
+
+/// Light 1 at the last code.
+std::vector<float> lightOf(const std::vector<double>& g) {
+  std::vector<float> light;
+  light.reserve(g.size());
+  for (const double value : g) light.push_back(static_cast<float>(std::exp(value - g.back())));
+  light.front() = 0;  // black is no light: a logarithm has nowhere to go
+  return light;
+}
+
+double largestDifference(const std::vector<float>& a, const std::vector<float>& b) {
+  double largest = 0;
+  for (size_t z = 0; z < a.size(); ++z) largest = std::max(largest, double(std::abs(a[z] - b[z])));
+  return largest;
+}
+
+void fitChannel(const ResponseSamples& samples, int c, ResponseMethod method, ResponseFit& fit) {
   const auto counts = samples.counts();
   const auto seen = std::count_if(counts.begin(), counts.end(), [](int count) { return count > 0; });
   if (seen < kLeastCodes)
@@ -64,12 +86,14 @@ void fitChannel(const ResponseSamples& samples, int c, ResponseFit& fit) {
   const auto often =
       std::find_if(counts.begin(), counts.end(), [](int count) { return count >= kSeenOften; });
   fit.darkest[static_cast<size_t>(c)] = double(often - counts.begin()) / (kResponseLevels - 1);
-  std::vector<double> g = debevecResponse(samples);
-  makeRising(g);
+  const std::vector<double> g = risingResponse(samples, method);
   fit.misfit[static_cast<size_t>(c)] = responseMisfit(samples, g);
+  const ResponseMethod other =
+      method == ResponseMethod::Debevec ? ResponseMethod::Robertson : ResponseMethod::Debevec;
   std::vector<float>& light = fit.curve.light[static_cast<size_t>(c)];
-  for (const double value : g) light.push_back(static_cast<float>(std::exp(value - g.back())));
-  light.front() = 0;  // black is no light: a logarithm has nowhere to go
+  light = lightOf(g);
+  fit.methodDifference =
+      std::max(fit.methodDifference, largestDifference(light, lightOf(risingResponse(samples, other))));
 }
 
 void compareWithUsual(ResponseFit& fit) {
@@ -81,9 +105,9 @@ void compareWithUsual(ResponseFit& fit) {
       for (int z = 0; z < kResponseLevels; ++z) usual.plane(c)[z] = float(z) / (kResponseLevels - 1);
     builtin.convert(usual.span(), name, "lin_rec709");
     double largest = 0;
+    const std::vector<float> light(usual.plane(0), usual.plane(0) + kResponseLevels);
     for (const std::vector<float>& curve : fit.curve.light)
-      for (size_t z = 0; z < curve.size(); ++z)
-        largest = std::max(largest, double(std::abs(curve[z] - usual.plane(0)[z])));
+      largest = std::max(largest, largestDifference(curve, light));
     if (largest < fit.nearestDifference) fit.nearest = name, fit.nearestDifference = largest;
   }
 }
@@ -107,7 +131,7 @@ std::vector<Image> loadCodes(const ShotFolder& folder) {
   return codes;
 }
 
-ResponseFit fitResponse(const std::vector<Image>& codes, const Brackets& brackets) {
+ResponseFit fitResponse(const std::vector<Image>& codes, const Brackets& brackets, ResponseMethod method) {
   if (brackets.length < 2 || brackets.stops.size() != codes.size())
     throw InputError("a response is found from brackets: two or more exposures of the same light");
   const auto [low, high] = std::minmax_element(brackets.stops.begin(), brackets.stops.end());
@@ -115,7 +139,7 @@ ResponseFit fitResponse(const std::vector<Image>& codes, const Brackets& bracket
     throw InputError("the exposures are only {:.2f} stops apart: a response needs {:.0f} or more",
                      *high - *low, kLeastRange);
   ResponseFit fit;
-  for (int c = 0; c < 3; ++c) fitChannel(responseSamples(codes, brackets, c), c, fit);
+  for (int c = 0; c < 3; ++c) fitChannel(responseSamples(codes, brackets, c), c, method, fit);
   compareWithUsual(fit);
   return fit;
 }

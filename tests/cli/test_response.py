@@ -32,6 +32,17 @@ class Response(cli.CliTest):
         for channel in ('red', 'green', 'blue'):
             self.assertLess(np.abs(curve[channel] - truth).max(), .01)
         self.assertGreater(result['nearest_difference'], .03)
+        self.assertLess(result['method_difference'], .02)
+
+    def test_either_method_finds_it(self):
+        result = self.succeed_json('response', self.ramp(), '--exposures', '0,-1,-2,-3,1,2', '--method', 'robertson', '-o', self.path('camera.csv'))
+        self.assertEqual(result['method'], 'robertson')
+        curve = np.genfromtxt(self.path('camera.csv'), delimiter=',', names=True)
+        light = np.linspace(0, 1, 5001)
+        truth = np.interp(curve['code'], encode(light), light)
+        for channel in ('red', 'green', 'blue'):
+            self.assertLess(np.abs(curve[channel] - truth).max(), .01)
+        self.deny('response', self.path('chart'), '--method', 'guess', '-o', self.path('camera.csv'), naming=['guess', 'robertson'])
 
     def test_a_capture_in_it_is_solved_as_well_as_one_in_linear_light(self):
         self.curve()

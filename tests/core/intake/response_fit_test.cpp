@@ -92,6 +92,21 @@ TEST(ResponseFit, IsWithinOnePerCentOfFullScaleThroughThreeCurves) {
   }
 }
 
+TEST(ResponseFit, RobertsonsMethodIsAsNearAndChecksTheOther) {
+  const std::vector<float> stops{0, -1, -2, -3, 1, 2};
+  for (const Curve curve : {contrast, film, shoulder}) {
+    const std::vector<Image> codes = photographed(curve, stops);
+    const ResponseFit fit = fitResponse(codes, bracketOf(stops), ResponseMethod::Robertson);
+    EXPECT_LT(largestError(fit, curve), 0.01);
+    EXPECT_LT(fit.methodDifference, 0.02);
+    EXPECT_GT(fit.methodDifference, 0) << "they are two methods";
+    const ResponseFit debevec = fitResponse(codes, bracketOf(stops));
+    EXPECT_EQ(debevec.methodDifference, fit.methodDifference);
+    std::cout << "largest error, % of full scale: Debevec and Malik " << 100 * largestError(debevec, curve)
+              << ", Robertson " << 100 * largestError(fit, curve) << "\n";
+  }
+}
+
 TEST(ResponseFit, StaysNearWithFewExposuresAndMoreNoise) {
   const std::vector<float> stops{0, -3, 2};
   for (const Curve curve : {contrast, film, shoulder})

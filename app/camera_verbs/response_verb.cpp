@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "app/camera_verbs/camera_verbs.h"
 #include "app/program/description.h"
-#include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/intake/response_fit.h"
@@ -12,6 +12,7 @@ namespace {
 
 struct ResponseCommand {
   std::string folder, exposures, output;
+  std::string method = "debevec";
 };
 
 /// As told, or as the files say; all of them are one bracket where nothing repeats itself.
@@ -22,6 +23,12 @@ Brackets bracketsFor(const ResponseCommand& arguments, const ShotFolder& folder)
   return brackets;
 }
 
+ResponseMethod methodOf(const std::string& name) {
+  if (name == "debevec") return ResponseMethod::Debevec;
+  if (name == "robertson") return ResponseMethod::Robertson;
+  throw InputError("--method: '{}' is not known; known: debevec, robertson", name);
+}
+
 Description descriptionOf(const ResponseFit& fit, const ShotFolder& folder, const Brackets& brackets) {
   Description d{"", Json::object()};
   d.line("photographs", fmt::format("{}, {}", folder.shots.size(), brackets.words));
@@ -29,11 +36,13 @@ Description descriptionOf(const ResponseFit& fit, const ShotFolder& folder, cons
                                 100 * fit.nearestDifference));
   d.line("misfit", fmt::format("{:.1f}, {:.1f}, {:.1f} % of the light", 100 * fit.misfit[0],
                                100 * fit.misfit[1], 100 * fit.misfit[2]));
+  d.line("other method", fmt::format("differs by up to {:.1f} % of full scale", 100 * fit.methodDifference));
   const double darkest = *std::max_element(fit.darkest.begin(), fit.darkest.end());
   d.line("seen", fmt::format("codes from {:.0f} of 255; below it is continued", 255 * darkest));
   d.json = {{"exposures", brackets.words},
             {"nearest", fit.nearest},
             {"nearest_difference", fit.nearestDifference},
+            {"method_difference", fit.methodDifference},
             {"misfit", fit.misfit},
             {"darkest_code", fit.darkest}};
   return d;
@@ -41,14 +50,16 @@ Description descriptionOf(const ResponseFit& fit, const ShotFolder& folder, cons
 
 int run(const ResponseCommand& arguments, Terminal& terminal) {
   checkResponseFile(arguments.output, "--output");
+  const ResponseMethod method = methodOf(arguments.method);
   const ShotFolder folder = scanShotFolder(*programConfig(), arguments.folder);
   sayWarnings(folder.notes, terminal);
   const Brackets brackets = bracketsFor(arguments, folder);
-  const ResponseFit fit = fitResponse(loadCodes(folder), brackets);
+  const ResponseFit fit = fitResponse(loadCodes(folder), brackets, method);
   writeResponse(fit.curve, arguments.output);
   terminal.say("wrote {}", arguments.output);
   Description d = descriptionOf(fit, folder, brackets);
   d.json["response"] = arguments.output;
+  d.json["method"] = arguments.method;
   terminal.result(d.text, d.json);
   return 0;
 }
@@ -67,6 +78,10 @@ void addResponseVerb(Program& program) {
   verb.add_option("--exposures", a->exposures,
                   "Their exposures in stops, in the photographs' order (default: as the files say)")
       ->type_name("0,-1,-2");
+  verb.add_option("--method", a->method,
+                  "debevec: least squares of the logarithm of light (Debevec and Malik); robertson: of light")
+      ->type_name("HOW")
+      ->capture_default_str();
 }
 
 }  // namespace swaplight

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/program/program.h"
+
+namespace swaplight {
+
+// Verbs about what a camera does to light; see app/verbs/verbs.h for all others.
+
+void addResponseVerb(Program& program);
+
+}  // namespace swaplight
