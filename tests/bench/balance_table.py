@@ -5,8 +5,8 @@ usage: balance_table.py SWAPLIGHT SHARED [--tables lamps,white,swaps,errors] [--
 
 lamps: tables 6.1 and 6.2 of the dissertation: the second lamp's colour (and, by `lights`, the first's) in 8-bit codes,
 error = Euclidean distance. Of two swapped photographs and a known beta: mean over all pixels and mode (in bins of 3
-codes, over those that tell: beta off 1/2, not dark) of l_1 B / A, as published, and least squares; of one photograph of
-the solved set: `swaplight lights`.
+codes, over those that tell: beta off 1/2, not dark) of l_1 B / A, as published, least squares, and maximum likelihood; of one
+photograph of the solved set: `swaplight lights`.
 errors: how often two standard errors of `lights` cover the truth.
 white: mean CIEDE2000 and angular error (degrees) against every lamp white at its own luminance.
 swaps: the same on gels really swapped, balanced to white. The truth is the sum of photographs with each lamp white:
@@ -108,7 +108,7 @@ class Bench:
         return np.array([lamp['color'] for lamp in lamps]), np.array([lamp['standard_error'] for lamp in lamps])
 
     def two_shots(self, solved, truth, names, second, noise):
-        """l_2 by the dissertation's methods: mean, mode; and least squares."""
+        """l_2 by the dissertation's methods: mean, mode; least squares; and maximum likelihood."""
         first, beta = linear(FIRST), read(solved)['beta.' + names[0]][..., None]
         one, two = (self.noisy(np.einsum('ic,ihwc->hwc', pair, truth), noise)
                     for pair in ((first, second), (second, first)))
@@ -119,13 +119,36 @@ class Bench:
         inner = [channel[(channel > 2) & (channel < 253)] for channel in pixels[told].T]
         mode = [np.histogram(channel, 85, (0, 255))[0].argmax() * 3 + 1.5 for channel in inner]
         squares = codes(first * (a * b).sum((0, 1)) / (a * a).sum((0, 1)))
-        return np.mean(pixels, 0), np.array(mode), squares
+        return np.mean(pixels, 0), np.array(mode), squares, codes(self.likeliest(one, two, beta, first, NOISES[noise]))
+
+    @staticmethod
+    def likeliest(one, two, beta, first, noise):
+        """l_2 by maximum likelihood: with the reflectance that is the likeliest for it put in, each pixel leaves
+        (C_1 p_2 - C_2 p_1)^2 over its variance, p the light that l_1 and l_2 bring to it in either photograph."""
+        well, dark = noise
+        found = []
+        for c, known in enumerate(first):
+            b, seen = beta[..., 0], np.stack([one[..., c], two[..., c]])
+
+            def left(second, before):
+                light = np.stack([b * known + (1 - b) * second, b * second + (1 - b) * known])
+                guess = np.stack([b * known + (1 - b) * before, b * before + (1 - b) * known])
+                signal = np.maximum((seen * guess).sum(0) / (guess * guess).sum(0), 0) * guess
+                variance = signal / well + dark ** 2
+                return ((seen[0] * light[1] - seen[1] * light[0]) ** 2
+                        / (variance[0] * light[1] ** 2 + variance[1] * light[0] ** 2)).sum()
+            best, step = .5, .5
+            for _ in range(12):
+                tried = np.clip(best + step * np.linspace(-1, 1, 11), 1e-4, 2)
+                best, step = tried[np.argmin([left(value, best) for value in tried])], step / 2.5
+            found.append(best)
+        return np.array(found)
 
     def lamps(self):
         for noise in NOISES:
             folder, solved, names, truth = self.solved('spheres', noise)
             print(f'\n| full well/read {noise}: second lamp | mean, published | mode, published | mean | mode | least squares '
-                  '| `lights` | `lights`, first lamp |\n|---|---|---|---|---|---|---|---|')
+                  '| maximum likelihood | `lights` | `lights`, first lamp |\n|---|---|---|---|---|---|---|---|---|')
             rows = []
             for second, published in DISSERTATION.items():
                 pair = np.array([linear(FIRST), linear(second)])
