@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   addSinksVerb(program);
   addBalanceVerb(program);
   addResponseVerb(program);
+  addLinearVerb(program);
   addCuesVerb(program);
   addGradeVerb(program);
   addVersionsVerb(program);

@@ -7,5 +7,6 @@ namespace swaplight {
 // Verbs about what a camera does to light; see app/verbs/verbs.h for all others.
 
 void addResponseVerb(Program& program);
+void addLinearVerb(Program& program);
 
 }  // namespace swaplight

@@ -14,6 +14,7 @@
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
 #include "core/ocio/chosen_config.h"
+#include "core/solve/causes/linearity.h"
 
 namespace swaplight {
 namespace {
@@ -212,9 +213,13 @@ int run(const NewCommand& arguments, Terminal& terminal) {
   std::vector<std::string> warnings = folder.notes;
   for (auto&& more : {pictureWarnings(draft, pixels), colorWarnings(draft)})
     warnings.insert(warnings.end(), more.begin(), more.end());
+  const LinearityEvidence linearity = linearityOf(captureOf(draft), pixels);
+  if (linearity.answer == LinearityEvidence::Answer::Curved)
+    warnings.push_back("do the photographs hold light? " + linearity.words);
   placeFrame(arguments, pixels, draft);
   const std::filesystem::path file = writeDraft(draft, arguments.force);
-  const Description d = describe(draft, file, how, warnings);
+  Description d = describe(draft, file, how, warnings);
+  d.json["linearity"] = jsonFromLinearity(linearity);
   terminal.say("wrote {}", file.string());
   terminal.result(d.text, d.json);
   return 0;

@@ -65,6 +65,31 @@ class Wizard(StudioTest):
         self.studio.move(640, 15)
         self.assertLess(np.abs(self.studio.picture('wizard_sample') - picture).mean(), 0.5)
 
+    def test_the_photographs_are_asked_whether_they_hold_light(self):
+        """Each lamp alone and both together, as light and through a camera's contrast."""
+        random = np.random.default_rng(2)
+        y, x = np.mgrid[:90, :120]
+        lamps = [.4 * (.55 + .45 * np.sin(.07 * x[..., None] + 2 * i + np.arange(3)) * np.cos(.05 * y[..., None] - i)) for i in (0, 1)]
+        for k, pair in enumerate(((1, 0), (0, 1), (1, 1))):
+            light = sum(on * lamp for on, lamp in zip(pair, lamps))
+            light = np.clip(light + random.normal(size=light.shape) * np.sqrt(light / 40000 + 1e-6), 1e-9, 1)
+            v = np.where(light <= .0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - .055)
+            v = v + .35 * (v * v * (3 - 2 * v) - v)
+            out = oiio.ImageBuf(oiio.ImageSpec(120, 90, 3, 'uint8'))
+            out.set_pixels(oiio.ROI(), np.round(255 * v).astype(np.uint8))
+            out.write(os.path.join(self.shots, f'{k}.png'))
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        studio.click('wizard.fewer', 0.3)  # as many as photographs
+        for k, pair in enumerate((('white', 'off'), ('off', 'white'), ('white', 'white'))):
+            self.fill_in(k, *pair)
+        studio.click('wizard.linear')
+        studio.wait(lambda layout: layout.get('wizard.linear.words', '').startswith('no'), 'the answer')
+        studio.screenshot('wizard_linear')
+        self.fill_in(2, 'off')
+        studio.wait(lambda layout: layout.get('wizard.linear.words', 'x') == '', 'the answer was of other colours')
+
     def test_a_chosen_folder_with_an_unknown_colour(self):
         manifest = self.photographs('two_swapped')
         studio = self.start()

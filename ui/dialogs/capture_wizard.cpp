@@ -78,6 +78,8 @@ void CaptureWizard::close() {
   m_reading.cancel();
   m_guessing.cancel();
   m_checking.cancel();
+  m_testing.cancel();
+  m_linearity.reset();
   if (m_folder && m_found)
     m_typed = {*m_folder, m_lights, m_brackets, m_exposures, m_exposuresTold, m_rows, m_frame, m_solve};
   m_folder.reset();
@@ -115,6 +117,9 @@ void CaptureWizard::update(Messages& messages) {
     if (!checked.brackets) return;
     setBracketsTo(std::move(*checked.brackets));
     m_exposures = exposureList(m_brackets);
+  });
+  takeOrReport(m_testing, messages, "this question", [this](LinearityEvidence evidence) {
+    if (m_found) m_linearity = std::move(evidence);
   });
   const Taken guessed = takeOrReport(m_guessing, messages, "this guess", [this](const RotationGuess& guess) {
     if (!m_found) return;
@@ -289,8 +294,9 @@ std::vector<std::string> CaptureWizard::warnings() const {
 
 void CaptureWizard::drawWarnings(const std::vector<std::string>& warnings, float height) {
   ImGui::BeginChild("##warnings", ImVec2(0, height));
-  if (warnings.empty()) ImGui::TextDisabled("No problems found.");
   ImGui::PushTextWrapPos(0);
+  drawLinearity();
+  if (warnings.empty() && !linearity()) ImGui::TextDisabled("No problems found.");
   for (const std::string& warning : warnings) {
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kChanged), "%s", kIconWarning);
     ImGui::SameLine(0, px(6));
@@ -354,13 +360,14 @@ void CaptureWizard::draw(Messages& messages, const Solve& solve) {
     drawExposures();
     const float line = ImGui::GetFrameHeightWithSpacing();
     const std::vector<std::string> warned = warnings();
-    const float lines =
-        std::max(1.F, static_cast<float>(warned.size())) * ImGui::GetTextLineHeightWithSpacing();
+    const float lines = std::max(1.F, static_cast<float>(warned.size() + (linearity() ? 2 : 0))) *
+                        ImGui::GetTextLineHeightWithSpacing();
     const float room = std::min({px(96), 0.18F * ImGui::GetWindowHeight(), lines + px(6)});
     const std::string wrong = mistake();
     drawTable(ImGui::GetContentRegionAvail().y - 2 * line - footerHeight(wrong) - room - px(24));
     drawGuess();
     drawFrame();
+    drawLightTest(wrong);
     ImGui::Separator();
     drawWarnings(warned, room);
     ImGui::Separator();

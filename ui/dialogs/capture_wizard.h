@@ -13,6 +13,7 @@
 #include "core/intake/rotation_guess.h"
 #include "core/intake/shot_thumbnail.h"
 #include "core/ocio/color_config.h"
+#include "core/solve/causes/linearity.h"
 #include "core/solve/model/solve_options.h"
 #include "render/surface.h"
 #include "ui/dialogs/wizard_rows.h"
@@ -97,6 +98,13 @@ class CaptureWizard {
   void drawFrame();
   void drawCell(size_t row, size_t light);
   void drawGuess();
+  [[nodiscard]] std::string typedColors() const;
+  /// Looks in a thread whether the photographs hold light.
+  void testLight();
+  void drawLightTest(const std::string& wrong);
+  /// Null: not asked for these colours.
+  [[nodiscard]] const LinearityEvidence* linearity() const;
+  void drawLinearity();
   /// What is to be said about the pictures and the colours.
   [[nodiscard]] std::vector<std::string> warnings() const;
   void drawWarnings(const std::vector<std::string>& warnings, float height);
@@ -107,6 +115,9 @@ class CaptureWizard {
   Job<Photographs> m_reading;
   Job<RotationGuess> m_guessing;
   Job<Checked> m_checking;  ///< the photographs as other brackets, or fewer
+  Job<LinearityEvidence> m_testing;
+  std::optional<LinearityEvidence> m_linearity;
+  std::string m_tested;  ///< the colours that it is of
   std::optional<Photographs> m_found;
   std::vector<SurfaceTexture> m_textures;
   std::vector<std::string> m_lights;

@@ -32,6 +32,15 @@ struct CauseTuning {
   /// light.
   double seenAsNegative = .5;
   double surelyAmbient = .05;  ///< over the median pixel's light: bounced light looks like .015 at most
+  /// Of linearity (linearity.h), relative errors of values from dark to bright: a curve of less than the
+  /// first is none; photographs hold light where they surely have no curve beyond the others. Bounced light
+  /// hides curves from the matte model (chosen on lambert_gi4, oren_nayar, random_6, random_7 and
+  /// photo_shoe).
+  double leastDeparture = .04;
+  double additiveWithin = .06;
+  double matteWithin = .02;
+  double mostLevelError = .2;  ///< of sums: ToneEvidence::levelError with which they say nothing
+  double sure = 3;             ///< standard errors of the departure
   double beyondBounce = .5;  ///< of the misfit's variance: no bounced light goes so smoothly over the picture
 };
 

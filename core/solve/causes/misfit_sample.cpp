@@ -37,15 +37,6 @@ std::vector<int> chosenPixels(const PixelRun& in, int shots, int count, double b
   return chosen;
 }
 
-/// The directions that neither reflectance nor shares can explain: those of small eigenvalues of J J'.
-Eigen::MatrixXd freeDirections(const Eigen::MatrixXd& own) {
-  const SymmetricEigen eigen = symmetricEigen(own * own.transpose());
-  const double largest = eigen.values[eigen.values.size() - 1];
-  Eigen::Index count = 0;
-  while (count < eigen.values.size() && eigen.values[count] <= kSeen * largest) ++count;
-  return eigen.vectors.leftCols(count);
-}
-
 PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit, int p,
                      double modelError) {
   const LightingMatrix& lighting = context.lighting;
@@ -81,15 +72,29 @@ PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const 
 
 }  // namespace
 
-std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal, int count,
-                                      const CauseTuning& tuning) {
-  const int shots = context.lighting.shots;
+PlacedPixels brightPixels(const ShotSignal& signal, int shots, int count, const CauseTuning& tuning) {
   std::vector<size_t> places;
   const PackedRun all = pixelSample(signal, shots, 6 * size_t(count), &places);
   const std::vector<int> chosen = chosenPixels(all.run(), shots, count, tuning.bright);
-  PackedRun packed(shots, std::max<size_t>(chosen.size(), 1));
-  packed.add(all.run(), chosen);
-  const PixelRun& in = packed.run();
+  PlacedPixels pixels{PackedRun(shots, std::max<size_t>(chosen.size(), 1)), {}};
+  pixels.values.add(all.run(), chosen);
+  for (const int p : chosen) pixels.places.push_back(places[size_t(p)]);
+  return pixels;
+}
+
+/// Those of small eigenvalues of J J'.
+Eigen::MatrixXd freeDirections(const Eigen::MatrixXd& own) {
+  const SymmetricEigen eigen = symmetricEigen(own * own.transpose());
+  const double largest = eigen.values[eigen.values.size() - 1];
+  Eigen::Index count = 0;
+  while (count < eigen.values.size() && eigen.values[count] <= kSeen * largest) ++count;
+  return eigen.vectors.leftCols(count);
+}
+
+std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal, int count,
+                                      const CauseTuning& tuning) {
+  const PlacedPixels pixels = brightPixels(signal, context.lighting.shots, count, tuning);
+  const PixelRun& in = pixels.values.run();
   std::vector<PixelMisfit> sample;
   if (in.count == 0) return sample;
   MatteScratch fit(context.lighting.lights, in.count);
@@ -98,7 +103,7 @@ std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const Sho
   for (int p = 0; p < in.count; ++p) {
     PixelMisfit pixel = misfitOf(context, in, fit.run(), p, tuning.modelError);
     if (!pixel.residual.allFinite() || pixel.residual.size() == 0) continue;
-    const size_t place = places[size_t(chosen[size_t(p)])];
+    const size_t place = pixels.places[size_t(p)];
     pixel.x = int(place % width);
     pixel.y = int(place / width);
     sample.push_back(std::move(pixel));

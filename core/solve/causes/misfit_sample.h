@@ -5,6 +5,7 @@
 
 #include "core/solve/causes/cause_tuning.h"
 #include "core/solve/model/estimator.h"
+#include "core/solve/model/packed_run.h"
 #include "core/solve/model/shot_signal.h"
 
 namespace swaplight {
@@ -26,7 +27,22 @@ struct PixelMisfit {
   }
 };
 
+/// Pixels of a set, and where each was taken.
+struct PlacedPixels {
+  PackedRun values;
+  std::vector<size_t> places;
+};
+
 /// About `count` pixels that are neither dark nor flagged, spread evenly over the set.
+[[nodiscard]] PlacedPixels brightPixels(const ShotSignal& signal, int shots, int count,
+                                        const CauseTuning& tuning);
+
+/// The directions of values that no unknown of a pixel's own can explain, orthonormal; `own`: what each of
+/// them does to the values.
+[[nodiscard]] Eigen::MatrixXd freeDirections(const Eigen::MatrixXd& own);
+
+/// What the matte model leaves of about `count` pixels that are neither dark nor flagged, spread evenly over
+/// the set.
 [[nodiscard]] std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal,
                                                     int count, const CauseTuning& tuning);
 

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/solve/calibration/residual_noise.h"
+#include "core/solve/causes/cause_context.h"
 #include "core/solve/causes/cause_evidence.h"
 #include "core/solve/causes/cause_fit.h"
 #include "core/solve/causes/cause_slopes.h"
@@ -20,18 +20,10 @@ constexpr double kLowest = 1e-5, kHighest = 1;  // values that the correction is
 constexpr int kRounds = 8;
 constexpr double kSettled = 1e-3;        // change of the logarithm of light
 constexpr double kLeastSlope = .2;       // of log light over log value
-constexpr double kNoPhotons = 1e12;      // full well
 constexpr double kFrom = .03, kTo = .6;  // the middle of the range
 
 double stepOf(int levels) {
   return std::log(kHighest / kLowest) / (levels - 1);
-}
-
-/// Where the noise of the pixels' own is not told, it is estimated as in a solve.
-NoiseModel noiseOf(const std::optional<SensorNoise>& told, const CapturePixels& pixels,
-                   const EstimatorContext& context, const ShotSignal& signal) {
-  if (told) return context.noise;
-  return residualNoise(context, noiseModel({0, kNoPhotons}, pixels, 0), signal);
 }
 
 void correctImage(const ToneCorrection& tone, Image& image) {
@@ -52,12 +44,7 @@ double improve(const Capture& capture, const CapturePixels& photographs,
   CapturePixels pixels = withoutShots(photographs);
   for (const Image& shot : photographs.shots) pixels.shots.push_back(shot.clone());
   correctTone(tone, pixels);
-  EstimatorContext context{lightingFromCapture(capture), {}};
-  context.noise = noiseModel(told ? *told : estimateSensorNoise(pixels), pixels, 0);
-  std::vector<float> exposure;
-  for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
-  const ShotSignal signal(pixels, context.lighting, context.noise, exposure);
-  context.noise = noiseOf(told, pixels, context, signal);
+  const auto [context, signal] = causeContext(capture, pixels, told);
   if (first) {
     const std::vector<Cause> likely = misfitCauses(context, signal, tuning).likely;
     // Ambient light taken for a curve doubles the error; colours that fit nearly as well are no such rival.
@@ -130,9 +117,7 @@ std::optional<ToneCorrection> findToneCorrection(const Capture& capture, const C
             "{}: a light colour is unknown, so that no tone curve can be told from the photographs; tell the "
             "colour, or leave out --tone auto",
             capture.file.empty() ? capture.name : capture.file.filename().string());
-  const std::optional<SensorNoise> told = noise           ? noise
-                                          : capture.noise ? noiseInFrame(capture)
-                                                          : std::nullopt;
+  const std::optional<SensorNoise> told = toldNoise(capture, noise);
   ToneCorrection tone;
   for (int round = 0; round < kRounds; ++round) {
     const double change = improve(capture, photographs, told, round == 0, tuning, tone);
