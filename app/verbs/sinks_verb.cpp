@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -37,13 +36,6 @@ Json jsonFromSink(const LightSink& sink) {
   return json;
 }
 
-/// Even light is some lamp's, too.
-size_t lampsOf(const std::vector<LightSink>& sinks, const Image& map) {
-  const bool dark =
-      std::all_of(map.plane(0), map.plane(0) + map.pixelCount(), [](float y) { return y == 0; });
-  return dark ? 0 : std::max(sinks.size(), size_t{1});
-}
-
 std::string outsideText(const LightSink& sink) {
   return sink.outside ? fmt::format("goes on outside, {:.0f} degrees", degreesOf(*sink.outside)) : "";
 }
@@ -73,7 +65,7 @@ int run(const SinksCommand& arguments, Terminal& terminal) {
     addRows(rows, name, sinks);
     Json found = Json::array();
     for (const LightSink& sink : sinks) found.push_back(jsonFromSink(sink));
-    lights[name] = {{"lamps", lampsOf(sinks, maps[i])}, {"sinks", std::move(found)}};
+    lights[name] = {{"lamps", lampCount(sinks, maps[i])}, {"sinks", std::move(found)}};
   }
   terminal.result(tableText(rows),
                   {{"width", set.width()}, {"height", set.height()}, {"lights", std::move(lights)}});

@@ -149,4 +149,10 @@ std::vector<LightSink> findSinks(const Image& map) {
   return sinks;
 }
 
+size_t lampCount(const std::vector<LightSink>& sinks, const Image& map) {
+  const bool dark =
+      std::all_of(map.plane(0), map.plane(0) + map.pixelCount(), [](float y) { return y == 0; });
+  return dark ? 0 : std::max(sinks.size(), size_t{1});
+}
+
 }  // namespace swaplight

@@ -31,4 +31,7 @@ struct LightSink {
 /// even, or there is none.
 [[nodiscard]] std::vector<LightSink> findSinks(const Image& map);
 
+/// How many lamps a light has, judged by its pools: even light is some lamp's, too; a dark one has none.
+[[nodiscard]] size_t lampCount(const std::vector<LightSink>& sinks, const Image& map);
+
 }  // namespace swaplight

@@ -44,6 +44,20 @@ class Illumination(StudioTest):
         studio.wait(lambda _: np.abs(studio.picture('illumination_after_edit') - before).mean() > 8,
                     'the light without the edit is replaced')
 
+    def test_pools_are_shown_over_the_picture(self):
+        studio = self.open_sample()
+        before = studio.picture('pools_before')
+        studio.click('menu.View')
+        studio.click('menu.view.pools')
+        studio.move(640, 705)
+        studio.wait(lambda layout: 'key 1' in (layout.get('viewer.pools') or ''), 'the pools are found')
+        studio.settle()
+        x0, y0, x1, y1 = studio.item('viewer.picture')
+        left, top, right, bottom = studio.item('pools.key')
+        self.assertTrue(x0 - 5 <= (left + right) / 2 <= x1 + 5 and y0 - 5 <= (top + bottom) / 2 <= y1 + 5)
+        self.assertGreater(np.abs(studio.picture('pools').astype(int) - before).max(), 60)
+        self.assertTrue(self.save_as('pools')[1]['studio']['pools'])
+
     def test_the_choice_is_saved_with_the_session(self):
         studio = self.open_sample()
         self.show('Illumination by key', 'illumination_saved')

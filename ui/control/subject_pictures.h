@@ -31,6 +31,10 @@ class SubjectPictures {
   const std::vector<const Pyramid*>& illumination(const OpenSet& set, bool still) {
     return m_illumination.pictures(set.live, still);
   }
+  /// Where each light's pools lie on the set; empty until found.
+  const std::vector<LightPools>& pools(const OpenSet& set, bool still) {
+    return m_illumination.pools(set.live, still);
+  }
   /// To be called often: takes what was read or found.
   void update(Messages& messages);
   /// Pixels of the set have changed: forgets what was made of them. True where there was any.

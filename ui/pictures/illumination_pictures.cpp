@@ -9,15 +9,21 @@ const std::vector<const Pyramid*>& IlluminationPictures::pictures(const std::sha
   m_job.start(
       [live](const Progress& progress) {
         const LiveSet::Reading reading = live->read();
-        return illuminationMaps(reading.set(), {}, progress);
+        Found found{illuminationMaps(reading.set(), {}, progress), {}};
+        for (const Image& map : found.maps) {
+          std::vector<LightSink> sinks = findSinks(map);
+          const size_t lamps = lampCount(sinks, map);
+          found.pools.push_back({std::move(sinks), lamps});
+        }
+        return found;
       },
       m_wake);
   return m_pictures;
 }
 
 bool IlluminationPictures::update(Messages& messages) {
-  const Taken taken = takeOrReport(m_job, messages, "the light on the set", [this](std::vector<Image> maps) {
-    if (!m_gone) keep(std::move(maps));
+  const Taken taken = takeOrReport(m_job, messages, "the light on the set", [this](Found found) {
+    if (!m_gone) keep(std::move(found));
   });
   if (taken == Taken::Nothing) return false;
   const bool other = taken == Taken::Value && !m_gone;
@@ -34,10 +40,11 @@ void IlluminationPictures::forget() {
   keep({});
 }
 
-void IlluminationPictures::keep(std::vector<Image> maps) {
+void IlluminationPictures::keep(Found found) {
   m_pictures.clear();
   m_pyramids.clear();
-  m_maps = std::move(maps);
+  m_maps = std::move(found.maps);
+  m_pools = std::move(found.pools);
   for (const Image& map : m_maps) {
     m_pyramids.push_back(std::make_unique<Pyramid>(map.view()));
     m_pictures.push_back(m_pyramids.back().get());

@@ -76,6 +76,7 @@ const std::vector<Menu>& menus() {
         "-",
         "view.false_color",
         "view.zebra",
+        "view.pools",
         "view.probe",
         "view.probe_size",
         "view.neutral",

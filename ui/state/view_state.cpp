@@ -72,6 +72,7 @@ Json jsonFromViewState(const ViewState& state) {
       {"subject", nameOfEnum(kSubjectNames, state.subject.kind)},
       {"subject_index", state.subject.index},
       {"compare", jsonFromCompareState(state.compare)},
+      {"pools", state.pools},
       {"probe", {{"on", state.probe}, {"side", state.probeSide}}},
       {"selected_light", state.selectedLight},
   };
@@ -99,6 +100,7 @@ ViewState viewStateFromJson(const Json& json) {
     state.subject.kind = enumOfName(kSubjectNames, json.value("subject", ""), ViewSubject::Kind::Relit);
     state.subject.index = std::max(0, json.value("subject_index", 0));
     if (json.contains("compare")) state.compare = compareStateFromJson(json["compare"]);
+    state.pools = json.value("pools", false);
     if (json.contains("probe")) {
       state.probe = json["probe"].value("on", false);
       state.probeSide = std::clamp(json["probe"].value("side", 1), 1, 101);

@@ -19,6 +19,7 @@ struct ViewState {
   ViewSettings settings;
   ViewSubject subject;
   CompareState compare;
+  bool pools = false;            ///< show where each light's pools lie
   bool probe = false;            ///< tell about the place under the mouse
   int probeSide = 1;             ///< pixels of the square that it looks at
   int selectedLight = 0;         ///< whose colour is shown

@@ -95,6 +95,12 @@ void addViewActions(ActionTable& actions, ViewerContext& studio, FileChooser& ch
                "Stripes over highlights and shadows beyond set levels. Right-click the button to set them.",
                [&studio] { studio.view.settings.zebra.on = !studio.view.settings.zebra.on; }, shown,
                [&studio] { return studio.view.settings.zebra.on; }});
+  actions.add({"view.pools", "Light pools", "",
+               "Where each light gathers on the set: the middle and the breadth of its pools, how far they "
+               "stand out in stops, how many lamps they tell of; an arrow where a lamp's light goes on "
+               "outside the picture.",
+               [&studio] { studio.view.pools = !studio.view.pools; }, shown,
+               [&studio] { return studio.view.pools; }});
   actions.add({"view.neutral", "Reset exposure and gamma", "Shift+E",
                "Viewer exposure and gamma off: matches the export.",
                [&studio] {

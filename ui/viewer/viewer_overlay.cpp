@@ -14,6 +14,7 @@
 #include "ui/kit/widgets.h"
 #include "ui/shadows/shadow_overlay.h"
 #include "ui/tools/picture_tool.h"
+#include "ui/viewer/pool_overlay.h"
 #include "ui/viewer/viewer_mouse.h"
 
 namespace swaplight {
@@ -163,6 +164,7 @@ void drawRegion(ViewerContext& studio, const ViewWindow& window, ImVec2 origin) 
 
 void drawViewerOverlay(ViewerContext& studio, const ViewWindow& window, ImVec2 origin, ImVec2 size) {
   drawShadowOverlay(studio, window, origin, size);
+  drawPoolOverlay(studio, window, origin);
   drawRegion(studio, window, origin);
   if (studio.view.compare.mode == CompareState::Mode::Wipe) drawWipe(studio, window, origin, size);
   drawSides(studio, origin, size);
