@@ -15,7 +15,7 @@ said      with the rule's numbers: what the program warns of
 
 The rule: lengths are divided by the picture's width at the depth that the lamp's axis meets. A move's part along the axis is
 `distance`, the rest is `right` and `up` as the camera sees them. A turn's angle is that between the axes; it goes where the
-lamp's point of aim goes in the picture. Lamps that were enlarged are left out: no edit does that.
+lamp's point of aim goes in the picture. Lamps that were enlarged are left out: light_size_table.py measures them.
 """
 import argparse
 import glob

@@ -49,10 +49,17 @@ class LampEditsTest(cli.CliTest):
         after = np.abs(self.frame({'lights': ['key'], 'operation': 'spread', 'width': 2 / 3}) - truth).mean()
         self.assertLess(after, .4 * before)
 
+    def test_a_larger_lamp_lights_less_from_afar(self):
+        self.solved_set(wall())
+        small, large = (self.frame({'lights': ['key'], 'operation': 'size', 'times': times, 'diameter': .5}) for times in (.5, 3))
+        before = self.frame()
+        self.assertGreater(small.mean(), 1.01 * before.mean())
+        self.assertLess(large.mean(), .9 * before.mean())
+
     def test_neutral_values_change_no_bit(self):
         self.solved_set(wall())
         before = self.frame()
-        for operation in ('move', 'turn', 'spread'):
+        for operation in ('move', 'turn', 'spread', 'size'):
             np.testing.assert_array_equal(self.frame({'lights': ['key'], 'operation': operation}), before)
 
     def test_what_nobody_can_know_is_said(self):
@@ -72,7 +79,7 @@ class LampEditsTest(cli.CliTest):
 
     def test_numbers_out_of_range_are_refused(self):
         self.solved_set(wall())
-        for operation, key, value in (('move', 'distance', 0), ('turn', 'pan', 170), ('spread', 'width', -1)):
+        for operation, key, value in (('move', 'distance', 0), ('turn', 'pan', 170), ('spread', 'width', -1), ('size', 'times', 0)):
             with open(self.path('bad.json'), 'w') as file:
                 json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': [{'operation': operation, key: value}]}, file)
             self.deny('relight', self.path('solved.exr'), '--edits', self.path('bad.json'), '-o', self.path('x.exr'),

@@ -1,8 +1,26 @@
 #include "core/edit/apply/lamp_edit.h"
 
+#include <vector>
+
+#include "core/base/error.h"
 #include "core/edit/pool/lamp_gain.h"
+#include "core/edit/pool/penumbra_scales.h"
 
 namespace swaplight {
+namespace {
+
+// The light's shadows, and how they look with lamps of other sizes.
+void lookUpShadows(LampEdit& edit, const std::string& light, const MaskContext& context,
+                   const LampEdit* earlier) {
+  if (!context.shadows())
+    throw InputError("the size of a lamp changes shadows, which are not available here.");
+  edit.shadows = context.shadows()(light);
+  edit.penumbras = earlier && earlier->shadows == edit.shadows && earlier->penumbras
+                       ? earlier->penumbras
+                       : std::make_shared<const PenumbraScales>(edit.shadows->visibility, edit.pool->cone);
+}
+
+}  // namespace
 
 LampEdit lampEdit(const LampChange& change, size_t light, const MaskContext& context,
                   const LampEdit* earlier) {
@@ -14,11 +32,21 @@ LampEdit lampEdit(const LampChange& change, size_t light, const MaskContext& con
       earlier && earlier->pool ? earlier->pool : std::make_shared<const LightPool>(measurePool(set, light));
   if (!change.isNeutral())
     edit.gain = std::make_shared<const LampGain>(*edit.pool, change, set.width(), set.height());
+  edit.size = change.size;
+  if (change.size != 1) lookUpShadows(edit, set.capture.lights[light].name, context, earlier);
   return edit;
 }
 
 void changeLampRow(const LampEdit& edit, int x, int y, int count, const float* mask, const LampRow& row) {
-  if (edit.gain) edit.gain->changeRow(x, y, count, mask, row);
+  if (!edit.gain) return;
+  if (!edit.penumbras) return edit.gain->changeRow(x, y, count, mask, row);
+  std::vector<float> then(static_cast<size_t>(count));
+  edit.penumbras->row(edit.size, edit.gain->diameter(), x, y, count, then.data());
+  LampRow sized = row;
+  sized.seen = edit.shadows->visibility.view().row(0, y) + x;
+  sized.seenThen = then.data();
+  for (int c = 0; c < 3; ++c) sized.direct[c] = edit.shadows->direct.view().row(c, y) + x;
+  edit.gain->changeRow(x, y, count, mask, sized);
 }
 
 }  // namespace swaplight

@@ -42,6 +42,16 @@ bool actsOnAllLights(const Operation& operation) {
       operation);
 }
 
+bool usesShadows(const Operation& operation) {
+  return std::visit(
+      [](const auto& o) {
+        return requires {
+          o.kUsesShadows;
+        };
+      },
+      operation);
+}
+
 bool swapsTwoLights(const Operation& operation) {
   return std::visit(
       [](const auto& o) {

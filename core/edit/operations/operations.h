@@ -14,6 +14,7 @@
 #include "core/edit/operations/recolor_operation.h"
 #include "core/edit/operations/shadow_operation.h"
 #include "core/edit/operations/sharpen_operation.h"
+#include "core/edit/operations/size_operation.h"
 #include "core/edit/operations/spread_operation.h"
 #include "core/edit/operations/turn_operation.h"
 #include "core/edit/operations/unknown_gel_operation.h"
@@ -45,12 +46,15 @@ namespace swaplight {
 //
 //   static constexpr bool kOfAllLights      there is nothing to choose
 //
+//   static constexpr bool kUsesShadows      it needs to know the lights' shadows
+//
 // and it is listed here. Whatever handles edits visits the list, so that one that is not handled does not
 // compile.
 
-using Operation = std::variant<FillOperation, GainOperation, CurveOperation, InvertOperation, BlurOperation,
-                               SharpenOperation, BetaMapOperation, ShadowOperation, MoveOperation,
-                               TurnOperation, SpreadOperation, RecolorOperation, UnknownGelOperation>;
+using Operation =
+    std::variant<FillOperation, GainOperation, CurveOperation, InvertOperation, BlurOperation,
+                 SharpenOperation, BetaMapOperation, ShadowOperation, MoveOperation, TurnOperation,
+                 SpreadOperation, SizeOperation, RecolorOperation, UnknownGelOperation>;
 
 /// Says what it wants beta to be. All edits but those of shadows, lamps, surfaces and unknown gels.
 template <typename T>
@@ -121,6 +125,8 @@ void forEachOperation(const Visit& visit) {
 /// Whether it acts on all lights: there is none to choose. Those of surfaces and unknown gels, which also
 /// change the set at unit white.
 [[nodiscard]] bool actsOnAllLights(const Operation& operation);
+/// Whether it needs to know the lights' shadows.
+[[nodiscard]] bool usesShadows(const Operation& operation);
 /// Whether two lights with it change places.
 [[nodiscard]] bool swapsTwoLights(const Operation& operation);
 

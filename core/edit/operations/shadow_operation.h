@@ -28,6 +28,7 @@ struct ShadowOperation {
   bool operator==(const ShadowOperation&) const = default;
 
   static constexpr OperationInfo info{"shadow", "Shadows", "Changes the light's own shadows.", false};
+  static constexpr bool kUsesShadows = true;
   static constexpr std::array<const char*, 5> kKindNames{"lighten", "deepen", "soften", "sharpen", "recolor"};
   static constexpr std::array<const char*, 5> kKindTitles{"lighten", "deepen", "soften", "sharpen",
                                                           "recolour"};

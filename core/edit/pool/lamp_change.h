@@ -11,9 +11,15 @@ struct LampChange {
   float pan = 0;       ///< degrees that its beam swings to the right
   float tilt = 0;      ///< degrees that its beam swings up
   float spread = 1;    ///< times the width of its beam; the level in the middle stays
+  float size = 1;      ///< times the diameter of its front; its power stays
+  float diameter = 0;  ///< of its front before that, over its distance from what it lights; 0: not known
   bool operator==(const LampChange&) const = default;
 
-  [[nodiscard]] bool isNeutral() const { return *this == LampChange(); }
+  [[nodiscard]] bool isNeutral() const {
+    LampChange change = *this;
+    change.diameter = 0;
+    return change == LampChange();
+  }
 };
 
 }  // namespace swaplight

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/edit/pool/small_samples.h"
 
 namespace swaplight {
@@ -10,7 +11,6 @@ namespace {
 
 constexpr int kCell = 8;                      // pixels: a gain is smooth
 const double kMostLogGain = 4 * std::log(2);  // 4 stops
-constexpr double kUnsure = 0.15;  // radii: an ellipse follows the edge of a cone on a set's surfaces so well
 constexpr double kInner =
     0.1;  // radii, from the edge's inner end to where the light's own texture is all there is
 constexpr double kSteep = 3;           // a change of the widened cone by a third makes the guess complete
@@ -24,6 +24,18 @@ float withCone(float light, float before, float after, float guess, float bounce
   return kept + guess * (shown - kept);
 }
 
+// Where more of the light is seen it is added. Where less is, what is there gets less, in its own colour:
+// what a light would give is not known so well as what it gives.
+float withShadow(float light, float seen, float then, float direct) {
+  return then > seen ? light + (then - seen) * direct : then < seen ? light * (then / seen) : light;
+}
+
+// A lamp's size alone leaves the cone where it is: its edge gets softer as shadows do.
+bool sameCone(LampChange change) {
+  change.size = 1;
+  return change.isNeutral();
+}
+
 }  // namespace
 
 LampGain::LampGain(const LightPool& pool, const LampChange& change, int width, int height)
@@ -31,15 +43,17 @@ LampGain::LampGain(const LightPool& pool, const LampChange& change, int width, i
       m_lamp(pool.lamp, change),
       m_width(width),
       m_height(height),
-      m_coneMoves(pool.cone && !change.isNeutral()),
+      m_coneMoves(pool.cone && !sameCone(change)),
       m_gain((height + kCell - 1) / kCell + 1, (width + kCell - 1) / kCell + 1, CV_32F) {
-  for (int row = 0; row < m_gain.rows; ++row)
-    for (int column = 0; column < m_gain.cols; ++column) {
-      const double x = static_cast<double>(column * kCell) / width - .5;
-      const double y = (.5 * height - row * kCell) / width;
-      const double gain = std::clamp(m_lamp.logGain(x, y), -kMostLogGain, kMostLogGain);
-      m_gain.at<float>(row, column) = static_cast<float>(std::exp(gain));
-    }
+  parallelRows(m_gain.rows, 16, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row)
+      for (int column = 0; column < m_gain.cols; ++column) {
+        const double x = static_cast<double>(column * kCell) / width - .5;
+        const double y = (.5 * height - row * kCell) / width;
+        const double gain = std::clamp(m_lamp.logGain(x, y), -kMostLogGain, kMostLogGain);
+        m_gain.at<float>(row, column) = static_cast<float>(std::exp(gain));
+      }
+  });
 }
 
 LampGain::Cones LampGain::conesAt(int x, int y) const {
@@ -50,7 +64,7 @@ LampGain::Cones LampGain::conesAt(int x, int y) const {
   double fromY = 0;
   const double now = cone.radius(px, py);
   const double source = m_lamp.sourceOf(px, py, fromX, fromY) ? cone.radius(fromX, fromY) : kFarAway;
-  const double band = cone.softness + kUnsure;
+  const double band = cone.softness + LightCone::kUnsure;
   const auto widened = [&](double radius) { return std::clamp((1 - radius) / band + .5, 0., 1.); };
   const double own = std::clamp((1 - .5 * band - now) / kInner, 0., 1.);
   const double change = std::min(kSteep * std::abs(widened(source) - widened(now)), 1.);
@@ -82,10 +96,11 @@ void LampGain::changeRow(int x, int y, int count, const float* mask, const LampR
     if (m_coneMoves) ratioRow(c, x, y, count, ratio.data());
     for (size_t i = 0; i < size; ++i) {
       float changed = light[i];
+      if (row.seen) changed = withShadow(changed, row.seen[i], row.seenThen[i], row.direct[c][i]);
       if (m_coneMoves) {
         const float others = m_pool.alone ? 1.F : std::max(row.white[c][i] - row.solved[c][i], 0.F);
         changed =
-            withCone(light[i], cones[i].before, cones[i].after, cones[i].guess, bounce, ratio[i] * others);
+            withCone(changed, cones[i].before, cones[i].after, cones[i].guess, bounce, ratio[i] * others);
       }
       light[i] = std::max(light[i] + mask[i] * (gain[i] * changed - light[i]), 0.F);
     }

@@ -12,6 +12,11 @@ struct LampRow {
   float* light[3];         ///< its contribution: changed
   const float* white[3];   ///< all lights of the set as solved
   const float* solved[3];  ///< this light as solved
+  /// Where the lamp's size changes, else nullptr: how much of the light is seen before and after, 0..1, and
+  /// what it would give where nothing of it were hidden.
+  const float* seen = nullptr;
+  const float* seenThen = nullptr;
+  const float* direct[3] = {};
 };
 
 /// What another place, aim or breadth of its lamp does to a light's contribution: a smooth gain, and of a
@@ -22,8 +27,8 @@ struct LampRow {
 ///   T' = gain * (cone' + bounce) * ratio * others           at its edge and beyond, where the cone comes or
 ///   goes: a guess
 ///
-/// with LightPool's bounce and ratio; where the cone stays as it is, so does the light. The gain is between
-/// -4 and 4 stops; T' >= 0 and finite.
+/// with LightPool's bounce and ratio, where T has the shadows of the lamp's new size (penumbra_scales.h);
+/// where the cone stays as it is, so does the light. The gain is between -4 and 4 stops; T' >= 0 and finite.
 class LampGain {
  public:
   /// For a picture of this size. Keeps what it needs of the pool.
@@ -34,6 +39,8 @@ class LampGain {
   /// The part of a pixel's new light that is a guess, 0..1: 1 where the light comes to what it never reached,
   /// 0 where only its level changes.
   [[nodiscard]] float guessAt(int x, int y) const;
+  /// Of the lamp's front as it was photographed, widths of the picture.
+  [[nodiscard]] float diameter() const { return static_cast<float>(m_lamp.diameter()); }
 
  private:
   struct Cones {

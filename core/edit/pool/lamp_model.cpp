@@ -22,7 +22,41 @@ cv::Matx33d swing(const cv::Vec3d& axis, double pan, double tilt) {
   return cv::Matx33d::eye() + std::sin(angle) * cross + (1 - std::cos(angle)) * cross * cross;  // Rodrigues
 }
 
+// Of the distance: what lamps have in two of the rendered sets (docs/edits.md).
+constexpr double kSpot = 0.03;
+constexpr double kSoftbox = 0.35;
+
+constexpr int kPoints = 16;  // of a lamp's front
+
+/// n.l / d^2 times the beam, the mean over a front of this diameter: what of it is behind the plane gives
+/// none.
+double frontLevel(const LampModel& lamp, double diameter, double x, double y) {
+  const cv::Vec3d axis = lamp.axis();
+  const cv::Vec3d across =
+      cv::normalize(axis.cross(std::abs(axis[1]) < .9 ? cv::Vec3d(0, 1, 0) : cv::Vec3d(1, 0, 0)));
+  const cv::Vec3d along = axis.cross(across);
+  constexpr double kGolden = 2.399963;  // radians: points of a sunflower lie evenly on a disc
+  double sum = 0;
+  for (int k = 0; k < kPoints; ++k) {
+    const double radius = .5 * diameter * std::sqrt((k + .5) / kPoints);
+    const cv::Vec3d place =
+        lamp.position + radius * (std::cos(kGolden * k) * across + std::sin(kGolden * k) * along);
+    if (place[2] <= 0) continue;
+    const cv::Vec3d ray(x - place[0], y - place[1], -place[2]);
+    const double square = ray.dot(ray);
+    const double length = std::sqrt(square);
+    const double beam =
+        lamp.lobe == 0 ? 1 : std::pow(std::max(ray.dot(axis) / length, kLeastCosine), lamp.lobe);
+    sum += place[2] / (square * length) * beam;
+  }
+  return std::max(sum / kPoints, 1e-12);
+}
+
 }  // namespace
+
+double usualDiameter(const LampModel& lamp) {
+  return lamp.lobe == 0 ? kSpot : kSoftbox;
+}
 
 double logLevel(const LampModel& lamp, double x, double y) {
   const cv::Vec3d ray(x - lamp.position[0], y - lamp.position[1], -lamp.position[2]);
@@ -47,6 +81,8 @@ ChangedLamp::ChangedLamp(const LampModel& before, const LampChange& change)
   m_toBefore = (along + (cv::Matx33d::eye() - along) * (1. / change.spread)) * turn.t();
   m_contrast = 1. / (double{change.spread} * change.spread);
   m_middle = logLevel(before, before.aim[0], before.aim[1]);
+  m_diameter = before.distance() * (change.diameter > 0 ? double{change.diameter} : usualDiameter(before));
+  m_size = change.size;
 }
 
 double ChangedLamp::logGain(double x, double y) const {
@@ -54,6 +90,8 @@ double ChangedLamp::logGain(double x, double y) const {
   double gain = logLevel(m_after, x, y) - before;
   // A beam that is wider falls off less: a Gaussian's logarithm goes with the inverse square of its width.
   if (m_before.lobe != 0 && m_contrast != 1) gain += (m_contrast - 1) * (before - m_middle);
+  if (m_size != 1)
+    gain += std::log(frontLevel(m_after, m_size * m_diameter, x, y) / frontLevel(m_after, m_diameter, x, y));
   return gain;
 }
 

@@ -22,6 +22,9 @@ struct LampModel {
   [[nodiscard]] double distance() const { return cv::norm(aim - position); }
 };
 
+/// The diameter, over its distance, of a lamp of which nobody has said it: a spot's, or a softbox's.
+[[nodiscard]] double usualDiameter(const LampModel& lamp);
+
 /// The lamp after a change, and where a ray of its beam was before.
 class ChangedLamp {
  public:
@@ -30,6 +33,8 @@ class ChangedLamp {
   /// log of how much more light reaches the plane at (x, y): n.l / d^2 and the beam of an even lamp (a spot's
   /// cone does not count here; see sourceOf).
   [[nodiscard]] double logGain(double x, double y) const;
+  /// Of its front as it was photographed.
+  [[nodiscard]] double diameter() const { return m_diameter; }
   /// The ray that now meets the plane at (x, y) met it here before. False where it comes from behind the
   /// lamp, or went away from the plane.
   bool sourceOf(double x, double y, double& sourceX, double& sourceY) const;
@@ -40,6 +45,7 @@ class ChangedLamp {
   cv::Matx33d m_toBefore;  // directions from the lamp now -> before
   double m_contrast;       // of the beam's falloff
   double m_middle;         // log of the falloff in the middle
+  double m_diameter, m_size;
 };
 
 /// n.l / d^2 times the beam at (x, y) of the plane, as a logarithm, but for a constant.

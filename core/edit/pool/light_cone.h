@@ -12,6 +12,8 @@ struct LightCone {
   double radiusA = 1, radiusB = 1;  ///< half axes
   double cosine = 1, sine = 0;      ///< of the angle from x to the first axis
   double softness = 0.2;            ///< the edge's width, in radii
+  /// An ellipse follows the edge of a cone on a set's surfaces so well: radii.
+  static constexpr double kUnsure = 0.15;
 
   /// 0 in its middle, 1 at its edge.
   [[nodiscard]] double radius(double px, double py) const;

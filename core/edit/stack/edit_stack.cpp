@@ -100,7 +100,7 @@ bool usesShadows(const Mask& mask) {
 }
 
 bool usesShadows(const Edit& edit) {
-  return std::holds_alternative<ShadowOperation>(edit.operation) || usesShadows(edit.mask);
+  return usesShadows(edit.operation) || usesShadows(edit.mask);
 }
 
 }  // namespace swaplight

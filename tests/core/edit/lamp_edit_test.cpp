@@ -63,7 +63,8 @@ SolvedSet scaled(SolvedSet set, float factor) {
 TEST(LampEdit, NeutralValuesGiveTheSameBits) {
   const SolvedSet set = smallSet(3, kWidth, kHeight);
   for (const Operation& operation :
-       {Operation(MoveOperation{}), Operation(TurnOperation{}), Operation(SpreadOperation{})})
+       {Operation(MoveOperation{}), Operation(TurnOperation{}), Operation(SpreadOperation{}),
+        Operation(SizeOperation{}), Operation(SizeOperation{1, .5F})})
     expectSameBits(applyEdits(set, stackOf(operation, "")), set);
 }
 

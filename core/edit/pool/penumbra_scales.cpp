@@ -1,0 +1,169 @@
+#include "core/edit/pool/penumbra_scales.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/parallel.h"
+#include "core/edit/pool/small_samples.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kMeasured = 384;    // of the small pictures in which widths are measured
+constexpr double kNearest = .01;  // widths of the picture: edges that a pixel looks for first
+constexpr int kReaches = 4;       // each twice as far
+constexpr double kFarther = .01;  // how much less what is farther counts
+constexpr float kNarrowest = 2;   // pixels
+constexpr float kRamp = .289F;    // standard deviation of a linear ramp, of its width
+/// Of the lamp's diameter: things stand within a fifth of the way to the lamp from what their shadow falls
+/// on.
+constexpr float kWidest = .25F;
+constexpr double kFade = .1;      // radii
+constexpr double kMostBlur = .2;  // widths of the picture
+constexpr double kFinest = 2;     // pixels of a small picture: what it may be blurred by at least
+constexpr float kSteepest = .05F;
+
+cv::Mat matOf(const Image& image) {
+  return {image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(0))};
+}
+
+cv::Size sizeWithin(const cv::Size& size, int width) {
+  const int columns = std::min(width, size.width);
+  return {columns, std::max(1, static_cast<int>(std::lround(1. * size.height * columns / size.width)))};
+}
+
+cv::Mat nearCone(const cv::Size& size, const std::optional<LightCone>& cone) {
+  cv::Mat near = cv::Mat::zeros(size, CV_32F);
+  if (!cone) return near;
+  const double half = .5 * cone->softness + LightCone::kUnsure;
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const double radius =
+          cone->radius((x + .5) / size.width - .5, (.5 * size.height - (y + .5)) / size.width);
+      near.at<float>(y, x) =
+          static_cast<float>(std::clamp((half + kFade - std::abs(radius - 1)) / kFade, 0., 1.));
+    }
+  return near;
+}
+
+// In pixels of the picture.
+cv::Mat widthsOf(const cv::Mat& visibility, const cv::Mat& cone) {
+  cv::Mat across;
+  cv::Mat down;
+  cv::Sobel(visibility, across, CV_32F, 1, 0, 3, 1. / 8, 0, cv::BORDER_REPLICATE);
+  cv::Sobel(visibility, down, CV_32F, 0, 1, 3, 1. / 8, 0, cv::BORDER_REPLICATE);
+  cv::Mat slope;
+  cv::magnitude(across, down, slope);
+  // Where some of the light arrives: noise of what is lit counts less.
+  cv::Mat first = slope.mul(visibility).mul(1 - visibility);
+  cv::Mat second = first.mul(slope);
+  const cv::Size size = cone.size();
+  cv::resize(first, first, size, 0, 0, cv::INTER_AREA);
+  cv::resize(second, second, size, 0, 0, cv::INTER_AREA);
+  first = first.mul(1 - cone);
+  second = second.mul(1 - cone);
+  cv::Mat above = cv::Mat::zeros(size, CV_32F);
+  cv::Mat below = cv::Mat::zeros(size, CV_32F) + 1e-15;
+  double share = 1;
+  double sigma = std::max(kNearest * size.width, .5);
+  for (int k = 0; k < kReaches; ++k, sigma *= 2, share *= kFarther) {
+    cv::Mat blurred;
+    cv::GaussianBlur(first, blurred, {}, sigma, 0, cv::BORDER_REPLICATE);
+    above += share * blurred;
+    cv::GaussianBlur(second, blurred, {}, sigma, 0, cv::BORDER_REPLICATE);
+    below += share * blurred;
+  }
+  return above / below;
+}
+
+cv::Mat blurredBy(const cv::Mat& visibility, double sigma) {
+  const double shrink = std::max(1., sigma / kFinest);
+  cv::Mat small = visibility;
+  if (shrink > 1) {
+    const cv::Size size(std::max(1, static_cast<int>(std::lround(visibility.cols / shrink))),
+                        std::max(1, static_cast<int>(std::lround(visibility.rows / shrink))));
+    cv::resize(visibility, small, size, 0, 0, cv::INTER_AREA);
+  }
+  // Shrinking and enlarging blur, too: a box and a tent.
+  const double left = std::max(sigma * sigma / (shrink * shrink) - (shrink > 1 ? .25 : 0.), .01);
+  cv::Mat blurred(small.size(), CV_32F);
+  parallelRows(small.rows, 64, [&](int begin, int end) {
+    cv::Mat band = blurred.rowRange(begin, end);  // sees the rows around it
+    cv::GaussianBlur(small.rowRange(begin, end), band, {}, std::sqrt(left), 0, cv::BORDER_REPLICATE);
+  });
+  return blurred;
+}
+
+double sigmaOf(size_t level) {
+  return std::exp2(static_cast<double>(level));
+}
+
+}  // namespace
+
+PenumbraScales::PenumbraScales(const Image& visibility, const std::optional<LightCone>& cone)
+    : m_visibility(visibility),
+      m_cone(nearCone(sizeWithin({visibility.width(), visibility.height()}, kMeasured), cone)),
+      m_width(widthsOf(matOf(visibility), m_cone)) {
+  const cv::Mat full = matOf(visibility);
+  for (size_t k = 0; k == 0 || sigmaOf(k - 1) < kMostBlur * full.cols; ++k)
+    m_levels.push_back(blurredBy(full, sigmaOf(k)));
+}
+
+void PenumbraScales::sigmaRow(float times, float diameter, const float* width, const float* cone, int count,
+                              float* sigma) const {
+  const float pixels = diameter * static_cast<float>(m_visibility.width());
+  const float more = std::abs(times * times - 1);
+  const float most = static_cast<float>(sigmaOf(m_levels.size() - 1));
+  for (int i = 0; i < count; ++i) {
+    const float edge = std::min(width[i], kWidest * pixels);
+    const float own = (1 - cone[i]) * kRamp * std::sqrt(std::max(edge * edge - kNarrowest * kNarrowest, 0.F));
+    sigma[i] = std::min(own * std::sqrt(more), most);
+  }
+}
+
+void PenumbraScales::blurRow(int x, int y, int count, const float* sigma, float* visibility) const {
+  const auto [least, most] = std::minmax_element(sigma, sigma + count);
+  std::vector<float> finer(visibility, visibility + count);
+  std::vector<float> coarser(finer.size());
+  float below = 0;
+  for (size_t k = 0; k < m_levels.size() && below < *most; ++k) {
+    const auto above = static_cast<float>(sigmaOf(k));
+    const cv::Mat& level = m_levels[k];
+    if (*least < 2 * above)
+      sampleRow(level, smallRow(x, y, {m_visibility.width(), m_visibility.height()}, level.size()), count,
+                coarser.data());
+    // The variance of a mixture is the mixture of the variances.
+    for (int i = 0; i < count; ++i) {
+      if (sigma[i] <= below || sigma[i] > above) continue;
+      const auto p = static_cast<size_t>(i);
+      const float part = (sigma[i] * sigma[i] - below * below) / (above * above - below * below);
+      visibility[i] = finer[p] + part * (coarser[p] - finer[p]);
+    }
+    std::swap(finer, coarser);
+    below = above;
+  }
+}
+
+void PenumbraScales::row(float times, float diameter, int x, int y, int count, float* visibility) const {
+  const float* now = m_visibility.view().row(0, y) + x;
+  std::copy_n(now, count, visibility);
+  const auto size = static_cast<size_t>(count);
+  std::vector<float> width(size);
+  std::vector<float> cone(size);
+  std::vector<float> sigma(size);
+  const SmallRow place = smallRow(x, y, {m_visibility.width(), m_visibility.height()}, m_width.size());
+  sampleRow(m_width, place, count, width.data());
+  sampleRow(m_cone, place, count, cone.data());
+  sigmaRow(times, diameter, width.data(), cone.data(), count, sigma.data());
+  if (times >= 1) return blurRow(x, y, count, sigma.data(), visibility);
+  for (size_t i = 0; i < size; ++i) {
+    if (!(width[i] > 0)) continue;
+    // A ramp that loses this much of its variance.
+    const float lost = sigma[i] / (kRamp * width[i]);
+    const float narrower = std::sqrt(std::max(1 - lost * lost, kSteepest * kSteepest));
+    visibility[i] = std::clamp((now[i] - .5F) / narrower + .5F, 0.F, 1.F);
+  }
+}
+
+}  // namespace swaplight
