@@ -1,5 +1,6 @@
 // The program `swaplight`: one verb a job.
 #include "app/camera_verbs/camera_verbs.h"
+#include "app/look_verbs/look_verbs.h"
 #include "app/program/standard_streams.h"
 #include "app/session_verbs/session_verbs.h"
 #include "app/verbs/verbs.h"

@@ -20,7 +20,6 @@ void addShadowsVerb(Program& program);
 void addSinksVerb(Program& program);
 void addBetaVerb(Program& program);
 void addDoctorVerb(Program& program);
-void addLookVerb(Program& program);
 void addLightmapVerb(Program& program);
 void addLightsVerb(Program& program);
 void addBalanceVerb(Program& program);

@@ -1,5 +1,5 @@
 #include "app/arguments/look_frame.h"
-#include "app/verbs/look_actions.h"
+#include "app/look_verbs/look_actions.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/export/filtered_frame.h"

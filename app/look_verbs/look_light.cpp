@@ -1,4 +1,4 @@
-#include "app/verbs/look_actions.h"
+#include "app/look_verbs/look_actions.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/no_such_light.h"

@@ -1,7 +1,7 @@
 #include "app/arguments/display_arguments.h"
+#include "app/look_verbs/look_actions.h"
+#include "app/look_verbs/look_verbs.h"
 #include "app/program/number_range.h"
-#include "app/verbs/look_actions.h"
-#include "app/verbs/verbs.h"
 #include "core/base/error.h"
 
 namespace swaplight {

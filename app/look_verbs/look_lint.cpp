@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/verbs/look_actions.h"
+#include "app/look_verbs/look_actions.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/filter/filter_file.h"

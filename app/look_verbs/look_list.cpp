@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/verbs/look_actions.h"
+#include "app/look_verbs/look_actions.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/filter/favourite_looks.h"

@@ -1,6 +1,6 @@
 #include <fmt/ranges.h>
 
-#include "app/verbs/look_actions.h"
+#include "app/look_verbs/look_actions.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/filter/favourite_looks.h"
