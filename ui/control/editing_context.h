@@ -1,12 +1,12 @@
 #pragma once
 
 #include "ui/actions/action_table.h"
-#include "ui/control/color_choice.h"
 #include "ui/control/edit_controller.h"
 #include "ui/control/light_edit.h"
 #include "ui/control/session_controller.h"
 #include "ui/control/shadow_controller.h"
 #include "ui/jobs/messages.h"
+#include "ui/state/color_choice.h"
 #include "ui/state/edits_state.h"
 #include "ui/state/panel_layout.h"
 #include "ui/state/shown_picture.h"

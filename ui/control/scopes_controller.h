@@ -6,13 +6,13 @@
 
 #include "core/view/scopes/scope_pictures.h"
 #include "ui/camera/look_preview.h"
-#include "ui/control/color_choice.h"
 #include "ui/control/edit_controller.h"
 #include "ui/control/light_edit.h"
 #include "ui/control/session_controller.h"
 #include "ui/jobs/job.h"
 #include "ui/jobs/messages.h"
 #include "ui/pictures/view_table.h"
+#include "ui/state/color_choice.h"
 #include "ui/state/panel_layout.h"
 #include "ui/state/viewer_state.h"
 

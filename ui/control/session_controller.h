@@ -11,10 +11,10 @@
 #include "core/session/document_editor.h"
 #include "core/session/recent_files.h"
 #include "core/session/recovery.h"
-#include "ui/control/color_choice.h"
 #include "ui/control/set_controller.h"
 #include "ui/jobs/job.h"
 #include "ui/jobs/messages.h"
+#include "ui/state/color_choice.h"
 #include "ui/state/view_state.h"
 
 namespace swaplight {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/control/color_choice.h"
 #include "ui/control/session_controller.h"
+#include "ui/state/color_choice.h"
 #include "ui/state/shown_picture.h"
 
 namespace swaplight {

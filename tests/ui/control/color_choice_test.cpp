@@ -1,5 +1,5 @@
 // Which colour configuration the studio works with, and what the jobs that run meanwhile work with.
-#include "ui/control/color_choice.h"
+#include "ui/state/color_choice.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ui/control/color_choice.h"
+#include "ui/state/color_choice.h"
 
 #include "core/base/error.h"
 #include "core/ocio/chosen_config.h"
