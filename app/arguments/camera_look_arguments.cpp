@@ -35,8 +35,14 @@ std::shared_ptr<CameraLook> readyLook(const FilterPipeline& pipeline, const std:
 }
 
 std::function<std::shared_ptr<FrameFilter>(const FilterPipeline&)> versionLooks(Terminal& terminal) {
-  return [&terminal](const FilterPipeline& look) {
-    return readyLook(look, "camera look " + look.name, false, {}, terminal);
+  return [&terminal](const FilterPipeline& look) -> std::shared_ptr<FrameFilter> {
+    const std::string where = "camera look " + look.name;
+    try {
+      return readyLook(look, where, false, {}, terminal);
+    } catch (const ResourceError& error) {
+      terminal.say("warning: {}: {}; drawn without it", where, error.what());
+      return nullptr;
+    }
   };
 }
 

@@ -33,8 +33,7 @@ void writeSheet(const VersionsCommand& arguments, const Session& session, Termin
   if (document.looks.empty())
     throw InputError("{}: its gallery is empty: keep looks or versions in the studio first",
                      arguments.session);
-  if (isSceneLinear(arguments.sheet))
-    throw InputError("{}: a contact sheet is for the eye: give .png, .jpg or .tif", arguments.sheet);
+  checkSheetFile(arguments.sheet);
   std::vector<std::filesystem::path> inputs = filesOfSource(document.source);
   inputs.emplace_back(arguments.session);
   checkOutput(arguments.sheet, inputs);

@@ -65,8 +65,7 @@ void checkExport(const ColorConfig& config, const ExportRequest& request) {
         request.file.string());
   if (request.kind == ExportKind::Look && !isLookFile(request.file))
     throw InputError("{}: the global part of a look is written as .cube, .ccc or .cc", request.file.string());
-  if (request.kind == ExportKind::Sheet && isSceneLinear(request.file))
-    throw InputError("{}: a contact sheet is for the eye: give .png, .jpg or .tif", request.file.string());
+  if (request.kind == ExportKind::Sheet) checkSheetFile(request.file);
   checkWritable(request.file);
 }
 

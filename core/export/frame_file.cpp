@@ -25,6 +25,11 @@ bool isSceneLinear(const std::filesystem::path& file) {
   return format == "openexr" || format == "hdr";
 }
 
+void checkSheetFile(const std::filesystem::path& file) {
+  if (isSceneLinear(file))
+    throw InputError("{}: a contact sheet is for the eye: give .png, .jpg or .tif", file.string());
+}
+
 void checkFrame(const ColorConfig& config, const std::filesystem::path& file, const FrameOptions& options) {
   static_cast<void>(imageFormatForWriting(file));
   if (options.tone && (options.linear || !options.display.empty()))

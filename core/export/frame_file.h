@@ -40,6 +40,9 @@ struct FrameOptions {
 /// that lists the formats.
 [[nodiscard]] bool isSceneLinear(const std::filesystem::path& file);
 
+/// Throws InputError where the file's format is not one for a contact sheet.
+void checkSheetFile(const std::filesystem::path& file);
+
 /// What can be said before the frame is there. Throws InputError, listing the known ones, where the file's
 /// format, the display, the view or a look is unknown, and where more than one of linear, a view and a
 /// tone mapping is asked for, or a tone mapping or a look alone for a scene-linear format.

@@ -110,6 +110,22 @@ class VersionsTest(cli.CliTest):
         with open(self.path('plain.html')) as file:
             self.assertNotIn('Versions', file.read())
 
+    def test_without_opengl_they_are_drawn_without_their_camera_looks_and_that_is_said(self):
+        without = {'__EGL_VENDOR_LIBRARY_DIRS': '/nowhere'}
+        self.succeed('versions', self.session, '-o', self.path('plain.png'))
+        self.looks[1]['scene']['camera_look'] = {'format': 'swaplight-look', 'version': 1, 'name': 'Aged',
+                                                   'filters': [{'filter': 'sepia'}]}
+        self.write(self.looks)
+        for verb, file in (('versions', 'sheet.png'), ('report', 'report.html')):
+            result = cli.run(verb, self.session, '-o', self.path(file), env=without)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            said = [line for line in result.stderr.splitlines() if 'Aged' in line]
+            self.assertEqual(len(said), 1, result.stderr)
+            self.assertIn('no OpenGL', said[0])
+        np.testing.assert_array_equal(cli.read_rgb(self.path('sheet.png')), cli.read_rgb(self.path('plain.png')))
+        self.succeed('versions', self.session, '-o', self.path('seen.png'))
+        self.assertTrue((cli.read_rgb(self.path('seen.png')) != cli.read_rgb(self.path('plain.png'))).any())
+
     def test_bad_input_is_said_in_a_line(self):
         self.deny('versions', self.write([], 'none.swaplight'), '-o', self.path('x.png'), naming='gallery is empty')
         self.deny('versions', self.session, '-o', self.path('x.exr'), naming='.png, .jpg or .tif')
