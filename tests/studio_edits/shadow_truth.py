@@ -5,7 +5,7 @@ import subprocess
 import numpy as np
 import OpenImageIO as oiio
 
-from studio_session import PROGRAM
+from studio import PROGRAM
 
 
 def read_float(path):

@@ -4,7 +4,7 @@ import os
 import unittest
 
 import numpy as np
-import swaplight_cli as cli
+import cli
 from camera_raw import write_dng
 
 COLORS = '0.9/0.2/0.15,0.15/0.8/0.25'

@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 
-from swaplight_cli import CliTest, main, read_rgb, write_image
+from cli import CliTest, main, read_rgb, write_image
 
 HEIGHT, WIDTH = 216, 384
 LUMA = np.array([.2126, .7152, .0722])

@@ -3,7 +3,7 @@ import json
 
 import numpy as np
 
-import swaplight_cli as cli
+import cli
 
 # Linear Rec.709 to ACEScg, white adapted by Bradford (ACES TB-2014-004, S-2014-004).
 AP1_FROM_REC709 = np.array([[0.6131324224, 0.3395380158, 0.0474166960],

@@ -1,6 +1,6 @@
 """Captures whose files are coded as cameras code them: gamma, the Rec.709 curve, logs, wide primaries"""
 import numpy as np
-import swaplight_cli as cli
+import cli
 
 
 def gamma22(light):

@@ -7,7 +7,7 @@ import numpy as np
 import OpenImageIO as oiio
 
 from shadow_truth import read_float
-from studio_session import PROGRAM, StudioTest
+from studio import PROGRAM, StudioTest
 
 
 def write_float(path, pixels, names):

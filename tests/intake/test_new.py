@@ -5,7 +5,7 @@ import shutil
 import unittest
 
 import numpy as np
-import swaplight_cli as cli
+import cli
 
 SAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../samples/film_set')
 RING = '0.9/0.2/0.15,0.15/0.8/0.25,0.2/0.25/0.9'

@@ -4,7 +4,7 @@ import os
 import shutil
 
 import numpy as np
-import swaplight_cli as cli
+import cli
 
 SIZE = {'height': 60, 'width': 80}
 Y, X = np.meshgrid(np.linspace(-1, 1, 60), np.linspace(-1, 1, 80), indexing='ij')

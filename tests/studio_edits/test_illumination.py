@@ -3,7 +3,7 @@ import unittest
 
 import numpy as np
 
-from studio_session import StudioTest
+from studio import StudioTest
 
 
 class Illumination(StudioTest):

@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 
-from swaplight_cli import CliTest, main, read_image, read_rgb, write_image
+from cli import CliTest, main, read_image, read_rgb, write_image
 
 SOFT = '''/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}, {"NAME": "amount", "TYPE": "float", "DEFAULT": 1}]}*/
 void main() {
@@ -242,7 +242,7 @@ class Refused(CameraLookTest):
         self.assertIn(bad + ':3:', result)
 
     def deny_lint(self, *files):
-        from swaplight_cli import run
+        from cli import run
         result = run('look', 'lint', *files)
         self.assertEqual(result.returncode, 2)
         return result.stdout

@@ -10,7 +10,7 @@ import sys
 import numpy as np
 import OpenImageIO as oiio
 
-import swaplight_cli as cli
+import cli
 
 SHEET = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../data/filters/filters.png')
 WIDTH, HEIGHT = 96, 64  # of a picture on the sheet

@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 
-import swaplight_cli as cli
+import cli
 
 BROKEN = '''/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}]}*/
 void main() {

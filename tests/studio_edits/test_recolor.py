@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-from studio_session import PROGRAM, SAMPLES, StudioTest
+from studio import PROGRAM, SAMPLES, StudioTest
 
 
 class Recolor(StudioTest):

@@ -3,7 +3,7 @@ import os
 
 import numpy as np
 
-import swaplight_cli as cli
+import cli
 
 CLIPPED = 1  # of quality.flags
 

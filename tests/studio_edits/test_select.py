@@ -7,7 +7,7 @@ import unittest
 
 import numpy as np
 
-from studio_session import PROGRAM, StudioTest
+from studio import PROGRAM, StudioTest
 from test_paint import read_float
 
 

@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 import OpenImageIO as oiio
 
-from studio_session import PROGRAM, StudioTest
+from studio import PROGRAM, StudioTest
 
 
 def read_float(path):

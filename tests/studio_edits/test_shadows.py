@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 from shadow_truth import deepest, labels_of, read_float
-from studio_session import PROGRAM, SAMPLES, StudioTest
+from studio import PROGRAM, SAMPLES, StudioTest
 
 UMBRA = np.array([60, 214, 255])
 SET = os.path.join(SAMPLES, 'three_point')

@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 
-from swaplight_cli import CliTest, main, read_rgb
+from cli import CliTest, main, read_rgb
 
 SET = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../samples/three_point/truth.json')
 LIGHTS = ['--model', 'transport', '--light', 'key=+1st', '--light', 'fill=-1st', '--light', 'back=+0st']

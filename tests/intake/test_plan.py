@@ -1,7 +1,7 @@
 """swaplight plan: the colours, the table, the JSON, and what it says of bad plans."""
 import math
 
-import swaplight_cli as cli
+import cli
 
 PAPER = ','.join('#%02x%02x%02x' % code for code in ((218, 131, 102), (42, 165, 95), (255, 203, 0), (0, 38, 96)))
 

@@ -3,7 +3,7 @@ import json
 import os
 
 import numpy as np
-import swaplight_cli as cli
+import cli
 
 
 def encode(y):

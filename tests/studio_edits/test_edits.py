@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 from shadow_truth import read_float
-from studio_session import PROGRAM, StudioTest
+from studio import PROGRAM, StudioTest
 
 
 class Edits(StudioTest):
