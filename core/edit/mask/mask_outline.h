@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/edit/shapes/mask_raster.h"
+#include "core/edit/raster/mask_raster.h"
 #include "core/shadow/result/shadow_outline.h"
 
 namespace swaplight {

@@ -6,7 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/edit/mask/prepared_mask.h"
-#include "core/edit/shapes/shape_drawing.h"
+#include "core/edit/raster/shape_drawing.h"
 
 namespace swaplight {
 namespace {

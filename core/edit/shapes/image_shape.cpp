@@ -3,7 +3,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "core/edit/shapes/shape_drawing.h"
+#include "core/edit/raster/shape_drawing.h"
 #include "core/image/io/image_io.h"
 
 namespace swaplight {

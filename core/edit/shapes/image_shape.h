@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/edit/fields/field.h"
-#include "core/edit/shapes/mask_raster.h"
+#include "core/edit/raster/mask_raster.h"
 #include "core/edit/shapes/shape_box.h"
 #include "core/edit/shapes/shape_info.h"
 

@@ -6,7 +6,7 @@
 #include "core/base/json_fwd.h"
 #include "core/color/rgb.h"
 #include "core/edit/fields/field.h"
-#include "core/edit/shapes/mask_raster.h"
+#include "core/edit/raster/mask_raster.h"
 #include "core/edit/shapes/shape_info.h"
 #include "core/set/solved_set.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/json_fwd.h"
-#include "core/edit/shapes/mask_raster.h"
+#include "core/edit/raster/mask_raster.h"
 
 namespace swaplight {
 

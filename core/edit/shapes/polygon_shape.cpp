@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "core/edit/shapes/shape_drawing.h"
+#include "core/edit/raster/shape_drawing.h"
 
 namespace swaplight {
 MaskRaster PolygonShape::draw(int width, int height) const {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/edit/fields/field.h"
-#include "core/edit/shapes/mask_raster.h"
+#include "core/edit/raster/mask_raster.h"
 #include "core/edit/shapes/shape_info.h"
 
 namespace swaplight {

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "core/edit/fields/field.h"
+#include "core/edit/raster/soft_edge.h"
 #include "core/edit/shapes/shape_box.h"
 #include "core/edit/shapes/shape_info.h"
-#include "core/edit/shapes/soft_edge.h"
 
 namespace swaplight {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/json_fwd.h"
 #include "core/edit/fields/field.h"
-#include "core/edit/shapes/mask_raster.h"
+#include "core/edit/raster/mask_raster.h"
 #include "core/edit/shapes/shape_info.h"
 #include "core/shadow/result/light_shadows.h"
 

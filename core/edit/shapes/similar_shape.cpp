@@ -8,7 +8,7 @@
 #include "core/base/json.h"
 #include "core/base/parallel.h"
 #include "core/edit/fields/field_json.h"
-#include "core/edit/shapes/shape_drawing.h"
+#include "core/edit/raster/shape_drawing.h"
 #include "core/file/json_fields.h"
 
 namespace swaplight {

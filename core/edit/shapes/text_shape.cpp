@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "core/edit/shapes/shape_drawing.h"
+#include "core/edit/raster/shape_drawing.h"
 #include "core/plot/text_drawing.h"
 
 namespace swaplight {

@@ -1,4 +1,4 @@
-#include "core/edit/shapes/shape_drawing.h"
+#include "core/edit/raster/shape_drawing.h"
 
 #include <algorithm>
 #include <cmath>

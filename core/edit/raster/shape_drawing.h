@@ -2,7 +2,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/edit/shapes/mask_raster.h"
+#include "core/edit/raster/mask_raster.h"
 
 namespace swaplight {
 

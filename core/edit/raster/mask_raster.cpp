@@ -1,4 +1,4 @@
-#include "core/edit/shapes/mask_raster.h"
+#include "core/edit/raster/mask_raster.h"
 
 #include <algorithm>
 #include <cmath>
