@@ -139,11 +139,18 @@ class PlantedTest(unittest.TestCase):
         self.refused('swaplight_ui_control', 'swaplight_ui_kit', 'PkgConfig::IMGUI')
 
     def test_a_crowded_folder_is_refused(self):
-        names = [f'part{i}.h' for i in range(structure.MOST_FILES + 1)]
+        names = [f'part{i}.h' for i in range(structure.MOST_FILES)]
         for name in names:
             self.plant(f'core/big/{name}', '')
         self.plant('core/big/CMakeLists.txt', library('swaplight_big', ' '.join(names)))
         self.refused('core/big', str(structure.MOST_FILES + 1))
+
+    def test_so_is_one_of_tests_but_not_one_of_pictures(self):
+        for i in range(structure.MOST_FILES + 1):
+            self.plant(f'tests/data/{i}.png', '')
+            self.plant(f'tests/cli/test_{i}.py', '')
+        self.refused('tests/cli', str(structure.MOST_FILES + 1))
+        self.assertFalse([problem for problem in structure.problems(self.root) if 'tests/data' in problem])
 
 
 if __name__ == '__main__':
