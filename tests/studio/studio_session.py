@@ -260,6 +260,18 @@ class StudioTest(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder, name)
 
+    def export_frame(self, name):
+        """Exports what is seen; its file."""
+        frame = self.path(name)
+        self.studio.key('ctrl+e')
+        self.studio.item('export.file')
+        self.studio.key('ctrl+a')
+        self.studio.type(frame)
+        self.studio.key('Return')
+        self.studio.wait(lambda layout: os.path.exists(frame), 'the frame')
+        self.studio.settle()
+        return frame
+
     def save_as(self, name):
         """Saves the session by the dialog; gives the file and what is in it."""
         path = self.path(name + '.swaplight')

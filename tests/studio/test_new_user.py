@@ -31,12 +31,7 @@ class NewUser(StudioTest):
         studio.key('Return')
         studio.click('mixer.fill.on')
         studio.screenshot('new_user')
-        studio.key('ctrl+e')
-        studio.item('export.file')
-        studio.key('ctrl+a')
-        studio.type(self.path('frame.exr'))
-        studio.key('Return')
-        studio.wait(lambda _: os.path.exists(self.path('frame.exr')), 'the frame')
+        self.export_frame('frame.exr')
         seconds = time.time() - begun
         print(f'a frame after {seconds:.1f} s')
         self.assertLess(seconds, 60)

@@ -16,14 +16,7 @@ class Edits(StudioTest):
         return path, session['edits']['edits']
 
     def same_as_command_line(self, session):
-        frame, line = self.path('studio.exr'), self.path('line.exr')
-        self.studio.key('ctrl+e')
-        self.studio.item('export.file')
-        self.studio.key('ctrl+a')
-        self.studio.type(frame)
-        self.studio.key('Return')
-        self.studio.wait(lambda layout: os.path.exists(frame), 'the frame')
-        self.studio.settle()
+        frame, line = self.export_frame('studio.exr'), self.path('line.exr')
         subprocess.run([PROGRAM, 'relight', '--session', session, '-o', line, '-q'], check=True)
         np.testing.assert_array_equal(read_float(frame)[0], read_float(line)[0])
 

@@ -38,20 +38,9 @@ class Tools(StudioTest):
         height, width = picture.shape[:2]
         return picture[int(height * y0):int(height * y1), int(width * x0):int(width * x1)].astype(float)
 
-    def export(self):
-        self.studio.key('ctrl+e')
-        self.studio.item('export.file')
-        self.studio.key('ctrl+a')
-        frame = self.path('studio.exr')
-        self.studio.type(frame)
-        self.studio.key('Return')
-        self.studio.wait(lambda layout: os.path.exists(frame), 'the frame')
-        self.studio.settle()
-        return frame
-
     def same_as_command_line(self, name):
         path, session = self.save_as(name)
-        frame, other = self.export(), self.path('line.exr')
+        frame, other = self.export_frame('studio.exr'), self.path('line.exr')
         subprocess.run([PROGRAM, 'relight', '--session', path, '-o', other, '-q'], check=True)
         np.testing.assert_array_equal(read_float(frame), read_float(other))
         return session

@@ -57,17 +57,6 @@ class Shadows(StudioTest):
     def click_pixel(self, x, y):
         self.studio.click_at(*self.screen_of(x, y))
 
-    def export(self, name):
-        frame = self.path(name)
-        self.studio.key('ctrl+e')
-        self.studio.item('export.file')
-        self.studio.key('ctrl+a')
-        self.studio.type(frame)
-        self.studio.key('Return')
-        self.studio.wait(lambda layout: os.path.exists(frame), 'the frame')
-        self.studio.settle()
-        return frame
-
     def around(self, picture, grow=0):
         """The mean of the picture on the screen where the shadow is deepest."""
         x, y, half = self.spot
@@ -263,7 +252,7 @@ class Shadows(StudioTest):
         self.assertEqual(edits[0]['mask'][0]['shape'], 'shadow')
         ax, ay = edits[0]['mask'][0]['at']
         self.assertIn(self.labels[int(ay), int(ax)], (1, 2))
-        frame = self.export('studio.exr')
+        frame = self.export_frame('studio.exr')
         line = self.path('line.exr')
         subprocess.run([PROGRAM, 'relight', '--session', path, '-o', line, '-q'], check=True)
         np.testing.assert_array_equal(read_float(frame)[0], read_float(line)[0])

@@ -86,20 +86,22 @@ void drawTexture(unsigned texture, ImVec2 low, ImVec2 high) {
   ImGui::GetWindowDrawList()->AddImage(id, low, high);
 }
 
+void tooltipAtOnce(const char* text) {
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(px(320));
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  const ImVec2 at = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  markRect("tooltip", at.x, at.y, at.x + size.x, at.y + size.y);
+  ImGui::EndTooltip();
+}
+
 void tooltip(const char* text) {
   if (!text || *text == '\0') return;
   markTip();
   if (GImGui->NavDisableMouseHover) return;  // the keyboard is in use: it would hide what is typed next
-  if (tooltipDue() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(px(320));
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    const ImVec2 at = ImGui::GetWindowPos();
-    const ImVec2 size = ImGui::GetWindowSize();
-    markRect("tooltip", at.x, at.y, at.x + size.x, at.y + size.y);
-    ImGui::EndTooltip();
-  }
+  if (tooltipDue() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltipAtOnce(text);
 }
 
 bool toggleButton(const char* label, bool on, ImU32 litColor, float side, const char* tip) {

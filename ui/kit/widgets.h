@@ -29,7 +29,9 @@ bool changedDot(const char* id, bool changed, const char* tooltip);
 /// Text in the faint colour and the small font.
 void hint(const std::string& text);
 
-/// A tooltip for the widget before, after the usual delay.
+/// A tooltip where the pointer is.
+void tooltipAtOnce(const char* text);
+/// One for the widget before, after the usual delay.
 void tooltip(const char* text);
 
 /// A thin bar between two panels. Moves `length` (at scale 1) by the mouse; `sign` is +1 where dragging right

@@ -61,18 +61,6 @@ std::vector<Row> rowsOf(const ShadowLegend& legend) {
   return rows;
 }
 
-/// A tooltip at once: nothing here is clicked that it could hide.
-void explain(const char* text) {
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(px(320));
-  ImGui::TextUnformatted(text);
-  ImGui::PopTextWrapPos();
-  const ImVec2 at = ImGui::GetWindowPos();
-  const ImVec2 size = ImGui::GetWindowSize();
-  markRect("tooltip", at.x, at.y, at.x + size.x, at.y + size.y);
-  ImGui::EndTooltip();
-}
-
 }  // namespace
 
 void drawShadowMark(ShadowMark::Kind kind, ImVec2 at) {
@@ -105,7 +93,7 @@ void drawShadowLegend(const ShadowLegend& legend, ImVec2 origin, ImVec2 size) {
       tip = rows[i].tip;
   }
   ImGui::PopFont();
-  if (tip) explain(tip);
+  if (tip) tooltipAtOnce(tip);  // nothing here is clicked that it could hide
   markRect("shadows.legend", low.x, low.y, high.x, high.y);
 }
 
