@@ -8,7 +8,7 @@ import signal
 import sys
 import unittest
 
-from studio_session import HERE, SAMPLES, StudioTest
+from studio import HERE, SAMPLES, StudioTest
 
 sys.path.append(os.path.join(HERE, '../cli'))
 from bad_tiff import crashing_tiff, ink_tiff  # noqa: E402

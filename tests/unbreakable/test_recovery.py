@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 
 from killed_studio import kill_after
-from studio_session import StudioTest
+from studio import StudioTest
 
 
 class Recovery(StudioTest):
