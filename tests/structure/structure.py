@@ -14,7 +14,7 @@ import re
 
 LAYERS = ('core', 'render', 'ui', 'app')  # bottom up
 MOST_FILES = 30
-DATA = ('tests/data', 'tests/samples', 'tests/fuzz/seeds', 'tests/studio/states')
+DATA = ('tests/data/', 'tests/samples/', 'tests/fuzz/seeds/', 'tests/studio/states/')
 
 GRAPHICS = {  # what an include <...> begins with
     'Dear ImGui': ('imgui',),

@@ -37,6 +37,16 @@ def read_png(path):
     return pixels[..., :3].astype(np.int32)
 
 
+def read_float(path):
+    """height x width x channels of an EXR, and the channels' names."""
+    source = oiio.ImageInput.open(path)
+    assert source, oiio.geterror()
+    spec = source.spec()
+    pixels = np.asarray(source.read_image('float')).reshape(spec.height, spec.width, spec.nchannels)
+    source.close()
+    return pixels, spec.channelnames
+
+
 class Display:
     """An X server without a monitor."""
 

@@ -12,7 +12,7 @@ import OpenImageIO as oiio
 from drop_files import drop_files
 from studio_session import HERE, PROGRAM, SAMPLES, StudioTest
 
-sys.path.append(os.path.join(HERE, '../cli'))
+sys.path.append(os.path.join(HERE, '../intake'))
 from camera_raw import write_dng
 
 

@@ -3,18 +3,8 @@ import os
 import subprocess
 
 import numpy as np
-import OpenImageIO as oiio
 
-from studio import PROGRAM
-
-
-def read_float(path):
-    source = oiio.ImageInput.open(path)
-    assert source, oiio.geterror()
-    spec = source.spec()
-    pixels = np.asarray(source.read_image('float')).reshape(spec.height, spec.width, spec.nchannels)
-    source.close()
-    return pixels, spec.channelnames
+from studio import PROGRAM, read_float
 
 
 def labels_of(capture, light, folder, *arguments):

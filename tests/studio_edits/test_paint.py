@@ -1,21 +1,11 @@
 """Light painting and the list of edits in a real window: the picture, the saved session, the exported frame."""
 import json
-import os
 import subprocess
 import unittest
 
 import numpy as np
-import OpenImageIO as oiio
 
-from studio import PROGRAM, StudioTest
-
-
-def read_float(path):
-    source = oiio.ImageInput.open(path)
-    spec = source.spec()
-    pixels = np.asarray(source.read_image('float')).reshape(spec.height, spec.width, spec.nchannels)
-    source.close()
-    return pixels
+from studio import PROGRAM, StudioTest, read_float
 
 
 class Paint(StudioTest):
@@ -71,7 +61,7 @@ class Paint(StudioTest):
         path, _ = self.save_as('painted')
         frame, other = self.export_frame('studio.exr'), self.path('line.exr')
         subprocess.run([PROGRAM, 'relight', '--session', path, '-o', other, '-q'], check=True)
-        np.testing.assert_array_equal(read_float(frame), read_float(other))
+        np.testing.assert_array_equal(read_float(frame)[0], read_float(other)[0])
         plain = self.path('plain.exr')
         with open(path) as file:
             session = json.load(file)
@@ -79,7 +69,7 @@ class Paint(StudioTest):
         with open(path, 'w') as file:
             json.dump(session, file)
         subprocess.run([PROGRAM, 'relight', '--session', path, '-o', plain, '-q'], check=True)
-        self.assertGreater(np.abs(read_float(frame) - read_float(plain)).max(), 0.02)
+        self.assertGreater(np.abs(read_float(frame)[0] - read_float(plain)[0]).max(), 0.02)
 
     def test_paint_follows_edges_where_the_switch_is_on(self):
         studio = self.take_brush('key')
@@ -116,16 +106,9 @@ class Paint(StudioTest):
         self.stroke(0.2, 0.25, 0.2)
         path, session = self.save_as('more')
         self.assertEqual([stroke.get('edges') for stroke in session['edits']['edits'][0]['mask'][0]['strokes']], [True, None])
-        frame, other = self.path('studio.exr'), self.path('line.exr')
-        studio.key('ctrl+e')
-        studio.item('export.file')
-        studio.key('ctrl+a')
-        studio.type(frame)
-        studio.key('Return')
-        studio.wait(lambda layout: os.path.exists(frame), 'the frame')
-        studio.settle()
+        frame, other = self.export_frame('studio.exr'), self.path('line.exr')
         subprocess.run([PROGRAM, 'relight', '--session', path, '-o', other, '-q'], check=True)
-        np.testing.assert_array_equal(read_float(frame), read_float(other))
+        np.testing.assert_array_equal(read_float(frame)[0], read_float(other)[0])
 
     def test_an_edit_is_switched_off_dimmed_copied_and_deleted(self):
         studio = self.take_brush()
