@@ -9,7 +9,7 @@ namespace swaplight {
 /// The photographs that a verb does without.
 inline void addLeaveOut(CLI::App& verb, std::vector<std::string>& files) {
   verb.add_option("--leave-out", files,
-                  "Photographs that are not used: kept in the capture as left out; may be repeated")
+                  "Do without these photographs; they are noted as left out; may be repeated")
       ->type_name("FILE,FILE")
       ->delimiter(',')
       ->allow_extra_args(false);

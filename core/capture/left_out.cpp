@@ -19,7 +19,7 @@ InputError noPhotographToLeaveOut(const std::string& where, const std::string& i
 }
 
 InputError nothingIsLeft(const std::string& where) {
-  return InputError("{}: leaves out all photographs. Keep at least one a light.", where);
+  return InputError("{}: leaves out all photographs. Keep at least as many as there are lights.", where);
 }
 
 Capture withShotsLeftOut(Capture capture, const std::vector<std::string>& images, const std::string& where) {

@@ -42,6 +42,14 @@ class SolveTest(cli.CliTest):
         np.testing.assert_allclose(cli.read_rgb(solved, 'ambient'), room, atol=1e-3)
         for name, truth in zip(('key', 'fill'), capture.truth):
             np.testing.assert_allclose(cli.read_rgb(solved, name), truth, atol=1e-3)
+        # What is left out of the capture stays with the set that comes of it.
+        out = 'shot_04.exr'
+        capture.manifest['shots'].append({'image': out, 'light_colors': [[1, 1, 1], [1, 1, 1]]})
+        capture.shots.append(np.zeros_like(room))
+        capture.save()
+        without = self.solve(capture, '--solve-ambient', '--model', 'transport', '--float', '--leave-out', out)
+        np.testing.assert_array_equal(cli.read_rgb(without, 'key'), cli.read_rgb(solved, 'key'))
+        self.assertIn(out, self.succeed('info', without).stdout)
 
     def test_a_tone_curve_is_looked_for_where_asked_to(self):
         capture = cli.Capture(self.path('set'))

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/base/quantile.h"
+#include "core/capture/left_out.h"
 #include "core/solve/estimators/demultiplex.h"
 #include "core/solve/model/pixel_sample.h"
 
@@ -25,10 +26,12 @@ Capture withAmbientLight(const Capture& capture, const std::string& where) {
         "(all "
         "lights dimmed, or off), or leave out --solve-ambient",
         where, capture.shotCount(), capture.lightCount());
+  std::vector<Shot> leftOut = leftOutOf(capture);
   Capture all = capture;
   all.lights.push_back({kAmbientLight, Role::Other, Json::object()});
-  for (Shot& shot : all.shots) shot.lightColors.emplace_back(Rgb(1));
-  return all;
+  for (std::vector<Shot>* shots : {&all.shots, &leftOut})
+    for (Shot& shot : *shots) shot.lightColors.emplace_back(Rgb(1));
+  return withLeftOut(std::move(all), leftOut);
 }
 
 Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal, const AmbientTuning& tuning) {
