@@ -21,9 +21,8 @@ namespace {
 
 constexpr const char* kWizardTitle = "New capture from photographs";
 constexpr int kThumbnailWidth = 480, kThumbnailHeight = 270;  // in pixels, for the largest screens
-constexpr size_t kMostLights = 8;
-constexpr const char* kUsualNames[kMostLights] = {"key",    "fill",   "back",   "practical",
-                                                  "kicker", "light6", "light7", "light8"};
+constexpr const char* kUsualNames[CaptureWizard::kMostLights] = {"key",    "fill",   "back",   "practical",
+                                                                 "kicker", "light6", "light7", "light8"};
 constexpr float kFooterButton = 110, kFooterGap = 10;
 constexpr const char* kFooterWords =
     "Writes capture.json next to the photographs, then separates the lights.";
@@ -80,6 +79,7 @@ void CaptureWizard::close() {
   m_checking.cancel();
   m_testing.cancel();
   m_linearity.reset();
+  m_tested.clear();  // a test that is still running is about this folder
   if (m_folder && m_found)
     m_typed = {*m_folder, m_lights, m_brackets, m_exposures, m_exposuresTold, m_rows, m_frame, m_solve};
   m_folder.reset();
@@ -112,9 +112,11 @@ void CaptureWizard::update(Messages& messages) {
       m_textures.emplace_back().update(thumbnail.width, thumbnail.height, thumbnail.rgba.data());
   });
   takeOrReport(m_checking, messages, "these exposures", [this](Checked checked) {
-    if (!m_found) return;
+    // Another folder may be open by now, or other photographs be ticked: those are looked at anew.
+    if (!m_found || checked.folder != m_found->folder.folder || checked.used != usedPhotographs(m_rows))
+      return;
     m_found->warnings = std::move(checked.warnings);
-    if (!checked.brackets) return;
+    if (!checked.brackets || m_exposuresTold) return;
     setBracketsTo(std::move(*checked.brackets));
     m_exposures = exposureList(m_brackets);
   });
@@ -122,7 +124,7 @@ void CaptureWizard::update(Messages& messages) {
     if (m_found) m_linearity = std::move(evidence);
   });
   const Taken guessed = takeOrReport(m_guessing, messages, "this guess", [this](const RotationGuess& guess) {
-    if (!m_found) return;
+    if (!m_found || m_guessOf != guessedAbout()) return;  // it is about other photographs
     const CaptureDraft placed = withRotation(draft(), ring(), guess.steps);
     const std::vector<size_t> rows = lightings();
     for (size_t k = 1; k < rows.size(); ++k)
@@ -167,7 +169,16 @@ std::string CaptureWizard::mistake() const {
   return {};
 }
 
+std::string CaptureWizard::guessedAbout() const {
+  const std::vector<size_t> rows = lightings();
+  std::string all = m_found->folder.folder.string() + fmt::format("\n{}", m_brackets.length);
+  for (const size_t photograph : usedPhotographs(m_rows)) all += fmt::format(" {}", photograph);
+  for (const WizardCell& cell : m_rows[rows.front()].cells) all += "\n" + cell.text;
+  return all;
+}
+
 void CaptureWizard::guess() {
+  m_guessOf = guessedAbout();
   m_guessing.start(
       [draft = emptyDraft(m_lights), all = m_found->pixels, used = usedPhotographs(m_rows),
        ring = ring()](const Progress&) { return guessRotation(draft, *pixelsOf(all, used), ring); },
@@ -217,7 +228,7 @@ void CaptureWizard::drawLights() {
 
 void CaptureWizard::drawExposures() {
   const size_t count = usedPhotographs(m_rows).size();
-  if (m_found->folder.shots.size() < 4) return;  // no two lightings of two exposures
+  if (m_found->folder.shots.size() < 4 && m_exposures.empty()) return;  // no two lightings of two exposures
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Exposures");
   ImGui::SameLine(0, px(10));
@@ -235,7 +246,8 @@ void CaptureWizard::drawExposures() {
       : m_brackets.length > 1
           ? fmt::format("{} photographs are {} lightings of {} exposures{}", count, lightings().size(),
                         m_brackets.length, m_exposuresTold ? "" : ": found")
-          : "every photograph is a lighting of its own";
+      : m_exposures.empty() ? "every photograph is a lighting of its own"
+                            : "every photograph is a lighting of its own, at these exposures";
   hint(words);
   markState("wizard.brackets", words);
 }
@@ -314,7 +326,9 @@ void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, con
   if (exists && wrong.empty()) {
     ImGui::Checkbox("Replace the existing capture.json", &m_replace);
     markItem("wizard.replace");
-    tooltip("This folder has a capture.json already. It will be written anew.");
+    tooltip(
+        "This folder has a capture.json already. It will be written anew, with what is seen here; what else "
+        "it holds is not kept.");
   } else {
     ImGui::AlignTextToFramePadding();
     ImGui::PushTextWrapPos(buttons - px(kFooterGap));

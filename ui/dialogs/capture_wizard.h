@@ -25,6 +25,8 @@ namespace swaplight {
 /// had when, guesses how the colours moved, warns at once, and writes capture.json.
 class CaptureWizard {
  public:
+  static constexpr size_t kMostLights = 8;
+
   explicit CaptureWizard(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
   /// Looks at the folder in a thread.
@@ -52,6 +54,8 @@ class CaptureWizard {
   };
   /// What is to be said of the photographs that are used, and their brackets, where those were looked for.
   struct Checked {
+    std::filesystem::path folder;
+    std::vector<size_t> used;  ///< the photographs that were looked at
     std::optional<Brackets> brackets;
     std::vector<std::string> warnings;
   };
@@ -86,6 +90,8 @@ class CaptureWizard {
   [[nodiscard]] CaptureDraft emptyDraft(const std::vector<std::string>& lights) const;
   [[nodiscard]] std::vector<ShotColor> ring() const;
   void guess();
+  /// What a guess is about: the photographs, as which lightings, and the first one's colours.
+  [[nodiscard]] std::string guessedAbout() const;
   void drawReading();
   void drawLights();
   void drawExposures();
@@ -114,6 +120,7 @@ class CaptureWizard {
   std::optional<std::filesystem::path> m_folder;
   Job<Photographs> m_reading;
   Job<RotationGuess> m_guessing;
+  std::string m_guessOf;    ///< guessedAbout() when it began
   Job<Checked> m_checking;  ///< the photographs as other brackets, or fewer
   Job<LinearityEvidence> m_testing;
   std::optional<LinearityEvidence> m_linearity;

@@ -39,6 +39,18 @@ std::string bracketText(const Capture& capture, const ShotFolder& folder) {
   return text;
 }
 
+/// The exposures of lightings that have one photograph each; empty where they have several, or all are alike.
+Brackets toldAlone(const Capture& capture, const ShotFolder& folder) {
+  if (!bracketText(capture, folder).empty()) return {};
+  Brackets alone{1, {}, "as told"};
+  const std::vector<ToldPhotograph> told = toldPhotographs(capture, folder);
+  const std::vector<float> stops = toldExposures(capture, folder);
+  for (size_t k = 0; k < told.size(); ++k)
+    if (told[k].used) alone.stops.push_back(stops[k]);
+  const bool even = std::all_of(alone.stops.begin(), alone.stops.end(), [](float stop) { return stop == 0; });
+  return even ? Brackets{} : alone;
+}
+
 /// As near to each other as exposures are written.
 bool alike(const Brackets& a, const Brackets& b) {
   constexpr float kWritten = 0.01F;  // stops
@@ -76,7 +88,7 @@ void CaptureWizard::check(bool findThem) {
       [draft = emptyDraft({"light"}), all = m_found->pixels, used = usedPhotographs(m_rows),
        findThem](const Progress&) mutable {
         const std::shared_ptr<const CapturePixels> pixels = pixelsOf(all, used);
-        Checked checked;
+        Checked checked{draft.folder.folder, used, {}, {}};
         if (findThem) {
           checked.brackets = findBrackets(draft.folder, *pixels);
           setBrackets(draft, *checked.brackets);
@@ -169,6 +181,12 @@ void CaptureWizard::restoreTold(const Capture& capture) {
   if (std::none_of(told.begin(), told.end(),
                    [](const ToldPhotograph& one) { return one.used && !one.colors.empty(); }))
     return;  // it is about other photographs
+  if (capture.lights.size() > kMostLights) {
+    m_found->warnings.push_back(
+        fmt::format("capture.json has {} lights, {} can be entered here: not filled in",
+                    capture.lights.size(), kMostLights));
+    return;
+  }
   m_lights.clear();
   for (const Light& light : capture.lights) m_lights.push_back(light.name);
   m_frame = capture.frame;
@@ -179,9 +197,21 @@ void CaptureWizard::restoreTold(const Capture& capture) {
     m_rows.push_back(std::move(row));
   }
   const size_t used = usedPhotographs(m_rows).size();
+  setBracketsTo({});
+  m_exposures.clear();
+  m_exposuresTold = false;
+  if (std::any_of(told.begin(), told.end(), [](const ToldPhotograph& one) { return one.colors.empty(); }))
+    return check(true);  // with one more than it tells of the brackets may be others
+  if (const Brackets alone = toldAlone(capture, folder); !alone.stops.empty()) {
+    setBracketsTo(alone);
+    m_exposures = exposureList(m_brackets);
+    m_exposuresTold = true;
+    return check(false);
+  }
   m_exposures = bracketText(capture, folder);
   std::optional<Brackets> brackets = typedBrackets();
   if (used == told.size() && brackets && alike(*brackets, m_found->brackets)) brackets = m_found->brackets;
+  m_exposuresWrong.clear();
   setBracketsTo(brackets ? std::move(*brackets) : Brackets{});
   m_exposures = exposureList(m_brackets);
   m_exposuresTold = m_brackets.length != m_found->brackets.length;

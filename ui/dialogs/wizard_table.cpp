@@ -239,7 +239,7 @@ void CaptureWizard::drawUse(size_t row) {
   ImGui::PushStyleColor(ImGuiCol_Text, kFaint);
   ImGui::BeginDisabled(shown.used && used.size() < 2);
   beginNoTabStops();
-  const bool changed = ImGui::Checkbox(words.c_str(), &keep);
+  const bool changed = ImGui::Checkbox((words + "###use").c_str(), &keep);
   endNoTabStops();
   ImGui::EndDisabled();
   ImGui::PopStyleColor();
@@ -247,8 +247,9 @@ void CaptureWizard::drawUse(size_t row) {
   ImGui::PopFont();
   markItem({"wizard.use.", row});
   markState(fmt::format("wizard.use.{}.on", row), shown.used ? "yes" : "no");
-  tooltip(shown.used ? "Untick to leave it out: it stays in the folder, and its colours here"
-                     : "Left out of the capture. Tick to use it again");
+  tooltip(shown.used
+              ? "Untick to leave this photograph out. The file stays, and so do the colours that you entered."
+              : "Left out of the capture. Tick to use it again.");
   if (changed) m_toUse = std::pair(row, keep);
 }
 
