@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "app/arguments/flat_arguments.h"
 #include "app/camera_verbs/camera_verbs.h"
 #include "app/program/description.h"
@@ -19,8 +21,8 @@ void line(const char* name, const ToneEvidence& one, Description& d) {
   d.line(name,
          fmt::format("light to the power of {:.3f} ± {:.3f}; a curve of three terms: {:.1f} ± {:.1f} %, "
                      "which explains {:.0f} % of the misfit",
-                     one.exponent, one.exponentError, 100 * one.departure, 100 * one.departureError,
-                     100 * one.explained));
+                     one.exponent, one.exponentError, 100 * std::expm1(one.departure),
+                     100 * one.departureError, 100 * one.explained));
 }
 
 int run(const LinearCommand& arguments, Terminal& terminal) {

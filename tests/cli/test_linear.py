@@ -61,8 +61,8 @@ class Linear(cli.CliTest):
     def test_what_would_tell_is_said(self):
         result = self.succeed_json('linear', self.capture('two', srgb, ((1, 0), (0, 1))))
         self.assertIsNone(result['additivity'])
-        if result['linear'] is None:
-            self.assertIn('brackets', result['words'])
+        self.assertIsNone(result['linear'], result['words'])
+        self.assertIn('rackets', result['words'])
 
 
 if __name__ == '__main__':

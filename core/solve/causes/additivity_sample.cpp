@@ -68,6 +68,15 @@ Eigen::VectorXd weightsOf(const EstimatorContext& context, const Eigen::VectorXd
   return weight;
 }
 
+/// A value with the curve taken off, which lies on the photographs as they were taken: the ambient light's,
+/// too.
+double lightIn(const CapturePixels& pixels, int row, size_t place, double exposure,
+               const ToneCorrection& tone) {
+  const int channel = row % 3;
+  const double light = double(tone(pixels.shots[size_t(row / 3)].plane(channel)[place]));
+  return pixels.ambient ? light - exposure * double(tone(pixels.ambient->plane(channel)[place])) : light;
+}
+
 }  // namespace
 
 AdditivitySample additivitySample(const CauseContext& context, const std::vector<double>& exposure,
@@ -86,19 +95,20 @@ AdditivitySample additivitySample(const CauseContext& context, const std::vector
   if (evenly.cols() == 0) return sample;
 
   const PlacedPixels pixels = brightPixels(context.signal, lighting.shots, count, tuning);
-  const PixelRun& in = pixels.values.run();
   const size_t width = size_t(context.signal.pixels().width());
-  for (int p = 0; p < in.count; ++p) {
+  for (int p = 0; p < pixels.values.run().count; ++p) {
     Eigen::VectorXd seen(values);
-    for (int row = 0; row < values; ++row) seen[row] = double(tone(in.signal[row / 3][row % 3][p]));
     PixelMisfit pixel;
+    pixel.x = int(pixels.places[size_t(p)] % width);
+    pixel.y = int(pixels.places[size_t(p)] / width);
+    for (int row = 0; row < values; ++row)
+      seen[row] =
+          lightIn(context.signal.pixels(), row, pixels.places[size_t(p)], exposure[size_t(row / 3)], tone);
     pixel.weight = weightsOf(context.estimator, nearestMade(seen, even, evenly), tuning.modelError);
     pixel.directions = freeDirections(ownOf(lamps, pixel.weight));
     pixel.predicted = nearestMade(seen, pixel.weight, pixel.directions);
     pixel.residual = pixel.directions.transpose() * seen.cwiseProduct(pixel.weight);
     if (!pixel.residual.allFinite() || pixel.residual.size() == 0) continue;
-    pixel.x = int(pixels.places[size_t(p)] % width);
-    pixel.y = int(pixels.places[size_t(p)] / width);
     sample.pixels.push_back(std::move(pixel));
   }
   return sample;

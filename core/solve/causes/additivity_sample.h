@@ -10,7 +10,8 @@ namespace swaplight {
 
 /// What additivity leaves of a capture's pixels: whatever surfaces do, and whatever colours the gels have,
 /// light adds up. So photographs whose lamps depend on each other (a + b beside a and b; with gels swapped
-/// among two lamps b_r + r_w + w_b beside b_w + w_r + r_b; the exposures of a bracket) do, too. `share` and
+/// among two lamps b_r + r_w + w_b beside b_w + w_r + r_b; the exposures of a bracket, where they are known
+/// otherwise than by these pictures) do, too. `share` and
 /// `reflectance` of the sample are not given.
 struct AdditivitySample {
   std::vector<PixelMisfit> pixels;  ///< none: no photographs that depend on each other

@@ -12,12 +12,15 @@
 #include "core/solve/causes/cause_fit.h"
 #include "core/solve/causes/cause_slopes.h"
 #include "core/solve/causes/tone_correction.h"
+#include "core/solve/model/pixel_run.h"
+#include "core/solve/model/unknown_color.h"
 
 namespace swaplight {
 namespace {
 
-constexpr int kParts = 4;    // across and down, that are left out in turns
-constexpr int kLevels = 33;  // at which a curve is looked at
+constexpr int kParts = 4;           // across and down, that are left out in turns
+constexpr size_t kFewestParts = 8;  // in fewer a standard error is none
+constexpr int kLevels = 33;         // at which a curve is looked at
 constexpr int kMostSteps = 8;
 constexpr double kLevelError = .02;  // of a photograph: lamps flicker, shutters are not exact
 constexpr double kMostLevelErrors = 3;
@@ -146,9 +149,18 @@ double jackknifeError(const std::vector<double>& estimates) {
   return std::sqrt(squares * (count - 1) / count);
 }
 
-ToneEvidence evidenceIn(const CauseContext& context, const std::vector<PixelMisfit>& sample,
-                        const CauseTuning& tuning) {
+/// How far a power of light is open where the sample cannot show one: one white lamp a photograph is matte
+/// again under any power. Parts of the picture agree in that, so that leaving them out does not show it.
+double hiddenExponent(const ToneRows& tone, double squaredScale) {
+  return 1 / std::sqrt(tone.slopes.col(0).squaredNorm() / squaredScale + 1 / (tone.prior * tone.prior));
+}
+
+/// Nothing where too small a part of the picture is in the sample.
+std::optional<ToneEvidence> evidenceIn(const CauseContext& context, const std::vector<PixelMisfit>& sample,
+                                       const CauseTuning& tuning) {
+  if (int(sample.size()) < tuning.fewestPixels) return std::nullopt;
   const ToneRows tone = toneRows(context, sample);
+  if (tone.parts.size() < kFewestParts) return std::nullopt;
   const Eigen::Index terms = tone.slopes.cols();
   const CauseFit curve = fitTerms(tone, terms, tuning);
   const std::vector<double> levels = levelsOf(sample);
@@ -162,19 +174,17 @@ ToneEvidence evidenceIn(const CauseContext& context, const std::vector<PixelMisf
     gains.push_back(departures(fitTerms(rest, terms, tuning).unknowns, levels)[size_t(most - gain.begin())]);
   }
   ToneEvidence evidence;
-  evidence.exponent = 1 + fitTerms(tone, 1, tuning).unknowns[0];
-  evidence.exponentError = jackknifeError(exponents);
-  evidence.departure = std::abs(*most);
-  evidence.departureError = jackknifeError(gains);
   const double none = squaredScaleWithout(tone, tuning);
+  const double hidden = hiddenExponent(tone, none);
+  evidence.exponent = 1 + fitTerms(tone, 1, tuning).unknowns[0];
+  evidence.exponentError = std::hypot(jackknifeError(exponents), hidden);
+  evidence.departure = std::abs(*most);
+  evidence.departureError =
+      std::hypot(jackknifeError(gains), hidden * .5 * std::log(levels.back() / levels.front()));
   evidence.explained = std::clamp(1 - curve.squaredScale / none, 0.0, 1.0);
   evidence.misfit = std::sqrt(none);
   evidence.levelError = exponentOfLevels(tone);
   return evidence;
-}
-
-bool isEnough(const std::vector<PixelMisfit>& sample, const CauseTuning& tuning) {
-  return int(sample.size()) >= tuning.fewestPixels;
 }
 
 bool isCurved(const ToneEvidence& one, const CauseTuning& tuning) {
@@ -193,7 +203,7 @@ ToneCorrection toneByAdditivity(const CauseContext& context, const std::vector<d
   ToneCorrection tone;
   for (int round = 0; round < kMostSteps; ++round) {
     const AdditivitySample sample = additivitySample(context, exposure, tone, tuning.pixels, tuning);
-    if (!isEnough(sample.pixels, tuning)) break;
+    if (int(sample.pixels.size()) < tuning.fewestPixels) break;
     const ToneRows rows = toneRows(context, sample.pixels);
     const Eigen::VectorXd unknowns = fitTerms(rows, rows.slopes.cols(), tuning).unknowns;
     std::vector<double> gain;
@@ -208,6 +218,21 @@ bool isUnknown(const Capture& capture, bool named) {
     for (size_t i = 0; i < shot.lightColors.size(); ++i)
       if (!shot.lightColors[i] && (!named || shot.colorName(i).empty())) return true;
   return false;
+}
+
+/// With a colour of its own for each unknown one: which gels are the same is all that sums ask, and an
+/// unknown one is the same as no other.
+CauseContext withUnknownsApart(CauseContext context, const Capture& capture,
+                               const std::vector<double>& exposure) {
+  const std::vector<UnknownColor> unknown = unknownColorsOf(capture);
+  const auto lights = size_t(capture.lightCount());
+  for (size_t j = 0; j < unknown.size(); ++j)
+    for (const int entry : unknown[j].entries) {
+      const auto place = size_t(entry);
+      context.estimator.lighting.color(int(place / lights), int(place % lights)) =
+          Rgb(1e3F * float(j + 2)) * float(exposure[place / lights]);
+    }
+  return context;
 }
 
 bool has(const MisfitCauses& causes, Cause cause) {
@@ -242,7 +267,8 @@ bool settledByAdditivity(const CauseContext& context, const std::vector<double>&
   using Answer = LinearityEvidence::Answer;
   if (!evidence.additivity) return false;
   const ToneEvidence& sums = *evidence.additivity;
-  const bool mayBeAmbient = !evidence.ambientProof && has(evidence.causes, Cause::Ambient);
+  const bool mayBeAmbient =
+      !evidence.ambientProof && (evidence.causes.all.empty() || has(evidence.causes, Cause::Ambient));
   if (isCurved(sums, tuning)) {
     if (mayBeAmbient) {
       answer(
@@ -293,13 +319,19 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
 LinearityEvidence linearityOf(const Capture& capture, const CapturePixels& photographs,
                               const CauseTuning& tuning) {
   LinearityEvidence evidence;
+  if (capture.shotCount() > kMaxShots || capture.lightCount() > kMaxLights) {
+    evidence.words =
+        fmt::format("it cannot be told: of more than {} photographs or {} lights", kMaxShots, kMaxLights);
+    return evidence;
+  }
   const CauseContext context = causeContext(capture, photographs, toldNoise(capture, {}));
   std::vector<double> exposure;
   for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(double(shot.exposureStops)));
+  const CauseContext apart = withUnknownsApart(context, capture, exposure);
   if (!isUnknown(capture, true)) {
-    const AdditivitySample sums = additivitySample(context, exposure, {}, tuning.pixels, tuning);
+    const AdditivitySample sums = additivitySample(apart, exposure, {}, tuning.pixels, tuning);
     evidence.ambientProof = sums.ambientProof;
-    if (isEnough(sums.pixels, tuning)) evidence.additivity = evidenceIn(context, sums.pixels, tuning);
+    evidence.additivity = evidenceIn(context, sums.pixels, tuning);
     // Six photographs of three gels, swapped: lamps that flicker by 2 % look like a power of 2 there.
     if (evidence.additivity && !(evidence.additivity->levelError < tuning.mostLevelError))
       evidence.additivity.reset();
@@ -307,9 +339,9 @@ LinearityEvidence linearityOf(const Capture& capture, const CapturePixels& photo
   if (!isUnknown(capture, false)) {
     evidence.causes = misfitCauses(context.estimator, context.signal, tuning);
     const auto sample = misfitSample(context.estimator, context.signal, tuning.pixels, tuning);
-    if (isEnough(sample, tuning)) evidence.matte = evidenceIn(context, sample, tuning);
+    evidence.matte = evidenceIn(context, sample, tuning);
   }
-  if (settledByAdditivity(context, exposure, tuning, evidence)) return evidence;
+  if (settledByAdditivity(apart, exposure, tuning, evidence)) return evidence;
   if (evidence.matte)
     answerByMatte(capture, photographs, tuning, evidence);
   else

@@ -18,8 +18,8 @@ struct ToneEvidence {
   double levelError = 0;     ///< what photographs whose levels are off by 2 % add to the exponent
   double exponent = 1;       ///< the power of light that fits best
   double exponentError = 0;  ///< its standard error, over parts of the picture
-  double departure =
-      0;  ///< largest relative error of values under the best curve of three terms, up to exposure
+  double departure = 0;      ///< largest logarithm of values over light by the best curve of three terms, but
+                             ///< for exposure
   double departureError = 0;  ///< its standard error, over parts of the picture
   double explained = 0;       ///< of the misfit's variance, by that curve
   double misfit = 0;          ///< without a curve, RMS, over the sensor's noise and CauseTuning::modelError
@@ -43,7 +43,10 @@ struct LinearityEvidence {
 /// Do these photographs hold light, as their colour space says? A tone curve of three terms (cause_slopes.h:
 /// an exponent, and contrast) is fitted to what additivity leaves of the photographs, and to what the matte
 /// model leaves; its standard error is that over sixteen parts of the picture, left out in turns (Efron's
-/// jackknife). The noise is that of the sensor, if it is told, else estimated.
+/// jackknife), and what the sample cannot show at all. The noise is that of the sensor, if it is told, else
+/// estimated. Full scale is about 1. Sums of brackets say something only where their exposures are told or
+/// stated by the files: found in the pictures, they take a power of light along. Unknown for more
+/// photographs or lights than a solve takes; throws nothing.
 [[nodiscard]] LinearityEvidence linearityOf(const Capture& capture, const CapturePixels& photographs,
                                             const CauseTuning& tuning = {});
 

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/base/json.h"
+#include "core/solve/model/pixel_run.h"
 #include "tests/support/synthetic_capture.h"
 
 namespace swaplight {
@@ -113,6 +114,70 @@ TEST(Linearity, TakesNoFlickerForACurve) {
   const LinearityEvidence evidence = linearityOf(capture, pixels);
   EXPECT_FALSE(evidence.additivity.has_value());
   EXPECT_NE(evidence.answer, Answer::Curved) << jsonFromLinearity(evidence).dump(1);
+}
+
+TEST(Linearity, TakesNoFlickerOfSumsForACurve) {
+  const Capture capture = aloneAndTogether();
+  CapturePixels pixels = photographs(capture, light);
+  for (int channel = 0; channel < 3; ++channel)
+    for (size_t p = 0; p < pixels.shots[2].pixelCount(); ++p) pixels.shots[2].plane(channel)[p] *= 1.02F;
+  EXPECT_NE(linearityOf(capture, pixels).answer, Answer::Curved);
+}
+
+TEST(Linearity, TakesTheCurveOffBeforeAmbientLight) {
+  const Capture capture = aloneAndTogether();
+  CapturePixels pixels = photographs(capture, contrast, .2);
+  CapturePixels dark = photographs(captureUnder({{Rgb(0), Rgb(0)}}), contrast, .2);
+  pixels.ambient = std::move(dark.shots.front());
+  const LinearityEvidence curved = linearityOf(capture, pixels);
+  ASSERT_EQ(curved.answer, Answer::Curved) << curved.words;
+  const double level = contrast(double(curved.curve[5][1])) / double(curved.curve[5][0]);
+  for (size_t k = 3; k < 7; ++k)
+    EXPECT_NEAR(contrast(double(curved.curve[k][1])) / double(curved.curve[k][0]) / level, 1, .12) << k;
+}
+
+TEST(Linearity, UnknownGelsAreTheSameAsNoOther) {
+  const std::vector<Rgb> first{{.9F, .2F, .15F}, {.15F, .8F, .25F}}, second{first[1], first[0]};
+  const Capture told = captureUnder({first, first, second, second}, {0, -1, 0, -1});
+  Capture unknown = told;
+  for (size_t k = 0; k < 4; ++k)
+    for (size_t i = 0; i < 2; ++i) {
+      unknown.shots[k].lightColors[i].reset();
+      unknown.shots[k].colorNames.resize(2);
+      unknown.shots[k].colorNames[i] = (k < 2) == (i == 0) ? "?a" : "?b";
+    }
+  const LinearityEvidence linear = linearityOf(unknown, photographs(told, light));
+  EXPECT_NE(linear.answer, Answer::Curved) << jsonFromLinearity(linear).dump(1);
+}
+
+TEST(Linearity, CannotTellAPowerOfLightFromOneLampAPhotograph) {
+  // A matte set under one white lamp after the other is matte again under any power.
+  const Capture capture = captureUnder({{Rgb(1), Rgb(0)}, {Rgb(0), Rgb(1)}});
+  CapturePixels pixels = photographs(capture, light);
+  for (size_t k = 0; k < 2; ++k)
+    for (int c = 0; c < 3; ++c)
+      for (int y = 0; y < kRows; ++y)
+        for (int x = 0; x < kColumns; ++x) {
+          const double lamp = k == 0 ? 1.1 - double(x) / kColumns : .1 + double(x) / kColumns;
+          const double paint = .5 + .4 * std::sin(.3 * x + c) * std::cos(.2 * y - c);
+          pixels.shots[k].span().at(c, x, y) = float(std::pow(.6 * lamp * paint, 2.2));
+        }
+  const LinearityEvidence evidence = linearityOf(capture, pixels);
+  EXPECT_EQ(evidence.answer, Answer::Unknown) << jsonFromLinearity(evidence).dump(1);
+}
+
+TEST(Linearity, SaysNothingOfMorePhotographsThanASolveTakes) {
+  const Capture capture =
+      captureUnder(std::vector<std::vector<Rgb>>(size_t(kMaxShots) + 1, std::vector<Rgb>{Rgb(1), Rgb(0)}));
+  CapturePixels pixels;
+  for (int k = 0; k < capture.shotCount(); ++k) {
+    pixels.shots.emplace_back(ImageSpec::rgb(8, 8), .5F);
+    pixels.clipLevel.push_back(INFINITY);
+    pixels.quantum.push_back(0);
+  }
+  const LinearityEvidence evidence = linearityOf(capture, pixels);
+  EXPECT_EQ(evidence.answer, Answer::Unknown);
+  EXPECT_THAT(evidence.words, testing::HasSubstr("more than 32 photographs"));
 }
 
 TEST(Linearity, SaysWhatWouldTell) {
