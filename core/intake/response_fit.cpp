@@ -75,6 +75,16 @@ double largestDifference(const std::vector<float>& a, const std::vector<float>& 
   return largest;
 }
 
+/// A pixel that is neither black nor clipped in two exposures.
+bool isSeenTwice(const ResponseSamples& samples) {
+  for (size_t p = 0; p < samples.pixels(); ++p) {
+    int seen = 0;
+    for (size_t j = 0; j < samples.length; ++j) seen += responseWeight(samples.level(p, j)) > 0;
+    if (seen > 1) return true;
+  }
+  return false;
+}
+
 void fitChannel(const ResponseSamples& samples, int c, ResponseMethod method, ResponseFit& fit) {
   const auto counts = samples.counts();
   const auto seen = std::count_if(counts.begin(), counts.end(), [](int count) { return count > 0; });
@@ -83,6 +93,10 @@ void fitChannel(const ResponseSamples& samples, int c, ResponseMethod method, Re
         "too little is seen of the camera's response: only {} of {} codes, in places that are even; "
         "photograph something with smooth light and dark, in steps of one or two stops",
         seen, kResponseLevels);
+  if (!isSeenTwice(samples))
+    throw InputError(
+        "nothing is seen in two of the exposures, between black and white: photograph them one or two stops "
+        "apart");
   const auto often =
       std::find_if(counts.begin(), counts.end(), [](int count) { return count >= kSeenOften; });
   fit.darkest[static_cast<size_t>(c)] = double(often - counts.begin()) / (kResponseLevels - 1);

@@ -55,6 +55,7 @@ std::vector<double> robertsonResponse(const ResponseSamples& samples) {
   Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(kResponseLevels, kResponseLevels);
   for (size_t p = 0; p < samples.pixels(); ++p) addLightOf(samples, p, squares);
   addCurvature(kSmoothness * std::max(double(samples.pixels()), 1.0), squares);
+  squares(kMiddle, kMiddle) += std::max(double(samples.pixels()), 1.0);  // where u is 1: regular, no other u
   // u'Qu is least, over u that is 1 in the middle: Q u = multiple of that place's unit vector.
   Eigen::VectorXd middle = Eigen::VectorXd::Zero(kResponseLevels);
   middle[kMiddle] = 1;

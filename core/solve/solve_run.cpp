@@ -286,7 +286,7 @@ void SolveRun::judgeColors(float usual) {
 /// is no reason to doubt a pixel, but to doubt its numbers. 0 where all of it counts as noise.
 float SolveRun::hiddenColorError() const {
   if (!m_colorErrorIsShared) return 0;
-  const auto absorbed = float(m_tuning.colors.absorbed);
+  const float absorbed = std::max(float(m_tuning.colors.absorbed), 1.F);
   return m_report.colorUncertainty * m_report.colorUncertainty * (1 - 1 / (absorbed * absorbed));
 }
 
