@@ -79,7 +79,8 @@ class LampEditsTest(cli.CliTest):
 
     def test_numbers_out_of_range_are_refused(self):
         self.solved_set(wall())
-        for operation, key, value in (('move', 'distance', 0), ('turn', 'pan', 170), ('spread', 'width', -1), ('size', 'times', 0)):
+        for operation, key, value in (('move', 'distance', 0), ('turn', 'pan', 170), ('spread', 'width', -1), ('size', 'times', 0),
+                                      ('size', 'times', 9), ('size', 'diameter', -1), ('size', 'diameter', 5)):
             with open(self.path('bad.json'), 'w') as file:
                 json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': [{'operation': operation, key: value}]}, file)
             self.deny('relight', self.path('solved.exr'), '--edits', self.path('bad.json'), '-o', self.path('x.exr'),

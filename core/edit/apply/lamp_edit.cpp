@@ -33,13 +33,18 @@ LampEdit lampEdit(const LampChange& change, size_t light, const MaskContext& con
   if (!change.isNeutral())
     edit.gain = std::make_shared<const LampGain>(*edit.pool, change, set.width(), set.height());
   edit.size = change.size;
-  if (change.size != 1) lookUpShadows(edit, set.capture.lights[light].name, context, earlier);
+  if (change.size != 1) {
+    lookUpShadows(edit, set.capture.lights[light].name, context, earlier);
+  } else if (earlier) {  // a slider that comes by 1 goes on
+    edit.shadows = earlier->shadows;
+    edit.penumbras = earlier->penumbras;
+  }
   return edit;
 }
 
 void changeLampRow(const LampEdit& edit, int x, int y, int count, const float* mask, const LampRow& row) {
   if (!edit.gain) return;
-  if (!edit.penumbras) return edit.gain->changeRow(x, y, count, mask, row);
+  if (edit.size == 1) return edit.gain->changeRow(x, y, count, mask, row);
   std::vector<float> then(static_cast<size_t>(count));
   edit.penumbras->row(edit.size, edit.gain->diameter(), x, y, count, then.data());
   LampRow sized = row;

@@ -19,7 +19,7 @@ struct LampEdit {
   std::shared_ptr<const LightPool> pool;
   std::shared_ptr<const LampGain> gain;
   const Image* solved = nullptr;  ///< the contribution; of the context's set
-  /// Where the lamp's size changes.
+  /// Where the lamp's size changes, or did.
   std::shared_ptr<const LightShadows> shadows;
   std::shared_ptr<const PenumbraScales> penumbras;
   float size = 1;

@@ -68,7 +68,7 @@ std::vector<std::string> lampWarnings(const PreparedEdit& edit, const EditedLigh
     if (limits.guessed >= LampLimits::kGuessTold)
       warnings.push_back(fmt::format("\"{}\" is a guess on {:.0f} % of the picture: its lamp never lit that",
                                      light, 100 * limits.guessed));
-    if (edit.lamps[k].penumbras && edit.isActive() && edit.lamps[k].pool->cone)
+    if (edit.lamps[k].size != 1 && edit.isActive() && edit.lamps[k].pool->cone)
       warnings.push_back(fmt::format(
           "\"{}\" is a spot: the size of so small a lamp changes little, and what it changes is a "
           "guess",

@@ -96,7 +96,12 @@ void LampGain::changeRow(int x, int y, int count, const float* mask, const LampR
     if (m_coneMoves) ratioRow(c, x, y, count, ratio.data());
     for (size_t i = 0; i < size; ++i) {
       float changed = light[i];
-      if (row.seen) changed = withShadow(changed, row.seen[i], row.seenThen[i], row.direct[c][i]);
+      if (row.seen) {
+        // What edits before this one took from the light they took from what is hidden of it, too.
+        const float solved = row.solved[c][i];
+        const float left = solved > changed ? changed / solved : 1.F;
+        changed = withShadow(changed, row.seen[i], row.seenThen[i], left * row.direct[c][i]);
+      }
       if (m_coneMoves) {
         const float others = m_pool.alone ? 1.F : std::max(row.white[c][i] - row.solved[c][i], 0.F);
         changed =

@@ -26,30 +26,36 @@ cv::Matx33d swing(const cv::Vec3d& axis, double pan, double tilt) {
 constexpr double kSpot = 0.03;
 constexpr double kSoftbox = 0.35;
 
-constexpr int kPoints = 16;  // of a lamp's front
-
-/// n.l / d^2 times the beam, the mean over a front of this diameter: what of it is behind the plane gives
-/// none.
-double frontLevel(const LampModel& lamp, double diameter, double x, double y) {
+/// Points that lie evenly on a lamp's front.
+LampFront frontOf(const LampModel& lamp, double diameter) {
   const cv::Vec3d axis = lamp.axis();
   const cv::Vec3d across =
       cv::normalize(axis.cross(std::abs(axis[1]) < .9 ? cv::Vec3d(0, 1, 0) : cv::Vec3d(1, 0, 0)));
   const cv::Vec3d along = axis.cross(across);
-  constexpr double kGolden = 2.399963;  // radians: points of a sunflower lie evenly on a disc
+  constexpr double kGolden = 2.399963;  // radians: as on a sunflower
+  LampFront front;
+  const auto count = static_cast<double>(front.size());
+  for (size_t k = 0; k < front.size(); ++k) {
+    const auto turn = kGolden * static_cast<double>(k);
+    const double radius = .5 * diameter * std::sqrt((static_cast<double>(k) + .5) / count);
+    front[k] = lamp.position + radius * (std::cos(turn) * across + std::sin(turn) * along);
+  }
+  return front;
+}
+
+/// n.l / d^2 times the beam, the mean over a front: what of it is behind the plane gives none.
+double frontLevel(const LampFront& front, const cv::Vec3d& axis, double lobe, double x, double y) {
   double sum = 0;
-  for (int k = 0; k < kPoints; ++k) {
-    const double radius = .5 * diameter * std::sqrt((k + .5) / kPoints);
-    const cv::Vec3d place =
-        lamp.position + radius * (std::cos(kGolden * k) * across + std::sin(kGolden * k) * along);
+  for (const cv::Vec3d& place : front) {
     if (place[2] <= 0) continue;
     const cv::Vec3d ray(x - place[0], y - place[1], -place[2]);
     const double square = ray.dot(ray);
     const double length = std::sqrt(square);
-    const double beam =
-        lamp.lobe == 0 ? 1 : std::pow(std::max(ray.dot(axis) / length, kLeastCosine), lamp.lobe);
+    const double cosine = std::max(ray.dot(axis) / length, kLeastCosine);
+    const double beam = lobe == 0 ? 1 : lobe == 1 ? cosine : std::pow(cosine, lobe);
     sum += place[2] / (square * length) * beam;
   }
-  return std::max(sum / kPoints, 1e-12);
+  return std::max(sum / static_cast<double>(front.size()), 1e-12);
 }
 
 }  // namespace
@@ -83,6 +89,9 @@ ChangedLamp::ChangedLamp(const LampModel& before, const LampChange& change)
   m_middle = logLevel(before, before.aim[0], before.aim[1]);
   m_diameter = before.distance() * (change.diameter > 0 ? double{change.diameter} : usualDiameter(before));
   m_size = change.size;
+  m_axis = m_after.axis();
+  m_front = frontOf(m_after, m_diameter);
+  m_sizedFront = frontOf(m_after, m_size * m_diameter);
 }
 
 double ChangedLamp::logGain(double x, double y) const {
@@ -91,7 +100,8 @@ double ChangedLamp::logGain(double x, double y) const {
   // A beam that is wider falls off less: a Gaussian's logarithm goes with the inverse square of its width.
   if (m_before.lobe != 0 && m_contrast != 1) gain += (m_contrast - 1) * (before - m_middle);
   if (m_size != 1)
-    gain += std::log(frontLevel(m_after, m_size * m_diameter, x, y) / frontLevel(m_after, m_diameter, x, y));
+    gain += std::log(frontLevel(m_sizedFront, m_axis, m_after.lobe, x, y) /
+                     frontLevel(m_front, m_axis, m_after.lobe, x, y));
   return gain;
 }
 

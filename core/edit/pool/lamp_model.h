@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <opencv2/core.hpp>
 
 #include "core/edit/pool/lamp_change.h"
@@ -25,6 +26,9 @@ struct LampModel {
 /// The diameter, over its distance, of a lamp of which nobody has said it: a spot's, or a softbox's.
 [[nodiscard]] double usualDiameter(const LampModel& lamp);
 
+/// Points of a lamp's front, of even light.
+using LampFront = std::array<cv::Vec3d, 16>;
+
 /// The lamp after a change, and where a ray of its beam was before.
 class ChangedLamp {
  public:
@@ -46,6 +50,8 @@ class ChangedLamp {
   double m_contrast;       // of the beam's falloff
   double m_middle;         // log of the falloff in the middle
   double m_diameter, m_size;
+  cv::Vec3d m_axis;  ///< of the lamp after the change, as are its fronts
+  LampFront m_front, m_sizedFront;
 };
 
 /// n.l / d^2 times the beam at (x, y) of the plane, as a logarithm, but for a constant.

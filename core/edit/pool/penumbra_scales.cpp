@@ -77,13 +77,13 @@ cv::Mat widthsOf(const cv::Mat& visibility, const cv::Mat& cone) {
   return above / below;
 }
 
-cv::Mat blurredBy(const cv::Mat& visibility, double sigma) {
+/// `small`: the picture of size `full` as the blur before, a smaller one, has shrunk it.
+cv::Mat blurredBy(cv::Mat& small, const cv::Size& full, double sigma) {
   const double shrink = std::max(1., sigma / kFinest);
-  cv::Mat small = visibility;
   if (shrink > 1) {
-    const cv::Size size(std::max(1, static_cast<int>(std::lround(visibility.cols / shrink))),
-                        std::max(1, static_cast<int>(std::lround(visibility.rows / shrink))));
-    cv::resize(visibility, small, size, 0, 0, cv::INTER_AREA);
+    const cv::Size size(std::max(1, static_cast<int>(std::lround(full.width / shrink))),
+                        std::max(1, static_cast<int>(std::lround(full.height / shrink))));
+    cv::resize(small, small, size, 0, 0, cv::INTER_AREA);
   }
   // Shrinking and enlarging blur, too: a box and a tent.
   const double left = std::max(sigma * sigma / (shrink * shrink) - (shrink > 1 ? .25 : 0.), .01);
@@ -106,8 +106,9 @@ PenumbraScales::PenumbraScales(const Image& visibility, const std::optional<Ligh
       m_cone(nearCone(sizeWithin({visibility.width(), visibility.height()}, kMeasured), cone)),
       m_width(widthsOf(matOf(visibility), m_cone)) {
   const cv::Mat full = matOf(visibility);
+  cv::Mat small = full;
   for (size_t k = 0; k == 0 || sigmaOf(k - 1) < kMostBlur * full.cols; ++k)
-    m_levels.push_back(blurredBy(full, sigmaOf(k)));
+    m_levels.push_back(blurredBy(small, full.size(), sigmaOf(k)));
 }
 
 void PenumbraScales::sigmaRow(float times, float diameter, const float* width, const float* cone, int count,

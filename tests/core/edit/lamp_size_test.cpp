@@ -185,7 +185,7 @@ TEST(LampSize, TilesGiveWhatTheWholePictureGives) {
   const ShadowedWall wall(12);
   ShadowedWall same(12);
   EditedSet edited(std::make_shared<const SolvedSet>(std::move(same.set)), wall.source());
-  for (const float times : {3.F, .5F, 8.F}) {
+  for (const float times : {3.F, 1.F, .5F, 8.F}) {
     const EditStack stack = sized({times, .4F});
     edited.setStack(stack);
     edited.update();
@@ -197,6 +197,22 @@ TEST(LampSize, TilesGiveWhatTheWholePictureGives) {
         ASSERT_TRUE(std::isfinite(reference.contributions[0].plane(c)[p]) &&
                     reference.contributions[0].plane(c)[p] >= 0);
       }
+  }
+}
+
+TEST(LampSize, BringsNoLightBackThatAnEditTookAway) {
+  const ShadowedWall wall(12);
+  EditStack stack;
+  Edit less;
+  less.lights = {"key"};
+  less.energy = EnergyMode::Add;
+  less.operation = FillOperation{0};
+  stack.append(less);
+  for (const auto& edit : sized({3, .4F}).edits) stack.append(*edit);
+  const SolvedSet edited = applyEdits(wall.set, stack, wall.source());
+  for (int x = 0; x < kWidth; ++x) {
+    if (!(wall.set.contributions[0].view().at(1, x, kHeight / 2) > 0)) continue;
+    ASSERT_EQ(edited.contributions[0].view().at(1, x, kHeight / 2), 0) << x;
   }
 }
 
