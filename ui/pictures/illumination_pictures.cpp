@@ -8,8 +8,8 @@ const std::vector<const Pyramid*>& IlluminationPictures::pictures(const std::sha
   m_stale = false;
   m_job.start(
       [live](const Progress& progress) {
-        const LiveSet::Reading reading = live->read();
-        Found found{illuminationMaps(reading.set(), {}, progress), {}};
+        // Pools are found in the maps: nobody who edits has to wait for that.
+        Found found{illuminationMaps(live->read().set(), {}, progress), {}};
         for (const Image& map : found.maps) {
           std::vector<LightSink> sinks = findSinks(map);
           const size_t lamps = lampCount(sinks, map);

@@ -31,6 +31,9 @@ class PoolPen {
       ImGui::GetWindowDrawList()->AddCircleFilled(at, width + px(kMiddle - 2), color);
       if (sink.outside) arrow(at, *sink.outside, color, width);
     }
+    if (at.x + radius < m_origin.x || at.x - radius > m_origin.x + static_cast<float>(m_window.width) ||
+        at.y + radius < m_origin.y || at.y - radius > m_origin.y + static_cast<float>(m_window.height))
+      return;  // seen by nothing of it: its words would lie at the border, about nothing there
     words(fmt::format("{}  {:.1f} stops{}", light, sink.stops, sink.outside ? ", goes on outside" : ""), at,
           ink, sink.outside);
     if (first)
@@ -105,7 +108,10 @@ void drawPoolOverlay(ViewerContext& studio, const ViewWindow& window, ImVec2 ori
   if (!studio.view.pools || !studio.set()) return;
   const std::vector<LightPools>& pools = studio.subjects.pools(*studio.set(), !studio.editor.inGesture());
   const auto& lights = studio.document().rig.lights;
-  if (pools.empty()) return drawLampCounts({"Light pools: being found \u2026"}, window, origin);
+  if (pools.empty()) {
+    if (studio.subjects.busy()) drawLampCounts({"Light pools: being found \u2026"}, window, origin);
+    return;
+  }
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRect(
       origin,
