@@ -362,6 +362,7 @@ void StudioWindow::frame() {
     m_viewer = {};
     m_looks = {};
     m_editing.brush.last.reset();
+    m_editing.brush.guide.reset();
     m_editing.selection.outlineKnown = false;
     m_editing.chosen = -1;
     m_editing.histograms.clear();
