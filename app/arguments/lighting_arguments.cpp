@@ -1,5 +1,7 @@
 #include "app/arguments/lighting_arguments.h"
 
+#include <algorithm>
+
 #include "app/program/number_range.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -235,6 +237,13 @@ RigAnimation LightingArguments::animation(const std::optional<Session>& session)
   RigAnimation animation;
   if (session && session->unknown.json().contains(kAnimation))
     animation = animationFromJson(session->unknown.json()[kAnimation], sessionFile() + ": animation");
+  if (session && !m_from.empty())  // the other set's lamps
+    std::erase_if(animation.lights, [&](const auto& keys) {
+      const auto& lights = session->document.rig.lights;
+      return keys.first != kAmbientName &&
+             std::none_of(lights.begin(), lights.end(),
+                          [&](const LightSetting& light) { return light.light == keys.first; });
+    });
   if (!m_rig.empty()) {
     const Json& json = rigFile();
     if (json.contains(kAnimation)) animation = animationFromJson(json[kAnimation], m_rig + ": animation");

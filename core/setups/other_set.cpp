@@ -30,17 +30,16 @@ class Conversion {
     if (!fitted.leftOut.empty())
       m_notes.push_back(fmt::format("{}light edits of the other picture are left out: {}",
                                     where.empty() ? "" : where + ": ", fmt::join(fitted.leftOut, ", ")));
-    // A lamp that has the name of a light that was painted there is as it was captured.
-    std::erase_if(rig.lights, [&](const LightSetting& light) {
-      const auto& added = edits.newLights;
-      return std::find(added.begin(), added.end(), light.light) != added.end() &&
-             m_capture.lightIndex(light.light) >= 0;
-    });
-    convert(rig, fitted.edits);
+    convert(rig, edits.newLights, fitted.edits);
     edits = std::move(fitted.edits);
   }
-  /// A lighting alone, of the set's lights and those that the edits add to it.
-  void convert(Rig& rig, const EditStack& edits) {
+  /// A lighting alone, of the set's lights and those that the edits add to it. `painted`: those that were
+  /// added there; a lamp that has the name of one is as it was captured.
+  void convert(Rig& rig, const std::vector<std::string>& painted, const EditStack& edits) {
+    std::erase_if(rig.lights, [&](const LightSetting& light) {
+      return std::find(painted.begin(), painted.end(), light.light) != painted.end() &&
+             m_capture.lightIndex(light.light) >= 0;
+    });
     const Capture all = withNewLights(m_capture, edits);
     for (const LightSetting& light : rig.lights) {
       (all.lightIndex(light.light) < 0 ? m_missing : m_told).insert(light.light);
@@ -82,7 +81,7 @@ OtherSetDocument documentForSet(const Document& from, const std::filesystem::pat
     if (look.scene)
       conversion.convert(look.name, look.rig, look.scene->edits);
     else
-      conversion.convert(look.rig, document.edits);
+      conversion.convert(look.rig, from.edits.newLights, document.edits);
   }
   result.notes = conversion.notes();
   return result;

@@ -74,6 +74,7 @@ PlaceFreeEdits placeFreeEdits(const EditStack& stack, const std::vector<std::str
     else
       result.edits.append(std::move(edit));
   }
+  if (!stack.shadowMarks.empty()) result.leftOut.emplace_back("what is said of single shadows");
   for (const auto& [light, threshold] : stack.shadowThresholds)
     if (contains(known, light)) result.edits.shadowThresholds[light] = threshold;
   return result;

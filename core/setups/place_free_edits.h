@@ -10,7 +10,7 @@ namespace swaplight {
 /// What of a stack of edits holds for the same lamps seen from elsewhere.
 struct PlaceFreeEdits {
   EditStack edits;                   ///< for a picture of any size
-  std::vector<std::string> leftOut;  ///< names of edits that are on
+  std::vector<std::string> leftOut;  ///< names of edits that are on; and what was said of places by clicks
 };
 
 /// Edits that act on whole lights, on all of a light's shadows, or by a colour stay. Those with a place in

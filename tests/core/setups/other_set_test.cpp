@@ -50,14 +50,16 @@ TEST(PlaceFreeEdits, WhatHasAPlaceInThePictureStaysThere) {
   off.on = false;
   stack.append(off);
   stack.shadowThresholds = {{"key", 0.1F}, {"rim", 0.2F}};
+  stack.shadowMarks["key"] = {{ShadowMark::Kind::Lit, 3, 4}};
   const PlaceFreeEdits here = placeFreeEdits(stack, {"key", "fill"});
   EXPECT_THAT(namesOf(here.edits),
               ElementsAre("brighter", "all lights", "shadows", "selected shadows", "both"));
-  EXPECT_THAT(here.leftOut,
-              ElementsAre("rectangle", "one shadow", "selected shadow", "beta", "moved", "other lamp"))
+  EXPECT_THAT(here.leftOut, ElementsAre("rectangle", "one shadow", "selected shadow", "beta", "moved",
+                                        "other lamp", "what is said of single shadows"))
       << "what was off is not missed";
   EXPECT_THAT(here.edits.edits.back()->lights, ElementsAre("key"));
   EXPECT_EQ(here.edits.shadowThresholds.size(), 1u);
+  EXPECT_TRUE(here.edits.shadowMarks.empty());
 }
 
 TEST(PlaceFreeEdits, ANewLightStaysWhereAnEditOfItDoes) {
