@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/program/number_range.h"
 #include "core/base/error.h"
@@ -35,12 +36,14 @@ std::shared_ptr<CameraLook> readyLook(const FilterPipeline& pipeline, const std:
 }
 
 std::function<std::shared_ptr<FrameFilter>(const FilterPipeline&)> versionLooks(Terminal& terminal) {
-  return [&terminal](const FilterPipeline& look) -> std::shared_ptr<FrameFilter> {
+  const auto said = std::make_shared<std::set<std::string>>();
+  return [&terminal, said](const FilterPipeline& look) -> std::shared_ptr<FrameFilter> {
     const std::string where = "camera look " + look.name;
     try {
       return readyLook(look, where, false, {}, terminal);
     } catch (const ResourceError& error) {
-      terminal.say("warning: {}: {}; drawn without it", where, error.what());
+      const std::string line = fmt::format("{}: {}; drawn without it", where, error.what());
+      if (said->insert(line).second) terminal.say("warning: {}", line);
       return nullptr;
     }
   };

@@ -31,8 +31,8 @@ struct FilterRequest {
                                                     bool strict, CameraLookOptions options,
                                                     Terminal& terminal);
 
-/// What draws the camera looks of a gallery's versions (GalleryOptions::cameraLook). Where OpenGL is missing
-/// that is said, and they are drawn without: a small picture of each is better than none.
+/// What draws the camera looks of a gallery's versions (GalleryOptions::cameraLook). Where one cannot be made
+/// ready (no OpenGL) that is said, once a line, and it is drawn without: a small picture is better than none.
 [[nodiscard]] std::function<std::shared_ptr<FrameFilter>(const FilterPipeline&)> versionLooks(
     Terminal& terminal);
 
