@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
@@ -62,14 +61,6 @@ Rgb valueOf(const UnknownColor& unknown, const LightingMatrix& lighting, const C
   const int entry = unknown.entries.front();
   const float stops = capture.shots[size_t(entry / lighting.lights)].exposureStops;
   return lighting.colors[size_t(entry)] * std::exp2(-stops);
-}
-
-/// Whether a noise model is below another one at all levels. What the matte model leaves is the most that
-/// noise can be, also where there was nothing to measure the pixels' own by.
-bool isBelow(const NoiseModel& one, const NoiseModel& other) {
-  constexpr std::array kLevels = {.02F, .1F, .5F};
-  return std::all_of(kLevels.begin(), kLevels.end(),
-                     [&](float y) { return one.variance(y) < other.variance(y); });
 }
 
 /// A sentence for each colour that was not known: what it was found to be.
@@ -272,7 +263,7 @@ void SolveRun::judgeColors(float usual) {
   if (m_colorErrorIsShared) {
     m_report.colorUncertainty =
         judged.value_or(std::max(m_report.colorUncertainty, std::min(visible, usual)));
-    if (!isBelow(m_context.noise, m_ownNoise)) m_context.noise = m_ownNoise;
+    m_context.noise = m_ownNoise;
     return;
   }
   // Differences between neighbours see little of what a JPEG's blocks have lost: of the misfit more is noise.
