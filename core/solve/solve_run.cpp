@@ -50,9 +50,6 @@ SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
 /// Amplification up to which lights count as photographed one at a time.
 constexpr double kOneByOne = 1.1;
 
-/// Part of the misfit's variance below which no motion of the camera explains it.
-constexpr double kSurelyNotMoved = .02;
-
 /// Relative standard error of an unknown colour above which it is said to be hardly determined.
 constexpr double kUnsure = 0.1;
 
@@ -113,7 +110,6 @@ SolvedSet SolveRun::run() {
   seekCauses();
   calibrateColors();
   separateLights();
-  addHiddenColorError();
   m_progress.update(0.9F, "Finishing");
   completePixels();
   finishReport();
@@ -216,7 +212,7 @@ void SolveRun::calibrateColors() {
     m_report.estimated = estimatedColors(m_unknownColors, m_context.lighting, m_capture);
     m_report.conditioning = conditioningOf(m_context.lighting);
   }
-  m_context.noise.square += m_report.colorUncertainty * m_report.colorUncertainty - hiddenColorError();
+  m_context.noise.square += m_report.colorUncertainty * m_report.colorUncertainty;
 }
 
 /// Learns from the pictures how far to trust the light colours, and refines them where asked to or where one
@@ -248,55 +244,22 @@ void SolveRun::fitLightColors() {
   if (m_options.colorUncertainty >= 0) return;
   m_report.colorUncertainty = colorUncertaintyOf(fit, m_tuning.colors);
   const float usual = m_report.noiseGiven ? 0 : usualColorUncertainty(m_report.noise, m_tuning.colors);
-  if (usual > 0) judgeColors(usual);
+  if (usual <= 0) return;
+  judgeColors(usual);
 }
 
 /// Where the noise is not told: what of the matte model's misfit is the colours' error. The rest is the set's
-/// own, no error that it may hide in: a pixel may leave the matte model for it.
+/// own, no error that it may hide in.
 void SolveRun::judgeColors(float usual) {
   const ColorEvidenceTuning& tuning = m_tuning.colorEvidence;
   const float visible = std::max(m_report.colorUncertainty,
                                  colorErrorEverywhere(m_context, *m_signal, tuning, m_tuning.colors));
   const std::optional<float> judged =
       colorUncertaintyByEvidence({m_context.lighting, m_ownNoise}, *m_signal, visible, tuning);
-  m_colorErrorIsShared = pixels().codingError.empty();
-  if (m_colorErrorIsShared) {
-    m_report.colorUncertainty =
-        judged.value_or(std::max(m_report.colorUncertainty, std::min(visible, usual)));
-    m_context.noise = m_ownNoise;
-    return;
-  }
-  // Differences between neighbours see little of what a JPEG's blocks have lost: of the misfit more is noise.
   m_report.colorUncertainty = judged.value_or(std::max(m_report.colorUncertainty, usual));
   if (!judged) return;
   const float explained = *judged / std::max(visible, float(tuning.smallest));
   m_context.noise = withModelError(m_ownNoise, m_context.noise, std::min(explained * explained, 1.0F));
-}
-
-/// The squared relative error of the colours that reflectance and shares have taken up: it shows nowhere, and
-/// is no reason to doubt a pixel, but to doubt its numbers. 0 where all of it counts as noise.
-float SolveRun::hiddenColorError() const {
-  if (!m_colorErrorIsShared) return 0;
-  const float absorbed = std::max(float(m_tuning.colors.absorbed), 1.F);
-  return m_report.colorUncertainty * m_report.colorUncertainty * (1 - 1 / (absorbed * absorbed));
-}
-
-void SolveRun::addHiddenColorError() {
-  const float hidden = hiddenColorError();
-  const ImageSpan sigma = m_set.quality.span().channelRange(kSigma, 1);
-  for (int y = 0; y < sigma.height; ++y)
-    for (float& value : std::span(sigma.row(0, y), size_t(sigma.width)))
-      value = std::sqrt(value * value + hidden);
-}
-
-/// Whether the photographs may not lie on one another: what else they disagree in is no reason to trust edges
-/// less.
-bool SolveRun::mayHaveMoved() const {
-  // What a JPEG has lost it has lost at edges, too.
-  if (m_options.align || m_report.causes.all.empty() || !pixels().codingError.empty()) return true;
-  return std::any_of(m_report.causes.all.begin(), m_report.causes.all.end(), [](const CauseEvidence& one) {
-    return one.cause == Cause::Moved && one.explained > kSurelyNotMoved;
-  });
 }
 
 void SolveRun::separateLights() {
@@ -304,8 +267,7 @@ void SolveRun::separateLights() {
   m_set.carried = m_photographs.carried;
   if (m_info.model != Model::Auto)
     return solvePixelwise(m_info, m_context, *m_signal, m_set, m_progress.part(0.1F, 0.9F));
-  const float shift =
-      solveAuto(m_context, *m_signal, m_report.shifts, mayHaveMoved(), m_tuning.automatic, m_set, m_progress);
+  const float shift = solveAuto(m_context, *m_signal, m_report.shifts, m_tuning.automatic, m_set, m_progress);
   // Gloss, grain and wrong colours are at edges, too.
   if (shift > 0 && (m_report.causes.all.empty() || m_options.align))
     m_report.warnings.emplace_back(
@@ -316,9 +278,7 @@ void SolveRun::separateLights() {
 }
 
 void SolveRun::completePixels() {
-  EstimatorContext doubting = m_context;  // what colours may do is no motion
-  doubting.noise.square += hiddenColorError();
-  if (m_info.model != Model::Single && markMoved(doubting, *m_signal, m_set, m_tuning.motion) > 0)
+  if (m_info.model != Model::Single && markMoved(m_context, *m_signal, m_set, m_tuning.motion) > 0)
     updateBeta(m_set);
   const std::vector<uint8_t> missing = writeFlags(pixels(), *m_signal, m_tuning.tooDarkSigma, m_set);
   if (!missing.empty()) {

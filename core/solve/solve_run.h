@@ -34,16 +34,13 @@ class SolveRun {
   void seekCauses();         ///< why the photographs do not fit the colours as told, where they do not
   void calibrateColors();    ///< of the ambient light and the lamps, and how far they are trusted
   void separateLights();     ///< contributions, beta and quality
-  [[nodiscard]] float hiddenColorError() const;
-  void addHiddenColorError();  ///< to sigma
-  void completePixels();       ///< flags; fills what nothing is known of
+  void completePixels();     ///< flags; fills what nothing is known of
   void finishReport();
 
   void fitLightColors();
   void setSwappedColor(const SwappedColor& swapped, const Rgb& color);
   void startFromLine(const SwappedColor& swapped, const SwappedColorLine& line);
   void judgeColors(float usual);
-  [[nodiscard]] bool mayHaveMoved() const;
   [[nodiscard]] const CapturePixels& pixels() const { return m_aligned ? *m_aligned : m_photographs; }
   void warn(const std::vector<std::string>& warnings);
 
@@ -57,8 +54,7 @@ class SolveRun {
   Capture m_capture;  ///< with the ambient light as a light, where it is solved for
   std::vector<UnknownColor> m_unknownColors;
   EstimatorContext m_context;
-  NoiseModel m_ownNoise;              ///< of the pixels alone, where nobody told it
-  bool m_colorErrorIsShared = false;  ///< reflectance and shares take up their part of it: hiddenColorError()
+  NoiseModel m_ownNoise;  ///< of the pixels alone, where nobody told it
   SolveReport m_report;
   std::optional<CapturePixels> m_aligned;
   std::optional<ShotSignal> m_signal;

@@ -14,10 +14,10 @@ namespace swaplight {
 /// explain are given what they need beyond it (Shrinkage), the more readily where their neighbours need it
 /// too. Fills contributions, residual, sigma and model of `set`.
 /// Returns how far the shots seem to lie from one another, in pixels (0: nothing to see; edge_noise.h).
-/// `mayHaveMoved`: that is looked for. `shifts`: what the shots were moved by; beyond their edges the matte
-/// model is all that is asked of a pixel.
+/// `shifts`: what the shots were moved by; beyond their edges the matte model is all that is asked of a
+/// pixel.
 float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
-                const std::vector<ShotShift>& shifts, bool mayHaveMoved, const AutoTuning& tuning,
-                SolvedSet& set, const Progress& progress);
+                const std::vector<ShotShift>& shifts, const AutoTuning& tuning, SolvedSet& set,
+                const Progress& progress);
 
 }  // namespace swaplight

@@ -118,7 +118,6 @@ struct ColorEvidenceTuning {
   double lowest = .02;          ///< quantile of the blocks that stands for where a light is blocked
   double quiet = .2;            ///< quantile of the blocks' misfit that wrong colours alone may have
   double lowestOfNoise = 2.05;  ///< standard errors by which noise lowers that quantile at most
-  double blocked = .15;         ///< of that quantile over its error: above, nothing blocks the light anywhere
   double visibleFreedom = 4;    ///< directions of colour errors that the matte model shows, at least
   double smallest = .002, largest = .15;  ///< standard errors that are weighed
 
@@ -129,7 +128,6 @@ struct ColorEvidenceTuning {
                       std::pair{"bright", &T::bright},
                       std::pair{"lowest", &T::lowest},
                       std::pair{"quiet", &T::quiet},
-                      std::pair{"blocked", &T::blocked},
                       std::pair{"visible_freedom", &T::visibleFreedom},
                       std::pair{"lowest_of_noise", &T::lowestOfNoise},
                       std::pair{"smallest", &T::smallest},

@@ -68,7 +68,7 @@ void addLowest(const EstimatorContext& context, const ColorEvidenceTuning& tunin
     std::nth_element(all.begin(), at, all.end(), [](const Lowest& a, const Lowest& b) { return a.z < b.z; });
     at->z += tuning.lowestOfNoise * at->noise;
     // A light that nothing blocks hides any error of its colours.
-    if (at->z < tuning.blocked) lowest.push_back(*at);
+    if (at->z < tuning.largest) lowest.push_back(*at);
   }
 }
 
