@@ -136,7 +136,7 @@ TEST(CaptureJson, ShotsThatAreLeftOutKeepTheOthersExposures) {
   EXPECT_EQ(inputError([&] { (void)withShotsLeftOut(fewer, {"shot_01.exr"}, "--leave-out"); }),
             "--leave-out: there is no photograph \"shot_01.exr\" to leave out; those in use are shot_02.exr");
   EXPECT_EQ(inputError([&] { (void)withShotsLeftOut(fewer, {"shot_02.exr"}, "--leave-out"); }),
-            "--leave-out: leaves out all photographs. Keep at least one a light.");
+            "--leave-out: leaves out all photographs. Keep at least as many as there are lights.");
 }
 
 TEST(CaptureJson, SurvivesTheDisk) {
