@@ -18,13 +18,11 @@
 namespace swaplight {
 namespace {
 
-constexpr int kParts = 4;           // across and down, that are left out in turns
-constexpr size_t kFewestParts = 8;  // in fewer a standard error is none
-constexpr int kLevels = 33;         // at which a curve is looked at
-constexpr int kMostSteps = 8;
+constexpr int kParts = 4;            // across and down, that are left out in turns
+constexpr size_t kFewestParts = 8;   // in fewer a standard error is none
+constexpr int kLevels = 33;          // at which a curve is looked at
 constexpr double kLevelError = .02;  // of a photograph: lamps flicker, shutters are not exact
 constexpr double kMostLevelErrors = 3;
-constexpr double kSettledStep = 1e-3;  // change of the logarithm of light
 
 /// A sample, its part of the picture after part, and what a tone curve does to it.
 struct ToneRows {
@@ -201,14 +199,14 @@ double mostDeparture(const ToneEvidence& one) {
 ToneCorrection toneByAdditivity(const CauseContext& context, const std::vector<double>& exposure,
                                 const CauseTuning& tuning) {
   ToneCorrection tone;
-  for (int round = 0; round < kMostSteps; ++round) {
+  for (int round = 0; round < ToneCorrection::kMostRounds; ++round) {
     const AdditivitySample sample = additivitySample(context, exposure, tone, tuning.pixels, tuning);
     if (int(sample.pixels.size()) < tuning.fewestPixels) break;
     const ToneRows rows = toneRows(context, sample.pixels);
     const Eigen::VectorXd unknowns = fitTerms(rows, rows.slopes.cols(), tuning).unknowns;
     std::vector<double> gain;
     for (const double light : tone.lights()) gain.push_back(toneGain(unknowns, light));
-    if (tone.takeOff(gain) < kSettledStep) break;
+    if (tone.takeOff(gain) < ToneCorrection::kSettled) break;
   }
   return tone;
 }
@@ -256,11 +254,6 @@ void answer(LinearityEvidence& evidence, LinearityEvidence::Answer what, std::st
   evidence.words = std::move(words);
 }
 
-void keepCurve(const ToneCorrection& tone, LinearityEvidence& evidence) {
-  for (const float value : {.01F, .02F, .05F, .1F, .2F, .4F, .7F, 1.0F})
-    evidence.curve.push_back({value, tone(value)});
-}
-
 /// What adding photographs up says; whether it settles the matter.
 bool settledByAdditivity(const CauseContext& context, const std::vector<double>& exposure,
                          const CauseTuning& tuning, LinearityEvidence& evidence) {
@@ -278,7 +271,7 @@ bool settledByAdditivity(const CauseContext& context, const std::vector<double>&
       return true;
     }
     const ToneCorrection tone = toneByAdditivity(context, exposure, tuning);
-    keepCurve(tone, evidence);
+    evidence.curve = tone.curve();
     answer(evidence, Answer::Curved, curvedWords("photographs do not add up to others", tone.exponent()));
     return true;
   }
@@ -296,7 +289,7 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
   const MisfitCauses& causes = evidence.causes;
   if (causes.is(Cause::Tone)) {
     const auto tone = findToneCorrection(capture, photographs, {}, tuning);
-    if (tone) keepCurve(*tone, evidence);
+    if (tone) evidence.curve = tone->curve();
     return answer(evidence, Answer::Curved,
                   curvedWords("matte surfaces would look otherwise under these colours",
                               tone ? tone->exponent() : evidence.matte->exponent));

@@ -17,10 +17,8 @@ namespace swaplight {
 namespace {
 
 constexpr double kLowest = 1e-5, kHighest = 1;  // values that the correction is kept at
-constexpr int kRounds = 8;
-constexpr double kSettled = 1e-3;        // change of the logarithm of light
-constexpr double kLeastSlope = .2;       // of log light over log value
-constexpr double kFrom = .03, kTo = .6;  // the middle of the range
+constexpr double kLeastSlope = .2;              // of log light over log value
+constexpr double kFrom = .03, kTo = .6;         // the middle of the range
 
 double stepOf(int levels) {
   return std::log(kHighest / kLowest) / (levels - 1);
@@ -107,6 +105,13 @@ double ToneCorrection::exponent() const {
   return std::log(kTo / kFrom) / std::log(double((*this)(float(kTo))) / double((*this)(float(kFrom))));
 }
 
+std::vector<std::array<float, 2>> ToneCorrection::curve() const {
+  std::vector<std::array<float, 2>> curve;
+  for (const float value : {.01F, .02F, .05F, .1F, .2F, .4F, .7F, 1.0F})
+    curve.push_back({value, (*this)(value)});
+  return curve;
+}
+
 std::optional<ToneCorrection> findToneCorrection(const Capture& capture, const CapturePixels& photographs,
                                                  const std::optional<SensorNoise>& noise,
                                                  const CauseTuning& tuning) {
@@ -119,10 +124,10 @@ std::optional<ToneCorrection> findToneCorrection(const Capture& capture, const C
             capture.file.empty() ? capture.name : capture.file.filename().string());
   const std::optional<SensorNoise> told = toldNoise(capture, noise);
   ToneCorrection tone;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < ToneCorrection::kMostRounds; ++round) {
     const double change = improve(capture, photographs, told, round == 0, tuning, tone);
     if (change == 0 && round == 0) return std::nullopt;
-    if (change < kSettled) break;
+    if (change < ToneCorrection::kSettled) break;
   }
   return tone;
 }
@@ -134,9 +139,7 @@ void correctTone(const ToneCorrection& tone, CapturePixels& photographs) {
 }
 
 void reportTone(const ToneCorrection& tone, SolveReport& report) {
-  report.tone = TakenTone{tone.exponent(), {}};
-  for (const float value : {.01F, .02F, .05F, .1F, .2F, .4F, .7F, 1.0F})
-    report.tone->curve.push_back({value, tone(value)});
+  report.tone = TakenTone{tone.exponent(), tone.curve()};
   report.message += fmt::format(
       " A tone curve that was not told has been taken off the photographs: light to the power of about "
       "{:.2f}.",

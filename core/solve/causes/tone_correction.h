@@ -26,6 +26,12 @@ class ToneCorrection {
   [[nodiscard]] std::vector<double> lights() const;
   /// What the camera did: the power of light, over the middle of the range, that the files hold.
   [[nodiscard]] double exponent() const;
+  /// {value, light} at a few values, dark to bright: what a report shows.
+  [[nodiscard]] std::vector<std::array<float, 2>> curve() const;
+
+  /// It is found in so many rounds at most, fewer where one changes the logarithm of light by less.
+  static constexpr int kMostRounds = 8;
+  static constexpr double kSettled = 1e-3;
 
  private:
   static constexpr int kLevels = 241;  ///< of value, evenly in the logarithm
