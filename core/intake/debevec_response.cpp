@@ -9,11 +9,7 @@ namespace swaplight {
 namespace {
 
 constexpr double kSmooth = 10;  // lambda, a hundred pixels: 2 to 20 give the same on four curves
-constexpr double kBase = 2.2;   // the gamma from which the response's difference is smooth
-
-double baseOf(int level) {
-  return kBase * std::log((level + 0.5) / (kResponseLevels - 0.5));
-}
+constexpr double kGamma = 2.2;  // from which the response's difference is smooth
 
 /// Debevec and Malik's hat: what is nearly black or white says little.
 double hatOf(int level) {
@@ -32,13 +28,13 @@ void addPixel(const ResponseSamples& samples, size_t p, ResponseNormal& normal) 
   for (size_t j = 0; j < samples.length; ++j) {
     const int z = samples.level(p, j);
     weights += responseWeight(z);
-    shift += responseWeight(z) * (samples.logTime(p, j) - baseOf(z));
+    shift += responseWeight(z) * (samples.logTime(p, j) - usualLogResponse(z));
   }
   if (!(weights > 0)) return;
   for (size_t j = 0; j < samples.length; ++j) {
     const int z = samples.level(p, j);
     const double w = responseWeight(z);
-    normal.b[z] += w * (samples.logTime(p, j) - baseOf(z) - shift / weights);
+    normal.b[z] += w * (samples.logTime(p, j) - usualLogResponse(z) - shift / weights);
     normal.a(z, z) += w;
     for (size_t i = 0; i < samples.length; ++i)
       normal.a(z, samples.level(p, i)) -= w * responseWeight(samples.level(p, i)) / weights;
@@ -58,6 +54,10 @@ void addSmoothness(double pixels, ResponseNormal& normal) {
 
 }  // namespace
 
+double usualLogResponse(int level) {
+  return kGamma * std::log((level + 0.5) / (kResponseLevels - 0.5));
+}
+
 double responseWeight(int level) {
   return std::pow(hatOf(level), 2);
 }
@@ -68,7 +68,7 @@ std::vector<double> debevecResponse(const ResponseSamples& samples) {
   addSmoothness(std::max(double(samples.pixels()), 1.0), normal);
   const Eigen::VectorXd h = solveSymmetric(normal.a, normal.b);
   std::vector<double> g;
-  for (int z = 0; z < kResponseLevels; ++z) g.push_back(baseOf(z) + h[z]);
+  for (int z = 0; z < kResponseLevels; ++z) g.push_back(usualLogResponse(z) + h[z]);
   return g;
 }
 

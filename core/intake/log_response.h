@@ -19,6 +19,9 @@ namespace swaplight {
 /// seen.
 [[nodiscard]] std::vector<double> robertsonResponse(const ResponseSamples& samples);
 
+/// That of a gamma of 2.2, from which both are smooth.
+[[nodiscard]] double usualLogResponse(int level);
+
 /// How much a sample of that code says: w^2 of Debevec and Malik, 0..1.
 [[nodiscard]] double responseWeight(int level);
 

@@ -9,12 +9,11 @@ namespace swaplight {
 namespace {
 
 constexpr double kSmoothness = .1;  // lambda, a pixel: .03 to .2 keep three made-up curves within 1 %
-constexpr double kGamma = 2.2;      // the gamma by which the response is smooth
 constexpr double kDarkest = -4;     // ln of the least response, over that gamma
 constexpr int kMiddle = kResponseLevels / 2;
 
 double gammaOf(int level) {
-  return std::pow((level + .5) / (kResponseLevels - .5), kGamma);
+  return std::exp(usualLogResponse(level));
 }
 
 /// Robertson's weight, a Gauss around the middle; 0 at the ends, which are clipped.
@@ -63,7 +62,7 @@ std::vector<double> robertsonResponse(const ResponseSamples& samples) {
   u /= u[kMiddle];
   std::vector<double> g;
   for (int z = 0; z < kResponseLevels; ++z)
-    g.push_back(std::log(gammaOf(z)) + std::log(std::max(u[z], std::exp(kDarkest))));
+    g.push_back(usualLogResponse(z) + std::log(std::max(u[z], std::exp(kDarkest))));
   return g;
 }
 
