@@ -15,6 +15,7 @@
 #include "core/solve/calibration/color_fit.h"
 #include "core/solve/calibration/noise_calibration.h"
 #include "core/solve/calibration/residual_noise.h"
+#include "core/solve/causes/cause_context.h"
 #include "core/solve/causes/cause_evidence.h"
 #include "core/solve/denoise.h"
 #include "core/solve/pixel_flags.h"
@@ -25,8 +26,6 @@
 
 namespace swaplight {
 namespace {
-
-constexpr double kNoPhotonNoise = 1e12;  // full well
 
 std::string nameOf(const Capture& capture) {
   return capture.file.empty() ? capture.name : capture.file.filename().string();
@@ -130,18 +129,16 @@ void SolveRun::alignShots() {
 }
 
 void SolveRun::calibrateNoise() {
-  m_report.noiseGiven = m_options.noise || m_capture.noise;
-  m_report.noise = m_options.noise   ? *m_options.noise
-                   : m_capture.noise ? *noiseInFrame(m_capture)
-                                     : estimateSensorNoise(pixels());
+  const std::optional<SensorNoise> told = toldNoise(m_capture, m_options.noise);
+  m_report.noiseGiven = told.has_value();
+  m_report.noise = told ? *told : estimateSensorNoise(pixels());
   std::vector<float> exposure;
   for (const Shot& shot : m_capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
   m_context.noise = noiseModel(m_report.noise, pixels(), 0);
   m_signal.emplace(pixels(), m_context.lighting, m_context.noise, exposure);
   placeUnknownColor();
   if (!m_report.noiseGiven) {
-    m_ownNoise =
-        residualNoise(m_context, noiseModel({0, kNoPhotonNoise}, pixels(), 0), *m_signal, m_tuning.ownNoise);
+    m_ownNoise = residualNoise(m_context, codingNoise(pixels()), *m_signal, m_tuning.ownNoise);
     m_context.noise = calibratedNoise(m_context, *m_signal, m_tuning.noise);
   }
 }

@@ -71,4 +71,9 @@ NoiseModel withModelError(const NoiseModel& own, const NoiseModel& calibrated, f
           between(own.square, calibrated.square)};
 }
 
+NoiseModel codingNoise(const CapturePixels& photographs) {
+  constexpr double kNoPhotonNoise = 1e12;  // full well
+  return noiseModel({0, kNoPhotonNoise}, photographs, 0);
+}
+
 }  // namespace swaplight

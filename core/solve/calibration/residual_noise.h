@@ -22,4 +22,7 @@ namespace swaplight {
 /// (0..1) that is an error of the model, not of the set.
 [[nodiscard]] NoiseModel withModelError(const NoiseModel& own, const NoiseModel& calibrated, float part);
 
+/// The least that photographs may have: that of their files' codes.
+[[nodiscard]] NoiseModel codingNoise(const CapturePixels& photographs);
+
 }  // namespace swaplight

@@ -5,11 +5,6 @@
 #include "core/solve/calibration/residual_noise.h"
 
 namespace swaplight {
-namespace {
-
-constexpr double kNoPhotons = 1e12;  // full well
-
-}  // namespace
 
 std::optional<SensorNoise> toldNoise(const Capture& capture, const std::optional<SensorNoise>& asked) {
   if (asked) return asked;
@@ -23,7 +18,7 @@ CauseContext causeContext(const Capture& capture, const CapturePixels& photograp
   std::vector<float> exposure;
   for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
   const ShotSignal signal(photographs, context.lighting, context.noise, exposure);
-  if (!told) context.noise = residualNoise(context, noiseModel({0, kNoPhotons}, photographs, 0), signal);
+  if (!told) context.noise = residualNoise(context, codingNoise(photographs), signal);
   return {std::move(context), signal};
 }
 
