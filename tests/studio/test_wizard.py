@@ -1,4 +1,5 @@
 """Bringing in a folder of photographs in a real window: dropped or chosen, colours typed, picked, guessed, unknown."""
+import itertools
 import json
 import os
 import shutil
@@ -193,20 +194,25 @@ class Wizard(StudioTest):
         studio.wait_ready()
         self.assertEqual(self.written(), written)
 
-    def test_a_photograph_more_hides_no_brackets_once_it_is_left_out(self):
+    def brackets(self, *gains):
+        """The sample's photographs, each as exposures that are these times as long."""
         with open(os.path.join(SAMPLES, 'two_swapped', 'capture.json')) as file:
             manifest = json.load(file)
-        names = iter(range(1, 8))
-        for shot, gains in zip(manifest['shots'], ((2, 1, .125, 4), (1, .125, 4))):
+        names = itertools.count(1)
+        for shot, times in zip(manifest['shots'], gains):
             source = oiio.ImageInput.open(os.path.join(SAMPLES, 'two_swapped', shot['image']))
             pixels = np.asarray(source.read_image('float'))[..., :3]
             source.close()
-            for gain in gains:
+            for gain in times:
                 path = os.path.join(self.shots, f'IMG_{next(names)}.exr')
                 output = oiio.ImageOutput.create(path)
                 spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], 3, 'half')
                 self.assertTrue(output.open(path, spec) and output.write_image(np.minimum(gain * pixels, 1)))
                 output.close()
+        return manifest
+
+    def test_a_photograph_more_hides_no_brackets_once_it_is_left_out(self):
+        manifest = self.brackets((2, 1, .125, 4), (1, .125, 4))
         studio = self.start()
         studio.item('welcome.open')
         self.drop()
@@ -289,18 +295,7 @@ class Wizard(StudioTest):
                         'but for the mosaic, which no lens softens here')
 
     def test_brackets_are_shown_as_one_lighting_each(self):
-        with open(os.path.join(SAMPLES, 'two_swapped', 'capture.json')) as file:
-            manifest = json.load(file)
-        for k, shot in enumerate(manifest['shots']):
-            source = oiio.ImageInput.open(os.path.join(SAMPLES, 'two_swapped', shot['image']))
-            pixels = np.asarray(source.read_image('float'))[..., :3]
-            source.close()
-            for j, gain in enumerate((1, .125, 4)):
-                path = os.path.join(self.shots, f'IMG_{3 * k + j + 1}.exr')
-                output = oiio.ImageOutput.create(path)
-                spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], 3, 'half')
-                self.assertTrue(output.open(path, spec) and output.write_image(np.minimum(gain * pixels, 1)))
-                output.close()
+        manifest = self.brackets((1, .125, 4), (1, .125, 4))
         studio = self.start()
         studio.item('welcome.open')
         self.drop()
