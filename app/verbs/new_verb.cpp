@@ -273,7 +273,9 @@ void addNewVerb(Program& program) {
   verb.add_option("--scale", a->scale, "Scale the photographs: 0.5 is half the width and height")
       ->type_name("X")
       ->capture_default_str();
-  verb.add_flag("--force", a->force, "Replace an existing capture.json");
+  verb.add_flag(
+      "--force", a->force,
+      "Replace an existing capture.json; what it says beyond this (noise, notes of other programs) is kept");
 }
 
 }  // namespace swaplight

@@ -112,6 +112,22 @@ Capture withFlats(Capture capture, const std::map<std::string, std::string>& lam
   return capture;
 }
 
+Capture withoutLostFlats(Capture capture) {
+  const auto there = [&](const std::string& name) { return std::filesystem::exists(capture.folder / name); };
+  const auto keepFound = [&](KeptJson& extra) {
+    Json kept = extra.json();
+    for (const auto& [light, name] : lampsIn(kept))
+      if (capture.lightIndex(light) < 0 || !there(name)) kept[kFlats].erase(light);
+    if (kept.contains(kFlats) && kept[kFlats].empty()) kept.erase(kFlats);
+    if (const auto lens = kept.find(kLens); lens != kept.end() && !there(lens->get<std::string>()))
+      kept.erase(lens);
+    extra = std::move(kept);
+  };
+  keepFound(capture.extra);
+  for (Shot& shot : capture.shots) keepFound(shot.extra);
+  return capture;
+}
+
 Json flatsFromJson(JsonFields& fields, const std::vector<Light>& lights) {
   Json kept = Json::object();
   if (const Json* flats = fields.find(kFlats); flats && !flats->is_null())

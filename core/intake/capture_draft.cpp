@@ -8,6 +8,7 @@
 #include "core/capture/flat_fields.h"
 #include "core/capture/left_out.h"
 #include "core/capture/light_name.h"
+#include "core/intake/kept_description.h"
 
 namespace swaplight {
 namespace {
@@ -127,7 +128,7 @@ std::filesystem::path writeDraft(const CaptureDraft& draft, bool replace) {
   std::filesystem::path file = draft.folder.folder / "capture.json";
   if (!replace && std::filesystem::exists(file))
     throw InputError("{}: is there already. Open it, or replace it with --force.", file.string());
-  writeCapture(captureOf(draft), file);
+  writeCapture(withKept(captureOf(draft), file), file);
   return file;
 }
 

@@ -59,7 +59,8 @@ void setLighting(CaptureDraft& draft, size_t lighting, std::vector<ShotColor> co
 [[nodiscard]] std::vector<std::string> colorWarnings(const CaptureDraft& draft);
 
 /// Writes capture.json beside the shots. Throws InputError where there is one already, unless it is to be
-/// replaced, and where it cannot be written. Returns its path.
+/// replaced, and where it cannot be written. What the one that is replaced says beyond a draft stays
+/// (kept_description.h). Returns its path.
 std::filesystem::path writeDraft(const CaptureDraft& draft, bool replace);
 
 }  // namespace swaplight

@@ -327,8 +327,8 @@ void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, con
     ImGui::Checkbox("Replace the existing capture.json", &m_replace);
     markItem("wizard.replace");
     tooltip(
-        "This folder has a capture.json already. It will be written anew, with what is seen here; what else "
-        "it holds is not kept.");
+        "This folder has a capture.json already. It will be written anew, with what is seen here; what it "
+        "says beyond that (noise, notes of other programs) is kept.");
   } else {
     ImGui::AlignTextToFramePadding();
     ImGui::PushTextWrapPos(buttons - px(kFooterGap));

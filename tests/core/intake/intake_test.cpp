@@ -4,6 +4,8 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
+#include "core/capture/flat_fields.h"
 #include "core/capture/left_out.h"
 #include "core/image/io/image_io.h"
 #include "core/intake/capture_draft.h"
@@ -25,10 +27,11 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::ThrowsMessage;
 
-void writePicture(const std::filesystem::path& file, const std::map<std::string, std::string>& text = {}) {
+void writePicture(const std::filesystem::path& file, const std::map<std::string, std::string>& text = {},
+                  int width = 8) {
   WriteOptions options;
   options.text = text;
-  writeImage(Image(ImageSpec::rgb(8, 6), 0.5F), file, options);
+  writeImage(Image(ImageSpec::rgb(width, 6), 0.5F), file, options);
 }
 
 std::vector<std::string> filesOf(const ShotFolder& folder) {
@@ -67,6 +70,19 @@ TEST(ShotFolder, AmbientDarkAndWhatIsNoPictureAreNoShots) {
   EXPECT_EQ(found.ambient, "Ambient.exr");
   EXPECT_EQ(found.dark, "dark_1.exr");
   EXPECT_THAT(found.notes, ElementsAre(HasSubstr("clip.mov is left out")));
+}
+
+TEST(ShotFolder, APictureOfAnotherSizeIsLeftOutAndNamed) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.exr", "b.exr"}) writePicture(folder.path() / name);
+  writePicture(folder.path() / "phone.exr", {}, 12);
+  const ShotFolder found = scanShotFolder(test::builtinColors(), folder.path());
+  EXPECT_THAT(filesOf(found), ElementsAre("a.exr", "b.exr"));
+  EXPECT_THAT(found.notes,
+              ElementsAre("phone.exr is left out: it is 12 x 6 pixels, the other photographs are 8 x 6"));
+  writePicture(folder.path() / "phone2.exr", {}, 12);
+  EXPECT_EQ(scanShotFolder(test::builtinColors(), folder.path()).shots.size(), 4U)
+      << "nobody knows which two are meant";
 }
 
 TEST(ShotFolder, AFolderWithoutPhotographsIsSaid) {
@@ -236,6 +252,51 @@ TEST(CaptureDraft, ExposuresOfTheFilesAreCountedIn) {
   EXPECT_FLOAT_EQ(captureOf(draft).shots[1].exposureStops, -1);
   draft.folder.shots[0].exposureStops.reset();
   EXPECT_EQ(captureOf(draft).shots[1].exposureStops, 0);
+}
+
+TEST(CaptureDraft, KeepsWhatAReplacedDescriptionSaysBeyondIt) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.exr", "b.exr", "c.exr", "card.exr", "black.exr"})
+    writePicture(folder.path() / name);
+  std::ofstream(folder.path() / "capture.json") << R"({
+    "format": "swaplight-capture", "version": 1, "name": "kitchen", "color_space": "srgb", "crew": "second unit",
+    "lights": [{"name": "key", "role": "practical", "lamp": "Dedo"}, {"name": "gone"}],
+    "shots": [{"image": "a.exr", "light_colors": [[1, 1, 1], [0, 0, 0]], "slate": "12A"},
+              {"image": "lost.exr", "light_colors": [[0, 0, 0], [1, 1, 1]]}],
+    "left_out": [{"image": "c.exr", "light_colors": [[1, 1, 1], [1, 1, 1]], "why": "moved"}],
+    "dark": "black.exr", "ambient": "lost.exr", "noise": {"read": 0.002, "full_well": 20000, "iso": 800},
+    "flats": {"key": "card.exr", "gone": "card.exr"}, "vignetting": "lost.exr",
+    "truth": {"key": "T_key.exr", "gone": "T_gone.exr"}})";
+  const ShotFolder found =
+      withShots(test::builtinColors(), scanShotFolder(test::builtinColors(), folder.path()),
+                {"a.exr", "b.exr", "c.exr"});
+  CaptureDraft draft = draftOf(withShotsLeftOut(found, {"c.exr"}, "here"), {"key", "fill"});
+  const Capture made = readCapture(test::builtinColors(), writeDraft(draft, true));
+  EXPECT_EQ(made.name, "kitchen");
+  EXPECT_EQ(made.colorSpace, draft.colorSpace);
+  EXPECT_EQ(made.lights[0].role, Role::Practical);
+  EXPECT_EQ(made.lights[0].extra.json()["lamp"], "Dedo");
+  EXPECT_EQ(made.lights[1].name, "fill");
+  ASSERT_EQ(made.shots.size(), 2U);
+  EXPECT_FALSE(made.shots[0].lightColors[0]) << "the colours are the draft's";
+  EXPECT_EQ(made.shots[0].extra.json()["slate"], "12A");
+  EXPECT_EQ(leftOutOf(made).at(0).extra.json()["why"], "moved");
+  EXPECT_EQ(made.dark, "black.exr");
+  EXPECT_FALSE(made.ambient) << "it is not there";
+  EXPECT_EQ(made.noise, (SensorNoise{.002, 20000}));
+  EXPECT_EQ(made.truth, (std::map<std::string, std::string>{{"key", "T_key.exr"}}));
+  EXPECT_EQ(flatNamesOf(made).lamps, (std::map<std::string, std::string>{{"key", "card.exr"}}));
+  EXPECT_FALSE(flatNamesOf(made).lens);
+  EXPECT_EQ(made.extra.json()["crew"], "second unit");
+  EXPECT_EQ(made.extra.json()["noise"]["iso"], 800);
+}
+
+TEST(CaptureDraft, ReplacesADescriptionThatCannotBeRead) {
+  const TemporaryFolder folder;
+  writePicture(folder.path() / "a.exr");
+  std::ofstream(folder.path() / "capture.json") << "{";
+  const CaptureDraft draft = draftOf(scanShotFolder(test::builtinColors(), folder.path()), {"key"});
+  EXPECT_EQ(readCapture(test::builtinColors(), writeDraft(draft, true)).shots.size(), 1U);
 }
 
 TEST(CaptureDraft, WarnsOfColoursThatAreTooAlike) {

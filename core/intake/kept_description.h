@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/capture/capture.h"
+
+namespace swaplight {
+
+/// A description that is made anew, with what the one that it replaces says and it does not: name, noise,
+/// truth, roles, flat pictures, ambient and dark pictures, and what other programs wrote there. Lights are
+/// found by their names, photographs by their files; what is told of others is dropped.
+[[nodiscard]] Capture withKept(Capture made, const Capture& before);
+
+/// The same with the capture.json that lies there; as it is where there is none, or none that can be read.
+[[nodiscard]] Capture withKept(Capture made, const std::filesystem::path& file);
+
+}  // namespace swaplight
