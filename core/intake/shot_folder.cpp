@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/base/error.h"
@@ -110,6 +111,25 @@ void dropTwins(ShotFolder& found) {
   });
 }
 
+/// A picture that lies there by chance seldom has the size of the photographs. Without a size that most have,
+/// nobody knows which are meant.
+void dropOtherSizes(ShotFolder& found) {
+  std::map<std::pair<int, int>, size_t> sizes;
+  for (const FoundShot& shot : found.shots) ++sizes[{shot.width, shot.height}];
+  const auto most = std::max_element(sizes.begin(), sizes.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == sizes.end() || 2 * most->second <= found.shots.size()) return;
+  const auto [width, height] = most->first;
+  std::erase_if(found.shots, [&, width = width, height = height](const FoundShot& shot) {
+    const bool other = shot.width != width || shot.height != height;
+    if (other)
+      found.notes.push_back(
+          fmt::format("{} is left out: it is {} x {} pixels, the other photographs are {} x {}", shot.file,
+                      shot.width, shot.height, width, height));
+    return other;
+  });
+}
+
 void putInOrder(ShotFolder& found) {
   std::stable_sort(found.shots.begin(), found.shots.end(),
                    [](const FoundShot& a, const FoundShot& b) { return countsBefore(a.file, b.file); });
@@ -157,6 +177,7 @@ ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
   }
   if (fs::is_regular_file(found.folder / kResponse)) found.response = kResponse;
   dropTwins(found);
+  dropOtherSizes(found);
   if (found.shots.empty())
     throw InputError("{}: has no photographs (EXR, PNG, TIFF, JPEG, HDR or camera raw)", folder.string());
   putInOrder(found);

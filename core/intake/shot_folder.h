@@ -37,9 +37,9 @@ struct ShotFolder {
 
 /// Looks at the pictures directly in a folder; their colour spaces are those of the configuration's file
 /// rules, else of their headers. Left out are solved sets, what this program has exported (layers, frames,
-/// beta maps), and of a camera's pair the JPEG beside its raw file. Numbers in names count as numbers:
-/// shot_10 comes after shot_9. Throws InputError where it is no folder or has no picture; a picture that
-/// cannot be read is left out with a note.
+/// beta maps), of a camera's pair the JPEG beside its raw file, and pictures of another size than more than
+/// half of them have. Numbers in names count as numbers: shot_10 comes after shot_9. Throws InputError where
+/// it is no folder or has no picture; a picture that cannot be read is left out with a note.
 [[nodiscard]] ShotFolder scanShotFolder(const ColorConfig& config, const std::filesystem::path& folder);
 
 /// The same with these files as its shots, in this order. Throws InputError for one that is not there.

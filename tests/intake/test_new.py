@@ -241,8 +241,14 @@ class New(cli.CliTest):
         self.deny('new', folder, '--lights', 'key,fill', '--gels', 'L106', naming='1 colours for 2 lights')
         self.deny('new', folder, '--lights', 'key,9', '--gels', 'L106,L124', naming='9')
         self.deny('new', self.path('nowhere'), '--lights', 'key,fill', '--gels', 'L106,L124', naming='nowhere')
+
+    def test_a_picture_of_another_size_is_left_out_unless_it_is_asked_for(self):
+        folder = self.photographs(('key', 'fill'))
         cli.write_image(os.path.join(folder, 'IMG_11.exr'), np.zeros((10, 10, 3)))
-        self.deny('new', folder, '--lights', 'key,fill', '--gels', 'L106,L124', naming='at one size')
+        arguments = ['new', folder, '--lights', 'key,fill', '--gels', 'L106,L124']
+        self.deny(*arguments, '--shots', 'IMG_9.exr,IMG_11.exr', naming='at one size')
+        found = self.succeed_json(*arguments)
+        self.assertIn('IMG_11.exr is left out: it is 10 x 10 pixels', ' '.join(found['warnings']))
 
 
 @unittest.skipUnless(os.path.isdir(os.path.join(cli.SHARED, 'captures', 'swapped_lion')), 'no real photographs here')
