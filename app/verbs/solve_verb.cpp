@@ -20,8 +20,7 @@
 #include "core/set/set_color_space.h"
 #include "core/set/solve_verdict.h"
 #include "core/set/solved_file.h"
-#include "core/solve/causes/tone_correction.h"
-#include "core/solve/even_lamps.h"
+#include "core/solve/solve_photographs.h"
 
 namespace swaplight {
 namespace {
@@ -63,25 +62,11 @@ std::shared_ptr<CameraLook> shotLook(const SolveCommand& arguments, Terminal& te
   return look;
 }
 
-/// Takes a tone curve off the photographs that the capture does not tell of, where asked to and there is one.
-std::optional<ToneCorrection> correctedTone(const SolveCommand& arguments, const Capture& capture,
-                                            const std::optional<SensorNoise>& noise, CapturePixels& pixels,
-                                            Terminal& terminal) {
-  if (arguments.tone != "auto") return std::nullopt;
-  const std::optional<ToneCorrection> tone = findToneCorrection(capture, pixels, noise);
-  if (tone)
-    correctTone(*tone, pixels);
-  else
-    terminal.say(
-        "--tone auto: the photographs do not surely show another tone curve than the declared one; nothing "
-        "changed");
-  return tone;
-}
-
 int run(const SolveCommand& arguments, Terminal& terminal) {
   if (arguments.tone != "declared" && arguments.tone != "auto")
     throw InputError("--tone: '{}' is not known; known: declared, auto", arguments.tone);
-  const SolveOptions options = arguments.solve.resolve();
+  SolveOptions options = arguments.solve.resolve();
+  options.correctTone = arguments.tone == "auto";
   const std::shared_ptr<const ColorConfig> config = programConfig();
   Capture capture = readCapture(*config, sourceFile(arguments.capture));
   capture = withShotsLeftOut(std::move(capture), arguments.leftOut, "--leave-out");
@@ -107,13 +92,11 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   CapturePixels pixels = loadCapturePixels(*config, capture, progress.part(0, look ? 0.1f : 0.2f));
   if (look) filterShots(*config, pixels, *look, progress.part(0.1f, 0.2f));
   sayWarnings(pixels.warnings, terminal);
-  const std::optional<ToneCorrection> tone =
-      correctedTone(arguments, capture, options.noise, pixels, terminal);
   const FlatFields fields = loadFlatFields(*config, capture, progress.part(0.2f, 0.2f));
-  SolvedSet set = solveUneven(capture, pixels, fields, options, progress.part(0.2f, 0.8f));
-  if (tone) reportTone(*tone, *set.report);
+  const std::vector<std::string> saidOfPixels = pixels.warnings;
+  SolvedSet set = solvePhotographs(capture, std::move(pixels), fields, options, progress.part(0.2f, 0.8f));
   const SolveVerdict verdict = verdictOf(*set.report);
-  sayWarnings(warningsOfSolve(*set.report, {capture.warnings, pixels.warnings, verdict.reasons}), terminal);
+  sayWarnings(warningsOfSolve(*set.report, {capture.warnings, saidOfPixels, verdict.reasons}), terminal);
   set = inColorSpace(*config, std::move(set), arguments.colorSpace);
   writeSolvedSet(set, arguments.output, arguments.file, progress.part(0.8f, 1));
   if (!arguments.report.empty()) writeJson(jsonFromSolveReport(*set.report), arguments.report);

@@ -13,7 +13,7 @@
 #include "core/session/session_file.h"
 #include "core/set/solved_file.h"
 #include "core/shadow/detect/detect_shadows.h"
-#include "core/solve/even_lamps.h"
+#include "core/solve/solve_photographs.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;
@@ -86,9 +86,9 @@ SolvedSet openSource(const ColorConfig& config, const fs::path& path, const Solv
       return readSolvedSet(path, progress);
     case SourceKind::Capture: {
       const Capture capture = readCapture(config, sourceFile(path));
-      const CapturePixels pixels = loadCapturePixels(config, capture, progress.part(0, kReadingShare));
+      CapturePixels pixels = loadCapturePixels(config, capture, progress.part(0, kReadingShare));
       const FlatFields fields = loadFlatFields(config, capture, progress.part(kReadingShare, kReadingShare));
-      return solveUneven(capture, pixels, fields, options, progress.part(kReadingShare, 1));
+      return solvePhotographs(capture, std::move(pixels), fields, options, progress.part(kReadingShare, 1));
     }
     case SourceKind::Session:
     case SourceKind::Folder:

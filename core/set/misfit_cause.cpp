@@ -27,7 +27,7 @@ constexpr std::array<CauseText, 5> kTexts = {{
     {Cause::Ambient, "ambient", "ambient light, about {:.1f} % of the lamps' light",
      "take a picture with all lamps off, or one more photograph under other light and --solve-ambient"},
     {Cause::Tone, "tone", "a tone curve that was not told (light to the power of about {:.2f})",
-     "solve with --tone auto, or photograph raw"},
+     "let the solve take the curve off (--tone auto), or photograph raw"},
     {Cause::Moved, "moved", "a camera that moved (by {:.1f} pixels or more)",
      "--align on takes off shifts, but no turn or zoom"},
     {Cause::Field, "field", "lamps whose colour is not the same over the picture (by about {:.0f} %)",

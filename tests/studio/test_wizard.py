@@ -90,6 +90,11 @@ class Wizard(StudioTest):
         studio.screenshot('wizard_linear')
         self.fill_in(2, 'off')
         studio.wait(lambda layout: layout.get('wizard.linear.words', 'x') == '', 'the answer was of other colours')
+        self.fill_in(2, 'white')
+        studio.click('wizard.tone')
+        studio.click('wizard.solve')
+        studio.wait_ready()
+        self.assertIs(self.save_as('toned')[1]['solve']['correct_tone'], True)
 
     def test_a_chosen_folder_with_an_unknown_colour(self):
         manifest = self.photographs('two_swapped')

@@ -57,6 +57,12 @@ void CaptureWizard::drawLinearity() {
   ImGui::TextColored(color, "%s", linear ? kIconCheck : kIconWarning);
   ImGui::SameLine(0, px(6));
   ImGui::TextUnformatted(("Do the photographs hold light? " + evidence->words).c_str());
+  if (evidence->answer != LinearityEvidence::Answer::Curved) return;
+  ImGui::Checkbox("Take the curve off before solving", &m_solve.correctTone);
+  markItem("wizard.tone");
+  tooltip(
+      "Finds the tone curve once more by the whole picture and solves without it. The exposure stays open. "
+      "Where no curve is surely seen, nothing is changed.");
 }
 
 }  // namespace swaplight

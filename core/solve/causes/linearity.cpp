@@ -244,8 +244,8 @@ std::string percent(double logarithm) {
 std::string curvedWords(const char* how, double exponent) {
   return fmt::format(
       "no: they do not hold light as their colour space says, but light to the power of about {:.2f} in the "
-      "middle of the range ({}). Photograph raw, measure the camera (swaplight response), or solve with "
-      "--tone auto",
+      "middle of the range ({}). Photograph raw, measure the camera (swaplight response), or let the solve "
+      "take the curve off (--tone auto)",
       exponent, how);
 }
 

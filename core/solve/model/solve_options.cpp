@@ -119,6 +119,7 @@ Json jsonFromSolveOptions(const SolveOptions& options) {
   if (options.colorUncertainty >= 0) json["color_uncertainty"] = jsonNumber(options.colorUncertainty);
   json["refine_colors"] = options.refineColors;
   json["ambient"] = options.solveAmbient;
+  if (options.correctTone) json["correct_tone"] = true;
   json["align"] = options.align;
   if (options.openColor != OpenColorChoice{}) json["open_color"] = jsonFromChoice(options.openColor);
   json["denoise"] = denoiseName(options.denoise);
@@ -141,6 +142,7 @@ SolveOptions solveOptionsFromJson(const Json& json, const std::string& where) {
       static_cast<float>(fields.number("color_uncertainty", 0, 1).value_or(options.colorUncertainty));
   options.refineColors = fields.boolean("refine_colors").value_or(options.refineColors);
   options.solveAmbient = fields.boolean("ambient").value_or(options.solveAmbient);
+  options.correctTone = fields.boolean("correct_tone").value_or(options.correctTone);
   options.align = fields.boolean("align").value_or(options.align);
   if (const Json* open = fields.find("open_color"))
     options.openColor = choiceFromJson(*open, where + ": open_color");

@@ -53,6 +53,7 @@ struct SolveOptions {
   float colorUncertainty = -1;
   bool solveAmbient = false;  ///< one more unknown light, the same in every shot (K > N)
   bool refineColors = false;  ///< estimate the light colours from the pictures, starting at the manifest's
+  bool correctTone = false;   ///< take off a tone curve that nobody told of, where one is surely seen
   bool align = false;         ///< register the shots to the first (sub-pixel translation)
   OpenColorChoice openColor;
   Denoise denoise = Denoise::Off;

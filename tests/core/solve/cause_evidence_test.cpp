@@ -10,6 +10,7 @@
 #include "core/set/solve_verdict.h"
 #include "core/solve/causes/tone_correction.h"
 #include "core/solve/solve.h"
+#include "core/solve/solve_photographs.h"
 #include "tests/support/synthetic_capture.h"
 
 namespace swaplight {
@@ -212,6 +213,22 @@ TEST(ToneCorrection, TakesOffACurve) {
   const SolvedSet corrected = solve(swappedCapture(), pixels, {});
   EXPECT_LT(relativeError(corrected, truth), .3 * before) << tone->exponent();
   EXPECT_TRUE(corrected.report->causes.likely.empty()) << told(corrected.report->causes);
+}
+
+TEST(ToneCorrection, IsAnOptionOfEverySolveOfPhotographs) {
+  const CapturePixels curved = photographed({.curve = contrastCurve});
+  SolveOptions options;
+  const auto solved = [&](const CapturePixels& pixels) {
+    return solvePhotographs(swappedCapture(), pixels, {}, options);
+  };
+  EXPECT_FALSE(solved(curved).report->tone);
+  options.correctTone = true;
+  const SolvedSet corrected = solved(curved);
+  EXPECT_TRUE(corrected.report->tone);
+  EXPECT_TRUE(corrected.report->causes.likely.empty()) << told(corrected.report->causes);
+  const SolvedSet plain = solved(photographed());
+  EXPECT_FALSE(plain.report->tone);
+  EXPECT_NE(plain.report->message.find("none was taken off"), std::string::npos);
 }
 
 TEST(ToneCorrection, LeavesPhotographsThatAreAsTold) {

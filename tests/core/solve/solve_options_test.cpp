@@ -25,6 +25,13 @@ TEST(SolveOptions, DenoisingComesBackFromJson) {
   EXPECT_EQ(jsonFromSolveOptions({})["denoise"], "off");
 }
 
+TEST(SolveOptions, ACorrectedToneComesBackFromJson) {
+  SolveOptions options;
+  options.correctTone = true;
+  EXPECT_EQ(solveOptionsFromJson(jsonFromSolveOptions(options)), options);
+  EXPECT_FALSE(jsonFromSolveOptions({}).contains("correct_tone")) << "what older programs do not know";
+}
+
 TEST(SolveOptions, WhatSettlesAnOpenColourComesBackFromJson) {
   SolveOptions options;
   options.openColor.oneLamp = {"key", 12, 34};
