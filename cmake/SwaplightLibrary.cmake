@@ -46,7 +46,7 @@ function(swaplight_library name)
   add_library(${name} STATIC ${LIB_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${LIB_LINK} ${LIB_PUBLIC} PRIVATE ${LIB_PRIVATE})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ${SWAPLIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ${SWAPLIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 16)
   if("swaplight_base" IN_LIST LIB_LINK)  # it brings fmt, whose definitions the precompiled headers have seen
     swaplight_reuse_headers(${name})
   endif()
