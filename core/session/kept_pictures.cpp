@@ -12,7 +12,7 @@ namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kMostPixels = 1 << 22;  ///< of a picture that is to be shown small
+constexpr int kMostSmallPixels = 1 << 22;  ///< of a picture that is to be shown small
 
 /// FNV-1a, 64 bits: the same in every run (http://www.isthe.com/chongo/tech/comp/fnv).
 uint64_t fingerprint(const std::string& text) {
@@ -35,7 +35,7 @@ SmallPicture readSmallPicture(const fs::path& file) try {
   std::error_code error;
   if (!fs::exists(file, error)) return {};
   const ImageSpec spec = readImageSpec(file);
-  if (spec.pixelCount() > kMostPixels || spec.channels.size() < 3) return {};
+  if (spec.pixelCount() > kMostSmallPixels || spec.channels.size() < 3) return {};
   const Image codes = readImage(file).image;
   SmallPicture picture{codes.width(), codes.height(), std::vector<uint8_t>(4 * codes.pixelCount(), 255)};
   for (int c = 0; c < 3; ++c)
