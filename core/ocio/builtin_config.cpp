@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 
@@ -32,27 +33,33 @@ OCIO::TransformRcPtr acesFromRec709() {
   return group({builtin("UTILITY - ACES-AP1_to_LINEAR-REC709_BFD", true), builtin("ACEScg_to_ACES2065-1")});
 }
 
-/// Linear Rec.709 to CIE XYZ with white D65 (ITU-R BT.709-6).
-OCIO::TransformRcPtr xyzFromRec709() {
+/// Rows of a 3 x 3 matrix.
+OCIO::MatrixTransformRcPtr matrixOf(const std::array<double, 9>& rows) {
+  double m[16] = {};
+  for (size_t row = 0; row < 3; ++row) std::copy_n(rows.data() + 3 * row, 3, m + 4 * row);
+  m[15] = 1;
   const auto matrix = OCIO::MatrixTransform::Create();
-  const double m[16] = {0.41239079926595934,
-                        0.357584339383878,
-                        0.1804807884018343,
-                        0,
-                        0.21263900587151027,
-                        0.715168678767756,
-                        0.07219231536073371,
-                        0,
-                        0.01933081871559182,
-                        0.11919477979462598,
-                        0.9505321522496607,
-                        0,
-                        0,
-                        0,
-                        0,
-                        1};
   matrix->setMatrix(m);
   return matrix;
+}
+
+OCIO::TransformRcPtr inverseOf(const OCIO::TransformRcPtr& transform) {
+  transform->setDirection(OCIO::TRANSFORM_DIR_INVERSE);
+  return transform;
+}
+
+/// Linear Rec.709 to CIE XYZ with white D65 (ITU-R BT.709-6).
+OCIO::TransformRcPtr xyzFromRec709() {
+  return matrixOf({0.41239079926595934, 0.357584339383878, 0.1804807884018343,   //
+                   0.21263900587151027, 0.715168678767756, 0.07219231536073371,  //
+                   0.01933081871559182, 0.11919477979462598, 0.9505321522496607});
+}
+
+/// Linear Rec.2020 to CIE XYZ with white D65 (ITU-R BT.2020-2).
+OCIO::TransformRcPtr xyzFromRec2020() {
+  return matrixOf({0.6369580483012914, 0.14461690358620832, 0.1688809751641721,  //
+                   0.2627002120112671, 0.6779980715188708, 0.05930171646986196,  //
+                   0, 0.028072693049087428, 1.060985057710791});
 }
 
 /// IEC 61966-2-1, encoded to linear; mirrored at zero it would be wrong for HDR, so negatives go on linearly.
@@ -113,10 +120,23 @@ OCIO::TransformRcPtr curve(double (*function)(double)) {
 
 /// Light times a factor.
 OCIO::TransformRcPtr scale(double factor) {
-  const auto matrix = OCIO::MatrixTransform::Create();
-  const double m[16] = {factor, 0, 0, 0, 0, factor, 0, 0, 0, 0, factor, 0, 0, 0, 0, 1};
-  matrix->setMatrix(m);
-  return matrix;
+  return matrixOf({factor, 0, 0, 0, factor, 0, 0, 0, factor});
+}
+
+/// AgX, as Blender's (T. Sobotka; E. Chow, AgX_LUT_Gen, 2023): Rec.2020's primaries are drawn in towards
+/// white and turned a little, so that a channel's curve takes bright saturated light to white without a break
+/// of hue; after it they are drawn out again. Without its guard rail and its mix of hues, which need a table:
+/// light that is outside the monitor's primaries afterwards is cut off (by less than 0.01 of what Rec.709
+/// light gives).
+OCIO::TransformRcPtr agx() {
+  const auto inset = matrixOf({0.856627153315983, 0.0951212405381588, 0.0482516061458583,  //
+                               0.137318972929847, 0.761241990602591, 0.101439036467562,    //
+                               0.11189821299995, 0.0767994186031903, 0.811302368396859});
+  const auto outset = matrixOf({1.1271005818144368, -0.11060664309660323, -0.016493938717834573,  //
+                                -0.1413297634984383, 1.157823702216272, -0.016493938717834257,    //
+                                -0.14132976349843826, -0.11060664309660294, 1.2519364065950405});
+  return group(
+      {xyzFromRec709(), inverseOf(xyzFromRec2020()), inset, curve(agxCurve), outset, xyzFromRec2020()});
 }
 
 /// What comes before a view: on light in ACES2065-1.
@@ -147,6 +167,8 @@ void addDisplay(const OCIO::ConfigRcPtr& config, const char* name, const char* s
     config->addDisplayView(name, view, transform, space.c_str(), "", "", description);
   };
   add(name, "Plain", "No tone mapping: as measured");
+  add(kRolledOffView, kRolledOffView,
+      "Filmic, as Blender's AgX: middle grey stays, 6.5 stops above it roll off, bright colours go to white");
   add("ACES SDR", aces, "ACES 1.x output for video");
   for (const ToneCurve& tone : toneCurves()) add(tone.name, tone.name, tone.description);
   config->addDisplayView(name, "Log", "acescct", "");
@@ -201,6 +223,7 @@ OCIO::ConstConfigRcPtr builtinConfig() {
   addViewTransform(
       config, "ACES SDR P3",
       group({acesFromRec709(), builtin("ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO-P3lim_1.1")}));
+  addViewTransform(config, kRolledOffView, agx());
   for (const ToneCurve& tone : toneCurves())
     addViewTransform(config, tone.name, group({curve(tone.curve), xyzFromRec709()}));
   // The display's XYZ is in units of 100 cd/m2.

@@ -28,6 +28,18 @@ double hableSlope() {
 
 constexpr double kLogScale = 4;
 
+constexpr double kAgxDarkest = -10, kAgxBrightest = 6.5;  // stops about middle grey
+constexpr double kAgxSlope = 2.4, kAgxPower = 1.5, kAgxGamma = 2.4;
+
+/// How far the sigmoid is from its pivot at a distance from it: the line of kAgxSlope through the pivot, bent
+/// so that it reaches `height` at `width`, l / (1 + b l^p)^(1/p) with b from that end.
+double agxFromPivot(double distance, double width, double height) {
+  const double line = kAgxSlope * distance;
+  const double bend =
+      std::pow(kAgxSlope * width, -kAgxPower) * (std::pow(kAgxSlope * width / height, kAgxPower) - 1);
+  return line / std::pow(1 + bend * std::pow(line, kAgxPower), 1 / kAgxPower);
+}
+
 }  // namespace
 
 double reinhardGlobal(double light) {
@@ -54,6 +66,17 @@ double logarithmic(double light, double brightest) {
   const double top = std::log1p(kLogScale * brightest);
   if (light < 0) return light * kLogScale / top;
   return light >= brightest ? 1 : std::log1p(kLogScale * light) / top;
+}
+
+double agxCurve(double light) {
+  if (!(light > 0)) return 0;
+  const double stops = std::clamp(std::log2(light / kMiddleGrey), kAgxDarkest, kAgxBrightest);
+  const double at = (stops - kAgxDarkest) / (kAgxBrightest - kAgxDarkest);
+  const double pivot = -kAgxDarkest / (kAgxBrightest - kAgxDarkest);
+  const double grey = std::pow(kMiddleGrey, 1 / kAgxGamma);
+  const double code = at < pivot ? grey - agxFromPivot(pivot - at, pivot, grey)
+                                 : grey + agxFromPivot(at - pivot, 1 - pivot, 1 - grey);
+  return std::pow(std::max(code, 0.0), kAgxGamma);
 }
 
 std::span<const ToneCurve> toneCurves() {

@@ -33,6 +33,16 @@ inline constexpr double kHableWhite = 11.2;  ///< default, Hable's own; range 1.
 inline constexpr double kLogBrightest = 64;  ///< default: six stops above full scale; range 1..1e6
 [[nodiscard]] double logarithmic(double light, double brightest = kLogBrightest);
 
+/// AgX's curve: the stops about middle grey, -10 to +6.5, by a sigmoid with a straight middle and an even toe
+/// and shoulder, the codes (display gamma 2.4) to display-linear light. 0.18 stays 0.18; what is 6.5 stops
+/// brighter becomes 1, brighter light stays there, what is darker than ten stops below becomes 0. No
+/// parameter: those of Blender's AgX (slope 2.4, toe and shoulder 1.5) after T. Sobotka; E. Chow,
+/// AgX_LUT_Gen, sigmoid.py and AgXBasesRGB.py, 2023. For light in AgX's own primaries (builtin_config.cpp).
+inline constexpr double kMiddleGrey = 0.18;
+[[nodiscard]] double agxCurve(double light);
+/// The view of the built-in configuration that holds it.
+inline constexpr const char* kRolledOffView = "AgX";
+
 /// One of the curves with its defaults, as the built-in colour configuration offers it as a view.
 struct ToneCurve {
   const char* name;         ///< of the view

@@ -121,7 +121,7 @@ TEST(ColorConfig, UnknownNamesAreListed) {
   EXPECT_THAT(inputError([&] {
                 config.applyView(image.span(), "srgb", {"sRGB", "Film"});
               }),
-              HasSubstr("has no view 'Film'; built-in has sRGB, ACES SDR"));
+              HasSubstr("has no view 'Film'; built-in has sRGB, AgX, ACES SDR"));
 }
 
 TEST(ColorConfig, ThePublishedCodesOfDiffuseWhiteOnHdrDisplays) {

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "core/color/rgb.h"
 #include "core/color/srgb.h"
 #include "core/ocio/color_config.h"
 
@@ -45,6 +47,91 @@ TEST(ToneCurve, ParametersOutOfRangeAreRefused) {
   EXPECT_THROW((void)reinhardExtended(1, 0), std::invalid_argument);
   EXPECT_THROW((void)hable(1, -1), std::invalid_argument);
   EXPECT_THROW((void)logarithmic(1, 0.5), std::invalid_argument);
+}
+
+// E. Chow's sigmoid.py and AgXBasesRGB.py, worked out by hand of their formulas.
+TEST(AgxCurve, KeepsMiddleGreyAndEndsWhereAgXDoes) {
+  EXPECT_NEAR(agxCurve(0.18), 0.18, 1e-12);
+  EXPECT_NEAR(agxCurve(0.18 * std::exp2(6.5)), 1, 1e-12);
+  EXPECT_NEAR(agxCurve(0.18 * std::exp2(-10)), 0, 1e-12);
+  EXPECT_NEAR(agxCurve(1), 0.555999065, 1e-8);
+  EXPECT_NEAR(agxCurve(0.01), 0.00626240926, 1e-8);
+  EXPECT_EQ(agxCurve(1e6), agxCurve(0.18 * std::exp2(6.5)));
+  EXPECT_EQ(agxCurve(std::numeric_limits<double>::infinity()), agxCurve(1e6));
+  EXPECT_EQ(agxCurve(0), 0);
+  EXPECT_EQ(agxCurve(-1), 0);
+}
+
+TEST(AgxCurve, RisesAllTheWay) {
+  double last = -1;
+  for (int i = -99 * 8; i < 65 * 8; ++i) {
+    const double shown = agxCurve(0.18 * std::exp2(i / 80.0));
+    EXPECT_GT(shown, last) << i / 80.0 << " stops about middle grey";
+    last = shown;
+  }
+}
+
+/// What a view shows of a colour on an sRGB monitor, display-linear.
+Rgb shownIn(const char* view, const Rgb& light) {
+  static const ColorConfig config("");
+  Image image(ImageSpec::rgb(1, 1));
+  for (int c = 0; c < 3; ++c) image.plane(c)[0] = light[c];
+  config.applyView(image.span(), "lin_rec709", {"sRGB", view});
+  return {linearFromSrgb(image.plane(0)[0]), linearFromSrgb(image.plane(1)[0]),
+          linearFromSrgb(image.plane(2)[0])};
+}
+Rgb shownInAgx(const Rgb& light) {
+  return shownIn(kRolledOffView, light);
+}
+
+TEST(AgxView, GreysAreTheCurve) {
+  for (const float light : {0.001F, 0.02F, 0.18F, 0.5F, 1.F, 4.F, 15.F})
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(shownInAgx(Rgb(light))[c], agxCurve(light), 2e-4) << light;
+}
+
+// From the generator's matrices and formulas by another program.
+TEST(AgxView, KnownValuesOfColours) {
+  const auto expectNear = [](const Rgb& light, const Rgb& expected) {
+    const Rgb shown = shownInAgx(light);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(shown[c], expected[c], 1e-3) << light.r << ' ' << light.g;
+  };
+  expectNear({1, 0, 0}, {0.699F, 0.055F, 0.013F});
+  expectNear({0, 4, 0}, {0.546F, 0.816F, 0.388F});
+  expectNear({0.8F, 0.8F, 16}, {0.645F, 0.732F, 1});
+  expectNear({0.18F, 0.02F, 0.02F}, {0.168F, 0.015F, 0.013F});
+}
+
+/// 0 grey, 1 without one of the primaries.
+double saturationOf(const Rgb& color) {
+  return 1 - std::min({color.r, color.g, color.b}) / std::max({color.r, color.g, color.b});
+}
+
+/// How far a shown colour lies beside the line from grey to the lamp's colour, as a saturation: a change of
+/// hue counts by how much of a hue there is.
+double besideHueOf(const Rgb& lamp, const Rgb& shown) {
+  const auto hue = [](const Rgb& c) { return std::atan2(std::sqrt(3.F) * (c.g - c.b), 2 * c.r - c.g - c.b); };
+  const double turned = std::abs(std::remainder(hue(shown) - hue(lamp), 2 * M_PI));
+  return saturationOf(shown) * std::sin(std::min(turned, M_PI / 2));
+}
+
+TEST(AgxView, LampsGoToWhiteAsTheyGetBrighterWithoutABreakOfHue) {
+  const Rgb orange{1, 0.3F, 0};
+  double worstPlain = 0;
+  for (const Rgb& lamp : {Rgb{1, 0, 0}, Rgb{0, 1, 0}, Rgb{0, 0, 1}, orange, Rgb{0.05F, 0.05F, 1},
+                          Rgb{1, 0, 1}, Rgb{0, 1, 1}, Rgb{1, 1, 0}, Rgb{0.1F, 0.4F, 1}}) {
+    double last = 2;
+    for (int half = -6; half <= 24; ++half) {
+      const Rgb light = lamp * std::exp2(static_cast<float>(half) / 2);
+      const Rgb shown = shownInAgx(light);
+      EXPECT_LE(saturationOf(shown), last + 1e-3) << half / 2.0 << " stops";
+      last = saturationOf(shown);
+      EXPECT_LT(besideHueOf(lamp, shown), 0.25)
+          << lamp.r << ' ' << lamp.g << ' ' << lamp.b << " at " << half / 2.0;
+      if (lamp.g == orange.g) worstPlain = std::max(worstPlain, besideHueOf(lamp, shownIn("sRGB", light)));
+    }
+    EXPECT_LT(last, 0.05) << "12 stops above full scale";
+  }
+  EXPECT_GT(worstPlain, 0.6) << "cut off, orange turns to yellow";
 }
 
 TEST(ToneCurve, TheViewIsTheCurveThenTheDisplaysEncoding) {

@@ -94,6 +94,16 @@ TEST(DisplayTable, AFilmLikeViewIsWithinTwoCodesButForVerySaturatedPixels) {
   RecordProperty("worst", std::to_string(error.worst));
 }
 
+TEST(DisplayTable, TheRolledOffViewIsWithinTwoCodesButForVerySaturatedPixels) {
+  for (const char* view : {"sRGB AgX", "Rec.709 AgX", "P3-D65 AgX"}) {
+    const CodeError error = errorOf(viewNamed(view));
+    EXPECT_LT(error.mean, 0.3) << view;
+    EXPECT_LT(error.beyondTwo, 1e-3) << view;
+    std::printf("%s: mean %.3f, worst %.2f codes, %.2e beyond two\n", view, error.mean, error.worst,
+                error.beyondTwo);
+  }
+}
+
 TEST(DisplayTable, WhatIsBrighterThanSixtyFourTimesFullScaleIsShownToo) {
   for (const char* view : {"PQ ACES HDR", "HLG ACES HDR", "sRGB ACES SDR"}) {
     const CodeError error = errorOf(viewNamed(view), 6, 16);
