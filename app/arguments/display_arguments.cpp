@@ -3,7 +3,9 @@
 namespace swaplight {
 
 void addDisplayOptions(CLI::App& verb, DisplayChoice& choice) {
-  verb.add_option("--view", choice.view, "A view of the colour configuration")->type_name("NAME");
+  verb.add_option("--view", choice.view,
+                  "A view of the colour configuration, as AgX or \"ACES SDR\"; without it a session's own")
+      ->type_name("NAME");
   verb.add_option("--display", choice.display, "A display of the colour configuration")->type_name("NAME");
   verb.add_option_function<std::string>(
           "--view-look", [&choice](const std::string& text) { choice.look = lookFromText(text); },

@@ -242,13 +242,15 @@ int SequenceArguments::runFrames(const ColorConfig& config, const std::vector<in
       config, options, input, [&](const FrameOutcome& outcome) { sayFrame(outcome, terminal); }, quiet);
 
   const int failed = summary.count(State::Failed);
-  const Json json = jsonFromSummary(summary);
+  const std::string contents = frameContents(config, output, frame);
+  Json json = jsonFromSummary(summary);
+  json["contents"] = contents;
   terminal.say(
       "{} of {} frames written, {} there before, {} failed; {:.2f} s, {:.2f} frames/s, {:.0f} % of the "
-      "work in writing, {:.0f} MB",
+      "work in writing, {:.0f} MB; {}",
       summary.count(State::Written), options.frames.size(), summary.count(State::Skipped), failed,
       summary.seconds, json["frames_per_second"].get<double>(), 100 * summary.writeShare,
-      json["peak_megabytes"].get<double>());
+      json["peak_megabytes"].get<double>(), contents);
   terminal.result("", json);
   return exitCodeOf(summary);
 }

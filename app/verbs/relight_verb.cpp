@@ -109,7 +109,9 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
             {"height", set.height()},   {"color_space", set.colorSpace()}, {"rig", jsonFromRig(rig)}};
   for (const LightSetting& light : rig.lights)
     terminal.detail("  {:<12} {}", light.light, settingText(light));
-  terminal.say("wrote {}, {} x {} pixels", arguments.frame, set.width(), set.height());
+  const std::string contents = frameContents(*config, arguments.frame, output);
+  terminal.say("wrote {}, {} x {} pixels, {}", arguments.frame, set.width(), set.height(), contents);
+  json["contents"] = contents;
   if (!arguments.histogram.empty()) {
     json["luminance"] = writeHistogram(*config, set, rig, arguments.histogram);
     terminal.say("wrote {}", arguments.histogram);
@@ -131,7 +133,10 @@ void addRelightVerb(Program& program) {
   a->sequence.addTo(verb);
   a->cameraLook.addTo(verb);
   a->grade.addTo(verb);
-  verb.add_option("-o,--output", a->frame, "The frame: EXR, HDR, PNG, TIFF or JPEG")
+  verb.add_option(
+          "-o,--output", a->frame,
+          "The frame: EXR or HDR of scene-linear light, or PNG, TIFF or JPEG through --view, else the "
+          "session's view, else plain sRGB")
       ->required()
       ->type_name("FRAME");
   addDisplayOptions(verb, a->output.display);

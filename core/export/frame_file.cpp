@@ -48,6 +48,14 @@ void checkFrame(const ColorConfig& config, const std::filesystem::path& file, co
   config.checkView(options.display);
 }
 
+std::string frameContents(const ColorConfig& config, const std::filesystem::path& file,
+                          const FrameOptions& options) {
+  const bool light = options.display.empty() && !options.tone && (options.linear || isSceneLinear(file));
+  if (light) return "scene-linear light";
+  if (options.display.empty()) return "seen through sRGB";
+  return "seen through " + displayWords(namedDisplay(config, options.display));
+}
+
 void writeCodes(Image codes, const std::filesystem::path& file, const DisplayChoice& display,
                 WriteOptions write, const Progress& progress) {
   codes.setColorSpace(display.empty() ? "srgb" : "data");

@@ -48,6 +48,11 @@ void checkSheetFile(const std::filesystem::path& file);
 /// tone mapping is asked for, or a tone mapping or a look alone for a scene-linear format.
 void checkFrame(const ColorConfig& config, const std::filesystem::path& file, const FrameOptions& options);
 
+/// What a frame so written holds, for people: "scene-linear light", or "seen through" its display and view,
+/// where plain sRGB is "sRGB".
+[[nodiscard]] std::string frameContents(const ColorConfig& config, const std::filesystem::path& file,
+                                        const FrameOptions& options);
+
 /// Writes codes of a display as they are, with its ICC profile or code points. `display` by the
 /// configuration's own names (namedDisplay); empty: plain sRGB. Throws InputError as writeImage does;
 /// Stopped.

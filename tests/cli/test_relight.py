@@ -52,6 +52,22 @@ class RelightTest(cli.CliTest):
         self.deny('relight', self.solved, '--tone', 'drago', '-F', '1-2', '-o', self.path('a.%04d.png'),
                   naming='flicker')
 
+    def test_a_frame_says_what_it_holds(self):
+        session = self.path('a.swaplight')
+        with open(session, 'w') as file:
+            json.dump({'format': 'swaplight-session', 'version': 1, 'source': self.solved,
+                       'display': {'display': 'sRGB', 'view': 'AgX'}}, file)
+        for source, options, name, contents in (
+                (self.solved, [], 'a.exr', 'scene-linear light'), (self.solved, [], 'a.png', 'seen through sRGB'),
+                (self.solved, ['--linear'], 'a.tif', 'scene-linear light'),
+                (self.solved, ['--tone', 'drago'], 'a.png', 'seen through sRGB'),
+                (self.solved, ['--view', 'AgX'], 'a.exr', 'seen through sRGB \u00b7 AgX'),
+                (session, [], 'a.png', 'seen through sRGB \u00b7 AgX'), (session, [], 'a.exr', 'scene-linear light'),
+                (session, ['--view', 'sRGB'], 'a.png', 'seen through sRGB'),
+                (session, ['-F', '1-2'], 'a.#.png', 'seen through sRGB \u00b7 AgX')):
+            found = self.succeed_json('relight', source, *options, '-o', self.path(name))
+            self.assertEqual(found['contents'], contents, (source, options, name))
+
     def test_lights_are_set_as_at_a_desk(self):
         self.near(self.frame('--command', 'key + fill @ 50'), .5 * (self.key + self.fill))
         self.near(self.frame('--light', 'key=off', '--command', '1 on @ 25', '--command', '2 out'), .25 * self.key)

@@ -34,6 +34,7 @@ class ExportController {
  private:
   struct Exported {
     std::vector<std::filesystem::path> files;
+    std::string contents;              ///< of a frame or frames, for people; empty for all else
     std::vector<std::string> leftOut;  ///< filters of the camera look that are broken, a line each
   };
 
