@@ -65,10 +65,14 @@ class Display:
 
 
 class Studio:
-    """The studio in a window. Files of its own in `home`, so that no other run is seen."""
+    """The studio in a window. Files of its own in `home`, so that no other run is seen. Unless `plain_view` is False, sets
+    open in the configuration's own view, without tone mapping, as if that had been chosen last: tests then know which
+    code a light has."""
 
-    def __init__(self, display, home, *arguments, size='1280x720', scale='1', environment=None):
+    def __init__(self, display, home, *arguments, size='1280x720', scale='1', environment=None, plain_view=True):
         self.home = home
+        if plain_view:
+            self.remember_plain_view()
         self.probe = os.path.join(home, 'layout.json')
         if os.path.exists(self.probe):
             os.remove(self.probe)
@@ -83,6 +87,14 @@ class Studio:
             + (['--size', size] if size else []) + (['--frame-seconds', slow] if slow else []),
             env=self.environment, stderr=subprocess.PIPE, text=True)
         self.last_click = (-1000, -1000, 0)
+
+    def remember_plain_view(self):
+        path = os.path.join(self.home, '.local/state/swaplight/view.json')
+        if os.path.exists(path):
+            return
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, 'w') as file:
+            json.dump({'built-in': {'display': '', 'view': ''}}, file)
 
     # What is on the screen
 

@@ -63,6 +63,43 @@ class Colors(StudioTest):
         _, session = self.save_as('look')
         self.assertEqual(session['display'], {'display': 'Monitor', 'view': 'Film', 'look': 'bleach'})
 
+    def shown_view(self):
+        """The view that the next session would keep."""
+        return self.save_as('view')[1]['display']
+
+    def test_sets_open_in_a_rolled_off_view_and_then_in_the_one_chosen_last(self):
+        studio = self.open_sample(plain_view=False)
+        self.assertEqual(self.shown_view(), {'display': 'sRGB', 'view': 'AgX'})
+        rolled_off = studio.picture('view_agx')
+        studio.click('bar.view')
+        studio.screenshot('view_menu')
+        studio.click('view.sRGB.ACES SDR')
+        studio.move(640, 705)
+        self.assertGreater(np.abs(studio.picture('view_aces') - rolled_off).mean(), 3)
+        self.assertTrue(studio.quit())
+        # What was saved keeps its own view, another set has the one chosen last.
+        studio = self.start(self.path('view.swaplight'), plain_view=False)
+        studio.wait_ready()
+        self.assertLess(np.abs(studio.picture('view_of_session') - rolled_off).max(), 2)
+        self.assertTrue(studio.quit())
+        studio = self.open_sample('two_swapped', plain_view=False)
+        self.assertEqual(self.shown_view(), {'display': 'sRGB', 'view': 'ACES SDR'})
+        self.assertTrue(studio.quit())
+
+    def test_an_exported_frame_says_its_view_and_has_the_pixels_of_relight(self):
+        studio = self.open_sample(plain_view=False)
+        frame = self.export_frame('frame.png')
+        self.assertTrue(studio.has('message.0'))
+        studio.screenshot('view_exported')
+        session, _ = self.save_as('shown')
+        capture = os.path.join(SAMPLES, 'three_point', 'capture.json')
+        for source, options, same in ((session, [], True), (capture, ['--view', 'AgX'], True), (capture, [], False)):
+            said = subprocess.run([PROGRAM, 'relight', source, *options, '-o', self.path('b.png')], check=True,
+                                  capture_output=True, text=True).stderr
+            self.assertIn('seen through sRGB \u00b7 AgX' if same else 'seen through sRGB\n', said)
+            a, b = (oiio.ImageBuf(path).get_pixels(oiio.UINT8) for path in (frame, self.path('b.png')))
+            self.assertEqual(np.array_equal(a, b), same)
+
     def test_the_built_in_looks_are_in_sight_in_a_small_window(self):
         studio = self.open_sample()
         studio.click('bar.view')

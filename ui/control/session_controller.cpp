@@ -9,6 +9,7 @@
 #include "core/session/open_source.h"
 #include "core/set/solve_verdict.h"
 #include "core/setups/other_set.h"
+#include "ui/state/view_memory.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;
@@ -41,6 +42,7 @@ SessionController::SessionController(DocumentEditor& editor, ViewState& view, Se
       m_messages(messages),
       m_colors(colors),
       m_wake(std::move(wake)),
+      m_viewFile(viewMemoryFile(stateFolder)),
       m_recent(stateFolder / "recent.json"),
       m_recovered(findRecovered(stateFolder / "recovery")) {
   try {
@@ -51,7 +53,15 @@ SessionController::SessionController(DocumentEditor& editor, ViewState& view, Se
   for (const std::string& words : setBrokenAside(stateFolder / "recovery")) m_messages.warn(words);
 }
 
-SessionController::Pending SessionController::pendingFor(const fs::path& path) const {
+DisplayChoice SessionController::viewOfNewSet() {
+  return openingView(*m_colors.configFor({}), m_viewFile);
+}
+
+void SessionController::rememberView(const DisplayChoice& choice) {
+  swaplight::rememberView(*m_colors.config(), choice, m_viewFile);
+}
+
+SessionController::Pending SessionController::pendingFor(const fs::path& path) {
   Pending pending;
   if (sourceKind(path) == SourceKind::Session) {
     pending.session = readSession(path);
@@ -59,6 +69,7 @@ SessionController::Pending SessionController::pendingFor(const fs::path& path) c
   } else {
     if (!fs::exists(path)) throw InputError("{}: there is no such file", path.string());
     pending.session.document.source = sourceFile(path);
+    pending.session.document.display = viewOfNewSet();
   }
   return pending;
 }
@@ -102,6 +113,7 @@ void SessionController::useOnSet(const fs::path& path) {
 void SessionController::openSet(OpenSet set) {
   Pending pending;
   pending.session.document.source = set.source;
+  pending.session.document.display = viewOfNewSet();
   adopt(std::move(pending), std::move(set));
 }
 

@@ -74,6 +74,8 @@ class SessionController {
   [[nodiscard]] bool hasDocument() const { return !m_editor.document().source.empty(); }
   /// What the window's title says.
   [[nodiscard]] std::string title() const;
+  /// Sets open in this view from now on.
+  void rememberView(const DisplayChoice& choice);
   [[nodiscard]] const RecentFiles& recent() const { return m_recent; }
   /// What died studios have left and nobody has decided about.
   [[nodiscard]] const std::vector<Recovered>& recovered() const { return m_recovered; }
@@ -87,7 +89,9 @@ class SessionController {
     bool unsaved = false;
     bool fromOtherSet = false;  ///< it is new, and in no file yet
   };
-  [[nodiscard]] Pending pendingFor(const std::filesystem::path& path) const;
+  [[nodiscard]] Pending pendingFor(const std::filesystem::path& path);
+  /// What a set that is in no session is seen through.
+  [[nodiscard]] DisplayChoice viewOfNewSet();
   void begin(Pending pending);
   void takeSet();
   /// A set was not to be had: what was there stays.
@@ -128,6 +132,7 @@ class SessionController {
   Saving m_beingSaved;
   std::deque<Saving> m_toBeSaved;
 
+  std::filesystem::path m_viewFile;
   RecentFiles m_recent;
   std::vector<Recovered> m_recovered;
   std::unique_ptr<RecoverySlot> m_slot;

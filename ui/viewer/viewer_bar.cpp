@@ -65,6 +65,7 @@ void chooseView(ViewerContext& studio, const DisplayChoice& choice) {
     studio.messages.error(error.what());
     return;
   }
+  studio.session.rememberView(choice);
   Document next = studio.document();
   next.display = choice;
   next.display.grade = studio.document().display.grade;

@@ -7,6 +7,7 @@
 
 #include "core/image/io/image_io.h"
 #include "tests/support/studio_parts.h"
+#include "ui/state/view_memory.h"
 
 namespace swaplight {
 namespace {
@@ -50,6 +51,38 @@ TEST(ColorChoice, OneThatCannotBeUsedGivesWayToTheBuiltInAndIsSaidOnce) {
   EXPECT_EQ(studio.errors(), 1U) << studio.said();
   colors.follow({}, studio.messages);
   EXPECT_TRUE(colors.trouble().empty());
+}
+
+TEST(OpeningView, IsRolledOffUntilAnotherOneIsChosen) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = viewMemoryFile(folder / "state");
+  const ColorConfig builtin("");
+  EXPECT_EQ(openingView(builtin, file), (DisplayChoice{"sRGB", "AgX"}));
+  ColorGrade grade;
+  grade.saturation = .5;
+  rememberView(builtin, {"P3-D65", "ACES SDR", "Blue light fix", grade}, file);
+  EXPECT_EQ(openingView(builtin, file), (DisplayChoice{"P3-D65", "ACES SDR", "Blue light fix"}))
+      << "a grade is its session's";
+}
+
+TEST(OpeningView, IsEachConfigurationsOwn) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = viewMemoryFile(folder / "state");
+  const ColorConfig builtin(""), handMade(kHandMade);
+  EXPECT_EQ(openingView(handMade, file), DisplayChoice{}) << "whoever made it has chosen";
+  rememberView(handMade, {"Monitor", "Film"}, file);
+  EXPECT_EQ(openingView(handMade, file), (DisplayChoice{"Monitor", "Film"}));
+  EXPECT_EQ(openingView(builtin, file), (DisplayChoice{"sRGB", "AgX"}));
+}
+
+TEST(OpeningView, WhatCannotBeUsedIsForgotten) {
+  const test::TemporaryFolder folder;
+  const ColorConfig builtin("");
+  for (const char* text : {"no JSON", "[1, 2]", R"({"built-in": 3})", R"({"built-in": {"view": 3}})",
+                           R"({"built-in": {"display": "Wall", "view": "AgX"}})"}) {
+    test::writeBytes(folder / "view.json", text);
+    EXPECT_EQ(openingView(builtin, folder / "view.json"), (DisplayChoice{"sRGB", "AgX"})) << text;
+  }
 }
 
 TEST(ExportController, WritesInTheConfigurationThatWasInUseWhenItBegan) {

@@ -63,6 +63,26 @@ TEST(SessionController, OpensASolvedSetInAThread) {
   EXPECT_THAT(studio.session.title(), HasSubstr("kitchen.exr"));
 }
 
+TEST(SessionController, NewSetsOpenInTheViewChosenLastAndSessionsInTheirOwn) {
+  StudioParts studio;
+  const fs::path set = solvedFile(studio);
+  openAndWait(studio, set);
+  EXPECT_EQ(studio.editor.document().display, (DisplayChoice{"sRGB", "AgX"}));
+  EXPECT_TRUE(studio.editor.saved());
+  Session plain, log;
+  plain.document.source = log.document.source = set;
+  log.document.display = {"sRGB", "Log"};
+  writeSession(plain, studio.folder / "plain.swaplight");
+  writeSession(log, studio.folder / "log.swaplight");
+  studio.session.rememberView({"sRGB", "ACES SDR"});
+  openAndWait(studio, studio.folder / "plain.swaplight");
+  EXPECT_EQ(studio.editor.document().display, DisplayChoice{}) << "as it looked before there was a choice";
+  openAndWait(studio, studio.folder / "log.swaplight");
+  EXPECT_EQ(studio.editor.document().display, (DisplayChoice{"sRGB", "Log"}));
+  openAndWait(studio, set);
+  EXPECT_EQ(studio.editor.document().display, (DisplayChoice{"sRGB", "ACES SDR"}));
+}
+
 TEST(SessionController, WhatCannotBeOpenedLeavesWhatIsOpen) {
   StudioParts studio;
   openAndWait(studio, solvedFile(studio));
