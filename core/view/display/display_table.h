@@ -17,7 +17,8 @@ namespace swaplight {
 /// gamma, channel, false colour. Zebra is drawn later: it depends on the place.
 ///
 /// Against the exact processor: one code where the view is a matrix and curves; elsewhere half a code on
-/// average, within two but for one pixel in a thousand (very saturated ones).
+/// average, within two but for one pixel in a thousand (very saturated ones; under AgX on Rec.709, where they
+/// are nearly black in one channel, two).
 class DisplayTable {
  public:
   /// Without a view, values are shown as they are: for maps that are data.

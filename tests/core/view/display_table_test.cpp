@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "core/color/srgb.h"
 #include "core/view/display/exact_view.h"
@@ -95,12 +96,12 @@ TEST(DisplayTable, AFilmLikeViewIsWithinTwoCodesButForVerySaturatedPixels) {
 }
 
 TEST(DisplayTable, TheRolledOffViewIsWithinTwoCodesButForVerySaturatedPixels) {
-  for (const char* view : {"sRGB AgX", "Rec.709 AgX", "P3-D65 AgX"}) {
+  for (const auto& [view, mostBeyondTwo] :
+       {std::pair("sRGB AgX", 0.0), {"Rec.709 AgX", 2e-3}, {"P3-D65 AgX", 1e-3}}) {
     const CodeError error = errorOf(viewNamed(view));
     EXPECT_LT(error.mean, 0.3) << view;
-    EXPECT_LT(error.beyondTwo, 1e-3) << view;
-    std::printf("%s: mean %.3f, worst %.2f codes, %.2e beyond two\n", view, error.mean, error.worst,
-                error.beyondTwo);
+    EXPECT_LE(error.beyondTwo, mostBeyondTwo) << view;
+    EXPECT_LE(error.worst, 8.5) << view;
   }
 }
 
