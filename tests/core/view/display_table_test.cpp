@@ -96,8 +96,9 @@ TEST(DisplayTable, AFilmLikeViewIsWithinTwoCodesButForVerySaturatedPixels) {
 }
 
 TEST(DisplayTable, TheRolledOffViewIsWithinTwoCodesButForVerySaturatedPixels) {
-  for (const auto& [view, mostBeyondTwo] :
-       {std::pair("sRGB AgX", 0.0), {"Rec.709 AgX", 2e-3}, {"P3-D65 AgX", 1e-3}}) {
+  const std::initializer_list<std::pair<const char*, double>> kMostBeyondTwo = {
+      {"sRGB AgX", 0.0}, {"Rec.709 AgX", 2e-3}, {"P3-D65 AgX", 1e-3}};
+  for (const auto& [view, mostBeyondTwo] : kMostBeyondTwo) {
     const CodeError error = errorOf(viewNamed(view));
     EXPECT_LT(error.mean, 0.3) << view;
     EXPECT_LE(error.beyondTwo, mostBeyondTwo) << view;
