@@ -30,6 +30,43 @@ class Mixer(StudioTest):
         _, lights = self.save()
         self.assertIn('L201', lights['key']['color'])
 
+    def test_a_gel_is_found_as_people_write_it_and_an_empty_list_says_so(self):
+        studio = self.open_sample()
+        studio.click('light.gel')
+        studio.item('gel.filter')
+        studio.type('full ctb')
+        studio.item('gel.L201')
+        self.assertFalse(studio.has('gel.none'))
+        studio.type(' nowhere')
+        studio.item('gel.none')
+        studio.screenshot('mixer_gel_none')
+
+    def test_four_lights_are_in_sight_in_a_low_window(self):
+        studio = self.open_sample('film_set')
+        lights = ['key', 'fill', 'back', 'practical']
+        rows = [studio.item('mixer.' + light) for light in lights]
+        self.assertLess(rows[-1][3], studio.item('light.disc')[1] - 16, 'above the colours, not cut off by them')
+        for row, light in zip(rows, lights):
+            for part in ('chip', 'number_of_light', 'live', 'mute', 'solo', 'on', 'stops', 'number'):
+                x0, y0, x1, y1 = studio.item(f'mixer.{light}.{part}')
+                self.assertTrue(row[0] <= x0 and row[1] <= y0 and x1 <= row[2] and y1 <= row[3], f'{light}.{part}')
+            self.assertLess(studio.item(f'mixer.{light}.live')[2], studio.item(f'mixer.{light}.mute')[0])
+            self.assertLess(studio.item(f'mixer.{light}.on')[3], studio.item(f'mixer.{light}.number')[1] + 1)
+        studio.click('mixer.practical.mute')
+        self.assertEqual(studio.state('mixer.practical.live'), 'muted')
+        studio.double_click(*studio.point('mixer.fill.number_of_light'))
+        studio.item('mixer.fill.name_field')
+        studio.key('ctrl+a')
+        studio.type('a window with a name too long')
+        studio.key('Return')
+        studio.screenshot('mixer_four_lights')
+
+    def test_three_lights_have_wide_rows_in_the_same_window(self):
+        studio = self.open_sample()
+        _, top, _, bottom = studio.item('mixer.key')
+        self.assertGreater(bottom - top, 75)
+        self.assertGreater(studio.item('mixer.key.live')[1], studio.item('mixer.key.number_of_light')[1] + 10)
+
     def test_a_pixel_becomes_neutral_by_one_click(self):
         studio = self.open_sample('two_swapped')
         light = [name for name in studio.layout()['items'] if name.endswith('.chip')][0]

@@ -358,5 +358,20 @@ class Shadows(StudioTest):
         self.assertGreater(pictures['reach'][at[1][1], at[1][0]].mean(), 200)
 
 
+class LowWindow(StudioTest):
+    def test_the_page_leaves_room_for_the_edits_in_a_low_window(self):
+        studio = self.open_edits()
+        studio.key('F3')
+        studio.item('shadows.histogram')
+        studio.wait(lambda layout: layout.get('shadows.outlines') == 'drawn', 'the shadows are found')
+        studio.settle()
+        self.assertLess(studio.item('edits.add')[1], 460, 'of 720')
+        outlines, auto = studio.item('button.shadows.outlines'), studio.item('shadows.auto')
+        self.assertLess(abs(outlines[1] - auto[1]), 2)
+        self.assertLess(outlines[2], auto[0])
+        self.assertLess(studio.item('shadows.remove')[3], studio.item('shadows.lighten')[1] + 1)
+        studio.screenshot('shadows_low_window')
+
+
 if __name__ == '__main__':
     unittest.main()

@@ -98,6 +98,10 @@ void drawGroupRow(LightsContext& studio, size_t index) {
   card.end();
 }
 
+float ambientRowHeight() {
+  return px(kHeight + kWideRow.gap);
+}
+
 void drawAmbientRow(LightsContext& studio) {
   const float ambient = studio.document().rig.ambient;
   const auto withAmbient = [&](float factor) {

@@ -15,10 +15,19 @@ inline constexpr float kDotWidth = 14;
 inline constexpr float kSwitchSide = 26;
 inline constexpr ImU32 kLitPower = IM_COL32(92, 110, 92, 255);
 
+/// Of a light's row, at scale 1. Narrow rows have the name and what is under it in one line.
+struct RowShape {
+  float height, gap, padding, chip, under, level;  ///< `under` and `level` from the padding down
+  bool narrow;
+};
+inline constexpr RowShape kWideRow{82, 6, kCardPadding, 32, 18, 40, false};
+inline constexpr RowShape kNarrowRow{60, 4, 5, 26, 4, 29, true};
+
 /// The ground of a row, to put its widgets on, as wide as there is room.
 class MixerCard {
  public:
   explicit MixerCard(float height, bool chosen = false);
+  MixerCard(const RowShape& shape, bool chosen);
   /// Puts the cursor below the card.
   void end() const;
 
@@ -33,6 +42,7 @@ class MixerCard {
  private:
   ImVec2 m_start;
   ImVec2 m_size;
+  float m_padding;  ///< above what is on the card, at scale 1
 };
 
 }  // namespace swaplight

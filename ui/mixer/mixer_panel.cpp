@@ -47,6 +47,10 @@ void header(LightsContext& studio) {
   }
 }
 
+bool hasAmbient(const LightsContext& studio) {
+  return studio.set() && studio.set()->solved().ambient;
+}
+
 /// The row that was drawn last, from `top` on, is scrolled into view.
 void scrollToRow(float top) {
   const float bottom = ImGui::GetCursorPosY(), height = ImGui::GetWindowHeight();
@@ -57,10 +61,15 @@ void scrollToRow(float top) {
 }
 
 void drawRows(LightsContext& studio) {
+  const float whole = ImGui::GetContentRegionAvail().y;
   for (size_t i = 0; i < studio.document().rig.groups.size(); ++i) drawGroupRow(studio, i);
+  const float above = ImGui::GetCursorPosY();
+  const float others =
+      (above > 0 ? above + px(kWideRow.gap) : 0) + (hasAmbient(studio) ? ambientRowHeight() : 0);
+  const RowShape& shape = rowShape(studio.document().rig.lights.size(), whole - others);
   for (size_t i = 0; i < studio.document().rig.lights.size(); ++i) {
     const float top = ImGui::GetCursorPosY();
-    drawLightRow(studio, i);
+    drawLightRow(studio, i, shape);
     // Only when another light is chosen, as a new one is: else nobody could scroll away.
     if (studio.view.selectedLight == static_cast<int>(i) &&
         std::exchange(studio.mixer.scrolledTo, static_cast<int>(i)) != static_cast<int>(i))
@@ -78,11 +87,10 @@ void drawMixerPanel(LightsContext& studio) {
   const float colors = lightPanelHeight() + 2 * ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("##rows", ImVec2(0, std::max(px(kLeastRows), room - colors)));
   drawRows(studio);
-  const OpenSet* set = studio.set();
-  if (set && set->solved().ambient) drawAmbientRow(studio);
+  if (hasAmbient(studio)) drawAmbientRow(studio);
   ImGui::EndChild();
   ImGui::Separator();
-  if (studio.layout.threePoint && set)
+  if (studio.layout.threePoint && studio.set())
     drawThreePointPanel(studio);
   else
     drawLightPanel(studio);

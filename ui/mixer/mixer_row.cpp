@@ -23,9 +23,6 @@
 namespace swaplight {
 namespace {
 
-constexpr float kRowHeight = 82;
-constexpr float kChipSide = 32;
-
 constexpr float kHeldBackAlpha = 0.45F;  ///< of what belongs to a light that gives nothing now
 
 /// What a row says below the light's name, after what comes out of it.
@@ -119,6 +116,8 @@ void hollowChip(ImVec2 low, float side) {
 
 void name(LightsContext& studio, size_t light, const LightSetting& setting, ImVec2 at, float width) {
   ImGui::SetCursorPos(ImVec2(at.x, at.y - px(2)));
+  const ImVec2 clip = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(clip, ImVec2(clip.x + width, clip.y + px(30)), true);
   if (studio.mixer.renaming == static_cast<int>(light)) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(4), 0));
     nameField(studio, light, width);
@@ -135,6 +134,7 @@ void name(LightsContext& studio, size_t light, const LightSetting& setting, ImVe
       ImGui::TextDisabled("%s", kIconLink);
     }
   }
+  ImGui::PopClipRect();
 }
 
 /// Mute, solo and on at the right end of a row.
@@ -198,7 +198,12 @@ void intensity(LightsContext& studio, size_t light, const LightSetting& setting,
 
 }  // namespace
 
-void drawLightRow(LightsContext& studio, size_t light) {
+const RowShape& rowShape(size_t lights, float room) {
+  const float wanted = static_cast<float>(lights) * (kWideRow.height + kWideRow.gap) - kWideRow.gap;
+  return px(wanted) > room ? kNarrowRow : kWideRow;
+}
+
+void drawLightRow(LightsContext& studio, size_t light, const RowShape& shape) {
   const LightSetting setting = studio.document().rig.lights[light];
   const std::string mark = "mixer." + setting.light;
   const int index = static_cast<int>(light);
@@ -206,8 +211,8 @@ void drawLightRow(LightsContext& studio, size_t light) {
   const bool chosen = several.empty() ? shownLight(studio) == light : several.count(index) > 0;
   const LiveLevel live = liveLevel(studio.document().rig, light);
   const bool shines = live.by == HeldBack::Nothing;
-  const MixerCard card(kRowHeight, chosen);
-  const float nameAt = px(kChipSide + 10);
+  const MixerCard card(shape, chosen);
+  const float nameAt = px(shape.chip + 10);
   const float switchesWidth = 3 * px(kSwitchSide) + 2 * px(4);
   const float nameWidth = card.innerWidth() - nameAt - switchesWidth - px(8);
 
@@ -221,7 +226,7 @@ void drawLightRow(LightsContext& studio, size_t light) {
   const ImVec2 corner = ImGui::GetItemRectMin();
   const ImVec2 nameCorner(corner.x + px(kCardPadding) + nameAt, corner.y);
   const bool onName = ImGui::IsMouseHoveringRect(
-      nameCorner, ImVec2(nameCorner.x + nameWidth, corner.y + px(kCardPadding + 36)));
+      nameCorner, ImVec2(nameCorner.x + nameWidth, corner.y + px(shape.padding + shape.level) - px(4)));
   if (ImGui::IsItemHovered() && onName && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
     beginRename(studio, light);
   if (ImGui::BeginPopupContextItem("##menu")) {
@@ -232,22 +237,33 @@ void drawLightRow(LightsContext& studio, size_t light) {
 
   ImGui::SetCursorPos(card.at(0, 0));
   const ImVec2 chip = ImGui::GetCursorScreenPos();
-  if (colorChip("##chip", chipColor(setting.color), ImVec2(px(kChipSide), px(kChipSide)),
+  if (colorChip("##chip", chipColor(setting.color), ImVec2(px(shape.chip), px(shape.chip)),
                 "Select this light. A hollow chip: nothing comes out of it now."))
     choose(studio, light);
   markItem({mark, ".chip"});
-  if (!shines) hollowChip(chip, px(kChipSide));
+  if (!shines) hollowChip(chip, px(shape.chip));
   const float alpha = shines ? ImGui::GetStyle().Alpha : kHeldBackAlpha;
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, alpha);
-  name(studio, light, setting, card.at(nameAt, 0), nameWidth);
+  // In a narrow row the name is in the middle of its line, and what is else under it stands beside it.
+  const float nameDown = shape.narrow ? px(shape.under) : 0;
+  name(studio, light, setting, card.at(nameAt, nameDown), nameWidth);
+  const float nameEnd =
+      shape.narrow ? ImGui::GetItemRectMax().x - corner.x + px(8) : px(kCardPadding) + nameAt;
   ImGui::PopStyleVar();
-  secondLine(setting, live, ImVec2(card.at(nameAt, 0).x, card.at(0, px(18)).y), nameWidth);
-  ImGui::SetCursorPos(card.at(card.innerWidth() - switchesWidth, px(3)));
+  const float wordsRoom = px(kCardPadding) + nameAt + nameWidth - nameEnd;
+  if (wordsRoom > 0)
+    secondLine(setting, live,
+               ImVec2(card.at(0, 0).x - px(kCardPadding) + nameEnd, card.at(0, px(shape.under)).y),
+               wordsRoom);
+  ImGui::SetCursorPos(card.at(card.innerWidth() - switchesWidth, shape.narrow ? 0 : px(3)));
   switches(studio, light, setting);
-  ImGui::SetCursorPos(card.at(0, px(40)));
+  ImGui::SetCursorPos(card.at(0, px(shape.level)));
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, alpha);
+  ImVec2 padding = ImGui::GetStyle().FramePadding;
+  if (shape.narrow) padding.y = px(1);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
   intensity(studio, light, setting, card.innerWidth());
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   ImGui::PopID();
   card.end();
 }

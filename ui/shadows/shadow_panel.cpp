@@ -22,7 +22,7 @@ namespace {
 
 using SubjectKind = ViewSubject::Kind;
 
-constexpr float kGap = 4;
+constexpr float kGap = 4, kAutoWidth = 46, kSearchWidth = 74;
 constexpr float kHistogramHeight = 92;
 constexpr float kLowPanel = 760, kLowHistogramHeight = 44;  ///< the edits below need the room more
 constexpr float kToldShare = .001F;                         // of the picture: less cannot be seen hatched
@@ -81,51 +81,60 @@ void views(EditingContext& studio) {
   }
 }
 
-/// Where the search stands, in one line.
-void searchLine(EditingContext& studio) {
-  EditController& edits = studio.edits;
-  const float button = px(64);
-  const float room = ImGui::GetContentRegionAvail().x;
-  if (edits.findingShadows()) {
-    const std::string words = fmt::format("finding shadows {:.0f} %", 100 * edits.findingFraction());
-    ImGui::AlignTextToFramePadding();
-    hint(words);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
-    if (ImGui::Button("Stop", ImVec2(button, 0))) edits.stopFindingShadows();
-    markItem("shadows.stop");
-    return;
-  }
-  if (edits.stoppedFindingShadows() && !edits.shadowsCurrent()) {
-    ImGui::AlignTextToFramePadding();
-    hint("preview only");
-    tooltip("The search was stopped: outlines come from a small preview, and shadow edits wait.");
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
-    if (ImGui::Button("Find", ImVec2(button, 0))) edits.findShadowsAgain();
-    markItem("shadows.find");
-    return;
-  }
-  actionTextButton(studio.actions, "shadows.outlines", "Outlines", room);
-}
-
-void threshold(EditingContext& studio, const std::string& light, int index) {
+void histogram(EditingContext& studio, const std::string& light, size_t index) {
   const ShadowPreview& preview = *studio.shadows.preview();
-  const std::optional<float> given = shadowThresholdOf(studio.document(), light);
-  const float now = given.value_or(preview.ownThreshold(static_cast<size_t>(index)));
+  const float now = shadowThresholdOf(studio.document(), light).value_or(preview.ownThreshold(index));
   const bool low = ImGui::GetWindowHeight() < px(kLowPanel);
   const ImVec2 size(ImGui::GetContentRegionAvail().x, px(low ? kLowHistogramHeight : kHistogramHeight));
-  if (const auto moved = shadowHistogram(preview.histogram(static_cast<size_t>(index)), now, size))
+  if (const auto moved = shadowHistogram(preview.histogram(index), now, size))
     previewShadowThreshold(studio, light, *moved);
-  const float button = px(64);
-  ImGui::AlignTextToFramePadding();
-  const float stops = stopsFromThreshold(now);
-  hint(stops < ShadowHistogram::kLowestStops ? "no shadow" : fmt::format("shadow below {:+.1f}", stops));
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
+}
+
+void automaticThreshold(EditingContext& studio, const std::string& light) {
+  const bool given = shadowThresholdOf(studio.document(), light).has_value();
   if (!given) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
-  const bool reset = ImGui::Button("Auto", ImVec2(button, 0));
+  const bool reset = ImGui::Button("Auto", ImVec2(px(kAutoWidth), 0));
   if (!given) ImGui::PopStyleColor();
   markItem("shadows.auto");
   tooltip("Find this light's threshold automatically, from its shadows' edges.");
   if (reset && given) resetShadowThreshold(studio, light);
+}
+
+/// Where shadow begins, or where the search stands, with what can be done about it, in one line.
+void thresholdLine(EditingContext& studio, const std::string& light, size_t index) {
+  EditController& edits = studio.edits;
+  const ShadowPreview* preview = studio.shadows.preview();
+  const float buttonsAt = ImGui::GetContentRegionMax().x - px(kAutoWidth) - px(kGap) - px(kSearchWidth);
+  const auto words = [&](const std::string& text, const char* tip) {
+    ImGui::AlignTextToFramePadding();
+    hint(text);
+    tooltip(tip);
+    ImGui::SameLine(buttonsAt);
+  };
+  if (edits.findingShadows()) {
+    words(fmt::format("finding {:.0f} %", 100 * edits.findingFraction()), "The shadows are being found.");
+    if (ImGui::Button("Stop", ImVec2(px(kSearchWidth), 0))) edits.stopFindingShadows();
+    markItem("shadows.stop");
+  } else if (edits.stoppedFindingShadows() && !edits.shadowsCurrent()) {
+    words("preview only",
+          "The search was stopped: outlines come from a small preview, and shadow edits wait.");
+    if (ImGui::Button("Find", ImVec2(px(kSearchWidth), 0))) edits.findShadowsAgain();
+    markItem("shadows.find");
+  } else {
+    if (!preview) {
+      words("analysing …", "The light is being analysed.");
+    } else {
+      const float stops = stopsFromThreshold(
+          shadowThresholdOf(studio.document(), light).value_or(preview->ownThreshold(index)));
+      words(stops < ShadowHistogram::kLowestStops ? "no shadow" : fmt::format("below {:+.1f} st", stops),
+            "Darker places are in shadow: stops below fully lit.");
+    }
+    actionTextButton(studio.actions, "shadows.outlines", "Outlines", px(kSearchWidth));
+  }
+  ImGui::SameLine(0, px(kGap));
+  ImGui::BeginDisabled(!preview);
+  automaticThreshold(studio, light);
+  ImGui::EndDisabled();
 }
 
 /// Says of places what they are, where the search cannot tell or is wrong.
@@ -164,11 +173,8 @@ void drawShadowPanel(EditingContext& studio) {
     return;
   }
   const std::string light = shownShadowLight(studio);
-  if (studio.shadows.preview())
-    threshold(studio, light, index);
-  else
-    hint("analysing the light …");
-  searchLine(studio);
+  if (studio.shadows.preview()) histogram(studio, light, static_cast<size_t>(index));
+  thresholdLine(studio, light, static_cast<size_t>(index));
   labels(studio, light);
   drawShadowSliders(studio, light);
 }

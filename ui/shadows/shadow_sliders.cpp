@@ -18,6 +18,7 @@ namespace {
 using Kind = ShadowOperation::Kind;
 
 constexpr float kMostSoft = 256;  // pixels
+constexpr float kRemoveWidth = 68, kAllWidth = 36;
 const Rgb kFirstColor{0.2F, 0.35F, 1};
 
 /// The light whose shadows are changed.
@@ -31,20 +32,40 @@ struct ShadowSliders {
   }
 };
 
+void removeButton(const ShadowSliders& sliders) {
+  const ShadowKinds kinds = {Kind::Lighten, Kind::Deepen};
+  ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, kinds);
+  const bool gone = operation.kind == Kind::Lighten && operation.amount == 1;
+  if (ImGui::Button(gone ? "Restore" : "Remove", ImVec2(px(kRemoveWidth), 0))) {
+    operation.kind = Kind::Lighten;
+    operation.amount = gone ? 0 : 1;
+    sliders.studio.editor.edit("Shadows of " + sliders.light + (gone ? ": brought back" : ": removed"),
+                               withShadowOperation(sliders.studio, sliders.light, kinds, operation));
+  }
+  markItem("shadows.remove");
+  tooltip(
+      "Fills the shadow with an estimate of the missing light, from its ratio to the other lights around the "
+      "shadow.");
+}
+
+/// Whose shadows are changed, and what does away with them.
 void target(const ShadowSliders& sliders) {
   const ShadowState& state = sliders.studio.editing.shadow;
   const bool one = state.chosen && state.light == sliders.light;
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted(one ? "Selected shadow" : "All shadows");
+  ImGui::TextUnformatted(one ? "This shadow" : "All shadows");
   ImGui::PopFont();
   tooltip(one ? "Changes this shadow only. Escape: all of the light's shadows."
               : "Changes all of the light's shadows. Click one in the picture to change only that one.");
-  if (!one) return;
-  const float button = px(44);
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
-  if (ImGui::Button("All", ImVec2(button, 0))) sliders.studio.actions.run("shadows.choose_all");
-  markItem("shadows.choose_all");
+  const float right = ImGui::GetContentRegionMax().x - px(kRemoveWidth);
+  if (one) {
+    ImGui::SameLine(right - px(kAllWidth + 4));
+    if (ImGui::Button("All", ImVec2(px(kAllWidth), 0))) sliders.studio.actions.run("shadows.choose_all");
+    markItem("shadows.choose_all");
+  }
+  ImGui::SameLine(right);
+  removeButton(sliders);
 }
 
 void lightInIt(const ShadowSliders& sliders) {
@@ -110,22 +131,6 @@ void recolor(const ShadowSliders& sliders) {
   tooltip("How much of that light fills the shadow.");
 }
 
-void removeButton(const ShadowSliders& sliders) {
-  const ShadowKinds kinds = {Kind::Lighten, Kind::Deepen};
-  ShadowOperation operation = shadowOperation(sliders.studio, sliders.light, kinds);
-  const bool gone = operation.kind == Kind::Lighten && operation.amount == 1;
-  if (ImGui::Button(gone ? "Bring back" : "Remove", ImVec2(ImGui::GetContentRegionAvail().x, 0))) {
-    operation.kind = Kind::Lighten;
-    operation.amount = gone ? 0 : 1;
-    sliders.studio.editor.edit("Shadows of " + sliders.light + (gone ? ": brought back" : ": removed"),
-                               withShadowOperation(sliders.studio, sliders.light, kinds, operation));
-  }
-  markItem("shadows.remove");
-  tooltip(
-      "Fills the shadow with an estimate of the missing light, from its ratio to the other lights around the "
-      "shadow.");
-}
-
 }  // namespace
 
 void drawShadowSliders(EditingContext& studio, const std::string& light) {
@@ -135,7 +140,6 @@ void drawShadowSliders(EditingContext& studio, const std::string& light) {
   soften(sliders);
   sharpen(sliders);
   recolor(sliders);
-  removeButton(sliders);
 }
 
 }  // namespace swaplight
