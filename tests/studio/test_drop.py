@@ -1,5 +1,6 @@
 """Files dropped onto the window, and the window on the whole monitor."""
 import os
+import shutil
 import unittest
 
 import numpy as np
@@ -11,6 +12,17 @@ from studio_session import SAMPLES, StudioTest
 class Drop(StudioTest):
     def drop(self, *paths):
         drop_files(self.display.name, 'Swaplight', paths, 500, 300)
+
+    def test_one_photograph_brings_in_its_folder(self):
+        studio = self.start()
+        studio.item('welcome.open')
+        folder = self.path('set')
+        shutil.copytree(os.path.join(SAMPLES, 'two_swapped'), folder)
+        os.remove(os.path.join(folder, 'capture.json'))
+        self.drop(os.path.join(folder, 'shot_01.exr'))
+        studio.item('wizard.solve')
+        studio.item('message.0')
+        studio.screenshot('drop_photograph')
 
     def test_a_folder_and_a_session_open_where_they_are_dropped(self):
         studio = self.start()

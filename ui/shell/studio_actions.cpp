@@ -37,7 +37,7 @@ void StudioWindow::addFileActions() {
                  "Start from a folder of photographs: describe the lights, then solve.",
                  [this] { whenSaved([this] { askForPhotographs(); }); }});
   m_actions.add({"file.open", "Open …", "Ctrl+O", "Open a capture, a solved set or a session.",
-                 [this] { whenSaved([this] { askForFile(); }); }});
+                 [this] { askForFile(); }});
   m_actions.add(
       {"file.use_on_set", "Use these versions on another set …", "",
        "Open another set of the same lights (wide, close) with this lighting, gallery and cues: a new "

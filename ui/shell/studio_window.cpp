@@ -8,6 +8,7 @@
 #include "core/diagnosis/program_log.h"
 #include "core/file/user_folders.h"
 #include "core/filter/favourite_looks.h"
+#include "core/image/io/image_io.h"
 #include "core/session/open_source.h"
 #include "ui/actions/key_file.h"
 #include "ui/camera/seen_frame.h"
@@ -30,6 +31,18 @@ constexpr std::chrono::milliseconds kTick{250};  // between looks at timers whil
 bool isNoArrow(const KeyPress& press) {
   const std::string& key = press.key;
   return key != "Left" && key != "Right" && key != "Up" && key != "Down";
+}
+
+/// A picture that is no solved set; one that is broken is not, and said to be so where it is opened.
+bool isPhotograph(const fs::path& path) {
+  std::error_code error;
+  if (sourceKind(path) != SourceKind::Other || !fs::exists(path, error)) return false;
+  try {
+    static_cast<void>(readImageSpec(path));
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -175,7 +188,7 @@ void StudioWindow::askForFile() {
                  false,
                  "",
                  m_session.hasDocument() ? m_editor.document().source.parent_path() : fs::path(),
-                 [this](const fs::path& file) { open(file); }});
+                 [this](const fs::path& file) { whenSaved([this, file] { open(file); }); }});
 }
 
 void StudioWindow::askForOtherSet() {
@@ -200,10 +213,14 @@ void StudioWindow::askForPhotographs() {
 }
 
 void StudioWindow::open(const fs::path& path) {
-  if (sourceKind(path) == SourceKind::Folder)
+  if (sourceKind(path) == SourceKind::Folder) {
     m_wizard.start(m_colors.config(), path);
-  else
+  } else if (isPhotograph(path)) {
+    m_messages.info(path.filename().string() + " is one photograph of a set. Here is its folder.");
+    m_wizard.start(m_colors.config(), fs::absolute(path).parent_path());
+  } else {
     m_session.open(path);
+  }
 }
 
 void StudioWindow::askForSaveName(const std::function<void()>& then) {
