@@ -65,6 +65,16 @@ class Select(Tools):
         self.assertEqual(shapes, ['painted', 'selection'])
         self.assertEqual(session['selection'][0]['parts'][0]['shape'], 'polygon')
 
+    def test_a_lasso_drawn_as_a_line_is_refused(self):
+        studio = self.open()
+        studio.click('select.lasso')
+        self.lasso((0.2, 0.3), (0.35, 0.302), (0.5, 0.299), (0.65, 0.3))
+        studio.item('message.0')
+        studio.screenshot('select_line')
+        self.assertFalse(self.save_as('line')[1].get('selection'))
+        self.lasso((0.3, 0.1), (0.5, 0.1), (0.5, 0.4), (0.3, 0.4), (0.3, 0.12))
+        self.assertTrue(self.save_as('area')[1].get('selection'))
+
     def test_parts_are_added_taken_away_inverted_and_cleared(self):
         studio = self.open()
         studio.click('select.rectangle')

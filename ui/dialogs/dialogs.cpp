@@ -45,7 +45,7 @@ bool button(const char* text, const char* mark, const char* tip, Answers to = An
 
 void UnsavedDialog::draw() {
   if (!m_question || !beginDialog("Unsaved work", 460)) return;
-  ImGui::TextWrapped("%s has changes that are not in its file.", m_question->name.c_str());
+  ImGui::TextWrapped("%s has unsaved changes.", m_question->name.c_str());
   ImGui::Dummy(ImVec2(0, px(8)));
   std::function<void()> answer;
   bool answered = false;

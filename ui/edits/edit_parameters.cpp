@@ -15,6 +15,7 @@
 #include "core/edit/apply/lamp_limits.h"
 #include "core/edit/fields/field.h"
 #include "core/edit/stack/beta_histogram.h"
+#include "core/relight/rig.h"
 #include "ui/control/light_edit.h"
 #include "ui/edits/curve_widget.h"
 #include "ui/edits/edit_list.h"
@@ -95,6 +96,13 @@ void lights(const Parameters& of) {
   ImGui::EndCombo();
 }
 
+/// The same comes out of every light: what one of them gives to another is not seen.
+bool lightsAreAlike(const Rig& rig) {
+  const std::vector<Rgb> factors = rigFactors(rig);
+  return std::all_of(factors.begin(), factors.end(),
+                     [&](const Rgb& factor) { return factor == factors.front(); });
+}
+
 /// What happens to the other lights.
 void energyMode(const Parameters& of) {
   label("Mode");
@@ -112,6 +120,10 @@ void energyMode(const Parameters& of) {
   ImGui::SameLine(0, px(4));
   button("Add light", EnergyMode::Add, "parameters.add",
          "Adds or removes light; the other lights do not change. The picture gets brighter or darker.");
+  if (of.edit.energy == EnergyMode::Redistribute && lightsAreAlike(of.studio.document().rig)) {
+    hint("Not seen now: all lights have one colour and level.");
+    markItem("parameters.not_seen");
+  }
 }
 
 /// Of the first light that the edit is for.

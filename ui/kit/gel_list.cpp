@@ -15,8 +15,11 @@
 namespace swaplight {
 namespace {
 
+/// "full ctb" finds "Full CT Blue": the name counts without its blanks, too.
 bool matches(const Gel& gel, const std::string& filter) {
-  return matchesWords(gel.id + " " + gel.name, filter);
+  std::string together = gel.name;
+  std::erase(together, ' ');
+  return matchesWords(gel.id + " " + gel.name + " " + together, filter);
 }
 
 /// White light through the gel.
@@ -60,9 +63,15 @@ std::optional<std::string> gelChoices(const std::string& current, std::string& f
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   markItem("gel.filter");
   try {
+    bool any = false;
     for (const Gel& gel : allGels()) {
       if (!matches(gel, filter)) continue;
+      any = true;
       if (gelLine(gel, gel.id == current) || (entered && !chosen)) chosen = gel.id;
+    }
+    if (!any) {
+      hint("No such gel. Try a number, or a word of its name.");
+      markItem("gel.none");
     }
   } catch (const InputError& error) {
     ImGui::TextWrapped("%s", error.what());

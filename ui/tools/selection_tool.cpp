@@ -18,6 +18,7 @@ using Kind = SelectionState::Kind;
 using Point = std::array<float, 2>;
 
 constexpr float kLeastLassoStep = 1.5F;  // pixels of the screen between two points of a lasso
+constexpr float kLeastLassoWidth = 4;    // pixels of the screen, on average: less is a line, not an area
 constexpr float kLeastSelection = 3;     // pixels of the screen: less is a click
 constexpr float kDash = 5;               // pixels of the screen at scale 1
 constexpr int kMarchSteps = 6;           // until a dash is where the next of its colour was
@@ -78,6 +79,17 @@ void click(EditingContext& studio, const Point& at, SelectHow how) {
   }
 }
 
+/// How broad the area within a closed line is on average, in the line's units: a long rectangle's short side.
+float widthWithin(const std::vector<Point>& line) {
+  float doubleArea = 0, length = 0;
+  for (size_t i = 0; i < line.size(); ++i) {
+    const Point &a = line[i], &b = line[(i + 1) % line.size()];
+    doubleArea += a[0] * b[1] - b[0] * a[1];
+    length += std::hypot(b[0] - a[0], b[1] - a[1]);
+  }
+  return length > 0 ? std::abs(doubleArea) / length : 0;
+}
+
 void finish(EditingContext& studio, const ViewWindow& window) {
   SelectionState& state = studio.editing.selection;
   const SelectionState::Going going = *std::exchange(state.going, std::nullopt);
@@ -85,7 +97,11 @@ void finish(EditingContext& studio, const ViewWindow& window) {
   float far = 0;
   for (const Point& p : going.points)
     far = std::max({far, std::abs(p[0] - first[0]), std::abs(p[1] - first[1])});
-  if (far * static_cast<float>(window.zoom) >= kLeastSelection)
+  const auto zoom = static_cast<float>(window.zoom);
+  const bool drawn = far * zoom >= kLeastSelection;
+  if (drawn && state.kind == Kind::Lasso && widthWithin(going.points) * zoom < kLeastLassoWidth)
+    studio.messages.info("This lasso encloses nothing. Draw around what is to be selected.");
+  else if (drawn)
     addPart(studio, drawnShape(state.kind, going.points), going.how);
   else if (going.how == SelectHow::Replace && !studio.document().selection.empty())
     changeSelection(studio, "Deselect", {});
