@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 """What spoils a solve, whether the solve says so, and what its remedy brings: a row a set and defect.
 
-usage: cause_table.py SWAPLIGHT SHARED [--sets A,B] [--cases clean,tone] [--size 320] [--lights 2]
+usage: cause_table.py SWAPLIGHT SHARED [--sets A,B] [--cases clean,tone] [--size 320] [--lights 2] [--remedy=--field]
 
 Photographs are composed of SHARED/captures' pictures of one light each, with one thing wrong that the capture does not
 tell. The noise is not told. Columns: relative RMSE of the contributions (exposure, which nothing tells under an unknown
 curve, taken off) and mean CIEDE2000 of SHARED/tools/score.py; the causes that the report names, with the best one's size
-and certainty; then both errors with the remedy that the named cause offers, where `solve` has it.
+and certainty; then both errors with the remedy that the named cause offers, where `solve` has it, or with --remedy.
 """
 import argparse
 import json
@@ -25,10 +25,12 @@ READ, FULL_WELL = .002, 20000
 CASES = {
     'clean': (0, None), 'clean 8 bit': (0, 8),
     'ambient .4 %': (.004, None), 'ambient 1.4 %': (.014, None), 'ambient 4.2 %': (.042, None), 'ambient 14 %': (.14, None),
-    'field 10 %': (.1, None), 'tone S mild': (.3, 8), 'tone S strong': (.8, 8), 'tone gamma .9': (.9, 8),
+    'field 5 %': (.05, None), 'field 10 %': (.1, None), 'field 20 %': (.2, None), 'field 10 % 8 bit': (.1, 8),
+    'field of one 5 %': (.05, None), 'field of one 10 %': (.1, None), 'field of one 20 %': (.2, None), 'tone S mild': (.3, 8), 'tone S strong': (.8, 8), 'tone gamma .9': (.9, 8),
     'colors 2 %': (.02, None), 'colors 5 %': (.05, None), 'colors 15 %': (.15, None), 'colors 30 %': (.3, None), 'moved 1 px': (1, 8), 'turned 2 px': (2, 8),
 }
-REMEDY = {'tone': ['--tone', 'auto'], 'moved': ['--align', 'on'], 'colors': ['--refine-colors']}
+REMEDY = {'tone': ['--tone', 'auto'], 'moved': ['--align', 'on'], 'colors': ['--refine-colors'], 'field': ['--field']}
+LUMINANCE = np.array([.2126, .7152, .0722])
 
 
 def read(path):
@@ -76,15 +78,16 @@ def srgb(x):
     return np.where(x <= .0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - .055)
 
 
-def field(truth, size, rng):
-    """Each light with a colour that goes from -size to +size over the picture."""
+def field(truth, size, rng, one):
+    """Each light, or the first one, with a colour that goes from -size to +size over the picture; its luminance stays."""
     h, w = truth.shape[1:3]
     y, x = np.mgrid[-1:1:h * 1j, -1:1:w * 1j]
     drifting = []
-    for light in truth:
+    for j, light in enumerate(truth):
         slope = rng.normal(size=(2, 3))
         slope /= np.abs(slope).sum(0).max()
-        drifting.append(light * (1 + size * (x[..., None] * slope[0] + y[..., None] * slope[1])))
+        color = 1 + size * (x[..., None] * slope[0] + y[..., None] * slope[1])
+        drifting.append(light if one and j > 0 else light * color / (color @ LUMINANCE)[..., None])
     return np.stack(drifting)
 
 
@@ -114,7 +117,7 @@ def compose(truth, ambient, names, case, out):
     n = len(truth)
     colors = np.array([[COLORS[(i + k) % n] for i in range(n)] for k in range(n)])
     said = colors * (1 + size * rng.normal(size=colors.shape)) if case.startswith('colors') else colors
-    lit = field(truth, size, rng) if case.startswith('field') else truth
+    lit = field(truth, size, rng, case.startswith('field of one')) if case.startswith('field') else truth
     shots = np.einsum('kic,ihwc->khwc', colors, lit)
     if case.startswith('ambient'):
         shots += size * ambient
@@ -152,7 +155,7 @@ def rescaled(score, solved, truth, names):
     return float(np.sqrt(((factor * ours - truth) ** 2).mean() / (truth ** 2).mean()))
 
 
-def row(score, program, truth, ambient, names, case, label):
+def row(score, program, truth, ambient, names, case, label, always):
     with tempfile.TemporaryDirectory() as work:
         capture, solved = compose(truth, ambient, names, case, work), f'{work}/solved.exr'
 
@@ -164,7 +167,7 @@ def row(score, program, truth, ambient, names, case, label):
         best = causes['all'][0] if causes['all'] else None
         what = ' or '.join(causes['likely']) or 'none'
         detail = f'{best["cause"]} {best["size"]:.3f} ({best["certainty"]:.1f}, {best["explained"]:.2f})' if best else ''
-        remedy = REMEDY.get(causes['likely'][0]) if causes['likely'] else None
+        remedy = always or (REMEDY.get(causes['likely'][0]) if causes['likely'] else None)
         after = errors(*remedy)[1] if remedy else ' | '
     print(f'| {label} | {case} | {before} | {what} | {detail} | {after} |', flush=True)
     return causes
@@ -179,7 +182,9 @@ def main():
     parser.add_argument('--size', type=int, default=320)
     parser.add_argument('--lights', type=int, default=2)
     parser.add_argument('--evidence', help='append every cause of every row to this file')
+    parser.add_argument('--remedy', help='the same remedy in every row, as --remedy=--field')
     options = parser.parse_args()
+    always = options.remedy.split() if options.remedy else None
     sys.path.insert(0, os.path.join(options.shared, 'tools'))
     import score
     sets = one_light_sets(os.path.join(options.shared, 'captures'))
@@ -190,7 +195,7 @@ def main():
         names = lights[:options.lights]
         truth, ambient = load(folder, names, options.size)
         for case in options.cases.split(','):
-            causes = row(score, os.path.abspath(options.swaplight), truth, ambient, names, case, label)
+            causes = row(score, os.path.abspath(options.swaplight), truth, ambient, names, case, label, always)
             if options.evidence:
                 with open(options.evidence, 'a') as file:
                     file.write(json.dumps({'set': label, 'case': case, 'lights': len(names), **causes}) + '\n')
