@@ -31,7 +31,7 @@ constexpr std::array<CauseText, 5> kTexts = {{
     {Cause::Moved, "moved", "a camera that moved (by {:.1f} pixels or more)",
      "--align on takes off shifts, but no turn or zoom"},
     {Cause::Field, "field", "lamps whose colour is not the same over the picture (by about {:.0f} %)",
-     "diffuse the lamps"},
+     "solve with --field, or photograph a grey card under each lamp (--flat)"},
 }};
 
 const CauseText& textOf(Cause cause) {

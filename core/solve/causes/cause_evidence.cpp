@@ -132,11 +132,17 @@ bool bothLiftShadows(const CauseEvidence& best, const CauseEvidence& other) {
   return tone && (best.cause == Cause::Ambient || other.cause == Cause::Ambient);
 }
 
+/// What bounces goes over the picture less smoothly, hardly at all, or by more than lamps drift.
+bool isDriftOfLamps(const CauseEvidence& field, const CauseTuning& tuning) {
+  return field.explained >= tuning.beyondBounce ||
+         (field.size > tuning.leastDrift && field.size < tuning.mostDrift);
+}
+
 /// What the matte model cannot tell from bounced light.
 bool mayBeBouncedLight(const CauseEvidence& one, const EstimatorContext& context, const ShotSignal& signal,
                        const CauseTuning& tuning) {
   if (one.cause == Cause::Ambient) return one.size <= 0;
-  if (one.cause == Cause::Field && one.explained >= tuning.beyondBounce) return false;
+  if (one.cause == Cause::Field && isDriftOfLamps(one, tuning)) return false;
   return (one.cause == Cause::Colors || one.cause == Cause::Field) &&
          !colorsMakeNegativeLight(context, signal, one.size, tuning);
 }

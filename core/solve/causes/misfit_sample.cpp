@@ -37,6 +37,8 @@ std::vector<int> chosenPixels(const PixelRun& in, int shots, int count, double b
   return chosen;
 }
 
+}  // namespace
+
 PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit, int p,
                      double modelError) {
   const LightingMatrix& lighting = context.lighting;
@@ -69,8 +71,6 @@ PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const 
   pixel.residual = pixel.directions.transpose() * left;
   return pixel;
 }
-
-}  // namespace
 
 PlacedPixels brightPixels(const ShotSignal& signal, int shots, int count, const CauseTuning& tuning) {
   std::vector<size_t> places;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/solve/causes/cause_tuning.h"
+#include "core/solve/estimators/matte_fit.h"
 #include "core/solve/model/estimator.h"
 #include "core/solve/model/packed_run.h"
 #include "core/solve/model/shot_signal.h"
@@ -40,6 +41,11 @@ struct PlacedPixels {
 /// The directions of values that no unknown of a pixel's own can explain, orthonormal; `own`: what each of
 /// them does to the values.
 [[nodiscard]] Eigen::MatrixXd freeDirections(const Eigen::MatrixXd& own);
+
+/// What the matte model leaves of pixel `p` of a run that was fitted. `modelError`: CauseTuning's. The place
+/// is for the caller to say.
+[[nodiscard]] PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit,
+                                   int p, double modelError);
 
 /// What the matte model leaves of about `count` pixels that are neither dark nor flagged, spread evenly over
 /// the set.
