@@ -79,6 +79,9 @@ void SolveArguments::addTo(CLI::App& verb) {
       ->capture_default_str();
   add(verb.add_flag("--refine-colors", m_solve.refineColors,
                     "Refine the light colours from the photographs, starting at the capture's"));
+  add(verb.add_flag("--field", m_solve.field,
+                    "Even lamps whose colour drifts over the picture, as far as the photographs show it "
+                    "(nothing where they do not); a grey card under each lamp (--flat) knows more"));
   add(verb.add_option("--color-uncertainty", m_solve.colorUncertainty,
                       "Relative standard error of the light colours, e.g. .03 (default: estimated)"))
       ->check(NumberRange(0.0, 1.0))

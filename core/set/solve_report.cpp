@@ -175,6 +175,7 @@ Json jsonFromSolveReport(const SolveReport& report) {
                {"misfit_causes", jsonFromMisfitCauses(report.causes)},
                {"warnings", report.warnings}};
   if (report.tone) json["tone_correction"] = jsonFromTakenTone(*report.tone);
+  if (!report.lampFields.empty()) json["lamp_fields"] = jsonFromLampFields(report.lampFields);
   if (!report.options.empty()) json["options"] = report.options.json();
   json.update(report.unknown.json());
   return json;
@@ -226,6 +227,7 @@ SolveReport solveReportFromJson(const Json& json, const std::string& where) {
   report.seconds = finiteOrInfinity(fields, "seconds");
   if (const Json* causes = fields.find("misfit_causes")) report.causes = misfitCausesFromJson(*causes);
   if (const Json* tone = fields.find("tone_correction")) report.tone = takenToneFromJson(*tone);
+  if (const Json* lamps = fields.find("lamp_fields")) report.lampFields = lampFieldsFromJson(*lamps);
   report.warnings = texts(fields, "warnings");
   report.options = kept(fields, "options");
   report.unknown = fields.unknown();

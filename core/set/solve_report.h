@@ -9,6 +9,7 @@
 #include "core/capture/capture.h"
 #include "core/color/rgb.h"
 #include "core/set/conditioning.h"
+#include "core/set/lamp_field.h"
 #include "core/set/misfit_cause.h"
 #include "core/set/open_color.h"
 #include "core/set/shot_shift.h"
@@ -37,8 +38,9 @@ struct SolveReport {
   size_t pixels = 0;
   size_t clipped = 0, tooDark = 0, moved = 0, notFinite = 0, filled = 0;  ///< counts of pixels
   double seconds = 0;
-  MisfitCauses causes;            ///< why the photographs do not fit the colours as told
-  std::optional<TakenTone> tone;  ///< taken off before the solve
+  MisfitCauses causes;                ///< why the photographs do not fit the colours as told
+  std::optional<TakenTone> tone;      ///< taken off before the solve
+  std::vector<LampField> lampFields;  ///< found in the photographs and evened; empty: none
   std::vector<std::string> warnings;
   KeptJson options;  ///< what was asked for, as SolveOptions are written: for a person who looks later
   KeptJson unknown;  ///< what another version of the program has reported

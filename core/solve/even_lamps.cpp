@@ -1,12 +1,18 @@
 #include "core/solve/even_lamps.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/solve/causes/cause_context.h"
+#include "core/solve/field/drift_fit.h"
 #include "core/solve/model/lighting_matrix.h"
 #include "core/solve/model/unknown_color.h"
+#include "core/solve/registration/align_shots.h"
+#include "core/solve/signal_scale.h"
 
 namespace swaplight {
 namespace {
@@ -128,7 +134,70 @@ SolvedSet solveUnevenLamps(const Capture& capture, const CapturePixels& photogra
     seconds += set.report->seconds;
   }
   set.report->seconds = seconds;
+  return set;
+}
+
+/// The drift that the photographs show, as a solve would see them.
+std::optional<LampDrift> seenDrift(const Capture& capture, const CapturePixels& photographs,
+                                   const SolveOptions& options) {
+  const std::string where = capture.file.empty() ? capture.name : capture.file.filename().string();
+  std::optional<SensorNoise> noise = toldNoise(capture, options.noise);
+  const float scale = signalScale(photographs, where);
+  if (noise) noise = scaledNoise(*noise, scale);
+  std::optional<CapturePixels> scaled, aligned;
+  if (scale != 1) scaled = scaledSignal(photographs, scale);
+  const CapturePixels& pixels = scaled ? *scaled : photographs;
+  if (options.align) aligned = movedShots(pixels, measureShifts(pixels));
+  return findDrift(capture, aligned ? *aligned : pixels, noise);
+}
+
+LampField fieldInReport(const std::string& light, const SmoothField& field, double size) {
+  LampField found{light, size, {}};
+  for (size_t j = 0; j < found.corners.size(); ++j)
+    for (int c = 0; c < 3; ++c)
+      found.corners[j][size_t(c)] = field.at(c, j % 2 == 0 ? -1 : 1, j < 2 ? -1 : 1);
+  return found;
+}
+
+/// solve() of lamps that are evened as far as the photographs show them to drift.
+SolvedSet solveDriftingLamps(const Capture& capture, const CapturePixels& photographs,
+                             const SolveOptions& options, const Progress& progress) {
+  progress.update(0, "Comparing the lamps over the picture");
+  const std::optional<LampDrift> drift = seenDrift(capture, photographs, options);
+  if (!drift) {
+    SolvedSet set = solve(capture, photographs, options, progress);
+    set.report->warnings.emplace_back(
+        "the photographs do not surely show lamps whose colour drifts over the picture: nothing was evened");
+    return set;
+  }
+  FlatFields fields;
+  std::vector<LampField> found;
+  double largest = 0;
+  for (int i = 0; i < capture.lightCount(); ++i) {
+    found.push_back(fieldInReport(capture.lights[size_t(i)].name, drift->field(i), drift->size(i)));
+    largest = std::max(largest, drift->size(i));
+  }
+  for (size_t k = 0; k < capture.shots.size(); ++k) {
+    auto& lamps = fields.lamps.emplace_back();
+    for (int i = 0; i < capture.lightCount(); ++i) lamps.emplace_back(drift->field(i));
+  }
+  SolvedSet set = solveUnevenLamps(capture, photographs, fields, options, progress);
+  set.report->lampFields = std::move(found);
+  set.report->message += fmt::format(
+      " The lamps' colours were evened as the photographs show them to drift, by up to {:.1f} % (RMS).",
+      100 * largest);
+  return set;
+}
+
+SolvedSet solveLamps(const Capture& capture, const CapturePixels& photographs, const FlatFields& fields,
+                     const SolveOptions& options, const Progress& progress) {
+  if (fields.lamps.empty())
+    return options.field ? solveDriftingLamps(capture, photographs, options, progress)
+                         : solve(capture, photographs, options, progress);
+  SolvedSet set = solveUnevenLamps(capture, photographs, fields, options, progress);
   set.report->message += " The lamps' colours were evened by their flat fields.";
+  if (options.field)
+    set.report->warnings.emplace_back("the lamps have flat fields: their drift was not looked for (--field)");
   return set;
 }
 
@@ -136,8 +205,7 @@ SolvedSet solveUnevenLamps(const Capture& capture, const CapturePixels& photogra
 
 SolvedSet solveUneven(const Capture& capture, const CapturePixels& photographs, const FlatFields& fields,
                       const SolveOptions& options, const Progress& progress) {
-  SolvedSet set = fields.lamps.empty() ? solve(capture, photographs, options, progress)
-                                       : solveUnevenLamps(capture, photographs, fields, options, progress);
+  SolvedSet set = solveLamps(capture, photographs, fields, options, progress);
   if (fields.lens) {
     for (Image& light : set.contributions) fields.lens->takeFrom(light);
     if (set.ambient) fields.lens->takeFrom(*set.ambient);

@@ -12,7 +12,7 @@ namespace swaplight {
 /// sum_i colour[k][i] (1 - d[k][i]) T[i] are what even lamps would have made of T; T of those is nearer, and
 /// again until nothing moves by a thousandth. A field d of +-10 % leaves some hundredths of itself a round.
 /// What the lens takes is the same in all shots: the lights are divided by it at the end. Without fields it
-/// is solve().
+/// is solve(), or, with SolveOptions::field, takes those that the photographs show (drift_fit.h).
 [[nodiscard]] SolvedSet solveUneven(const Capture& capture, const CapturePixels& photographs,
                                     const FlatFields& fields, const SolveOptions& options,
                                     const Progress& progress = {});

@@ -9,6 +9,7 @@
 #include "core/base/json.h"
 #include "core/set/solve_verdict.h"
 #include "core/solve/causes/tone_correction.h"
+#include "core/solve/even_lamps.h"
 #include "core/solve/solve.h"
 #include "core/solve/solve_photographs.h"
 #include "tests/support/synthetic_capture.h"
@@ -143,6 +144,12 @@ TEST(CauseEvidence, NamesLampsWhoseColourDrifts) {
   EXPECT_TRUE(causes.is(Cause::Field)) << told(causes);
 }
 
+TEST(CauseEvidence, NamesADriftOfTenPerCent) {
+  const MisfitCauses causes = causesIn(photographed({.drift = .1}));
+  EXPECT_TRUE(causes.is(Cause::Field)) << told(causes);
+  EXPECT_NE(wordsFor(causes).find("--field"), std::string::npos);
+}
+
 TEST(CauseEvidence, NamesAmbientLightWithTheCurveThatLooksLikeIt) {
   const MisfitCauses causes = causesIn(photographed({.ambient = .1}));
   ASSERT_EQ(causes.likely.size(), 2U) << told(causes);
@@ -229,6 +236,47 @@ TEST(ToneCorrection, IsAnOptionOfEverySolveOfPhotographs) {
   const SolvedSet plain = solved(photographed());
   EXPECT_FALSE(plain.report->tone);
   EXPECT_NE(plain.report->message.find("none was taken off"), std::string::npos);
+}
+
+SolveOptions evening() {
+  SolveOptions options;
+  options.field = true;
+  return options;
+}
+
+TEST(LampDrift, IsFoundInThePhotographsAndEvened) {
+  const SolvedSet truth = solve(swappedCapture(), photographed(), {});
+  const CapturePixels pixels = photographed({.drift = .15});
+  const double before = relativeError(solve(swappedCapture(), pixels, {}), truth);
+  const SolvedSet evened = solveUneven(swappedCapture(), pixels, {}, evening());
+  EXPECT_LT(relativeError(evened, truth), .8 * before) << "half of a lamp's drift is both lamps', too";
+  const std::vector<LampField> found =
+      solveReportFromJson(jsonFromSolveReport(*evened.report), "report").lampFields;
+  ASSERT_EQ(found.size(), 2U);
+  // The lamps over each other is what matte surfaces show: red over green from the left to the right edge.
+  const auto rise = [](const LampField& field) {
+    const auto redOverGreen = [&](size_t corner) {
+      return std::log(field.corners[corner][0] / field.corners[corner][1]);
+    };
+    return .5 * (redOverGreen(1) + redOverGreen(3) - redOverGreen(0) - redOverGreen(2));
+  };
+  EXPECT_NEAR(rise(found[0]) - rise(found[1]), std::log(1.15 / .85), .06);
+  EXPECT_LT(found[1].size, found[0].size) << "where beta goes from lamp to lamp, which of them it is";
+  EXPECT_TRUE(evened.report->causes.likely.empty()) << told(evened.report->causes);
+}
+
+TEST(LampDrift, OfEvenLampsIsNone) {
+  const CapturePixels pixels = photographed();
+  const SolvedSet asked = solveUneven(swappedCapture(), pixels, {}, evening());
+  const SolvedSet plain = solve(swappedCapture(), pixels, {});
+  for (size_t p = 0; p < pixels.shots[0].pixelCount(); ++p)
+    ASSERT_EQ(asked.contributions[0].plane(0)[p], plain.contributions[0].plane(0)[p]);
+  EXPECT_TRUE(asked.report->lampFields.empty());
+  ASSERT_FALSE(asked.report->warnings.empty());
+  EXPECT_NE(asked.report->warnings.back().find("nothing was evened"), std::string::npos);
+  Capture unknown = swappedCapture();
+  unknown.shots[0].lightColors[0].reset();
+  EXPECT_ANY_THROW((void)solveUneven(unknown, pixels, {}, evening()));
 }
 
 TEST(ToneCorrection, LeavesPhotographsThatAreAsTold) {

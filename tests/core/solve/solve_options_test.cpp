@@ -32,6 +32,13 @@ TEST(SolveOptions, ACorrectedToneComesBackFromJson) {
   EXPECT_FALSE(jsonFromSolveOptions({}).contains("correct_tone")) << "what older programs do not know";
 }
 
+TEST(SolveOptions, EveningOfLampsComesBackFromJson) {
+  SolveOptions options;
+  options.field = true;
+  EXPECT_EQ(solveOptionsFromJson(jsonFromSolveOptions(options)), options);
+  EXPECT_EQ(jsonFromSolveOptions({}).count("field"), 0U) << "a solve without it stays the same file";
+}
+
 TEST(SolveOptions, WhatSettlesAnOpenColourComesBackFromJson) {
   SolveOptions options;
   options.openColor.oneLamp = {"key", 12, 34};
