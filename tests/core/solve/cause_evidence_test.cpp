@@ -223,17 +223,17 @@ TEST(ToneCorrection, TakesOffACurve) {
 }
 
 TEST(ToneCorrection, IsAnOptionOfEverySolveOfPhotographs) {
-  const CapturePixels curved = photographed({.curve = contrastCurve});
   SolveOptions options;
-  const auto solved = [&](const CapturePixels& pixels) {
-    return solvePhotographs(swappedCapture(), pixels, {}, options);
+  const auto solved = [&](const Defect& defect) {
+    return solvePhotographs(swappedCapture(), photographed(defect), {}, options);
   };
+  const Defect curved{.curve = contrastCurve};
   EXPECT_FALSE(solved(curved).report->tone);
   options.correctTone = true;
   const SolvedSet corrected = solved(curved);
   EXPECT_TRUE(corrected.report->tone);
   EXPECT_TRUE(corrected.report->causes.likely.empty()) << told(corrected.report->causes);
-  const SolvedSet plain = solved(photographed());
+  const SolvedSet plain = solved({});
   EXPECT_FALSE(plain.report->tone);
   EXPECT_NE(plain.report->message.find("none was taken off"), std::string::npos);
 }
