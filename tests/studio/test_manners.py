@@ -270,7 +270,7 @@ class Manners(StudioTest):
         """What is typed into it is there again after Escape."""
         studio = self.studio
         told = self.told(('wizard.cell', 'wizard.light', 'wizard.solve', 'wizard.cancel', 'wizard.more', 'wizard.fewer',
-                          'wizard.align', 'wizard.guess', 'wizard.scale'))  # photographs need no words
+                          'wizard.field', 'wizard.align', 'wizard.guess', 'wizard.scale'))  # photographs need no words
         studio.click('wizard.cell.0.0', 0.3)
         studio.type('L106')
         studio.key('Return')
@@ -280,7 +280,7 @@ class Manners(StudioTest):
         self.assertEqual(studio.state('focus'), 'wizard.cell.0.1', 'from colour to colour')
         studio.type('L201')
         seen = self.tab_round()
-        self.assertLessEqual({'wizard.more', 'wizard.align', 'wizard.light.0', 'wizard.cell.1.1', 'wizard.guess',
+        self.assertLessEqual({'wizard.more', 'wizard.field', 'wizard.align', 'wizard.light.0', 'wizard.cell.1.1', 'wizard.guess',
                               'wizard.scale', 'wizard.cancel'}, set(seen))
         studio.screenshot('manners_wizard')
         studio.key('Escape')

@@ -114,6 +114,7 @@ class Wizard(StudioTest):
         studio.click('wizard.choose.unknown')
         self.fill_in(1, *colors[1])
         studio.click('wizard.align', 0.1)
+        studio.item('wizard.field')
         studio.click('wizard.light.0')
         studio.key('ctrl+a')
         studio.type('lamp')

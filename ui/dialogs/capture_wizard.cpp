@@ -220,6 +220,14 @@ void CaptureWizard::drawLights() {
   ImGui::SameLine(0, px(16));
   hint("A colour: gel number, linear r/g/b, #rrggbb, 3200K, off, unknown, or picked from a white card.");
   const float align = ImGui::CalcTextSize("Align photographs").x + 2 * side;
+  const float even = ImGui::CalcTextSize("Even lamps").x + 2 * side;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - align - even);
+  ImGui::Checkbox("Even lamps", &m_solve.field);
+  markItem("wizard.field");
+  tooltip(
+      "Use this if a lamp or its gel has another colour at one side of the picture than at the other: where "
+      "the photographs surely show such a drift, the lamps are made even. Nothing is changed where they do "
+      "not; flat_key.jpg, a picture of a grey card under the lamp alone, knows more.");
   ImGui::SameLine(ImGui::GetContentRegionMax().x - align);
   ImGui::Checkbox("Align photographs", &m_solve.align);
   markItem("wizard.align");
