@@ -1,0 +1,167 @@
+#include "core/normals/surface_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "core/base/parallel.h"
+#include "core/base/quantile.h"
+#include "core/normals/lamp_refinement.h"
+#include "core/normals/normal_fit.h"
+
+namespace swaplight {
+namespace {
+
+constexpr int kRows = 16;
+constexpr double kBright =
+    0.98;  // of a light's lit pixels: surfaces that face its lamp; the rest are highlights
+constexpr int kRounds = 6;
+constexpr double kMostResidual = 0.15;  // of the reflectance
+constexpr int kRefinedPixels = 2500;    // that the lamps' places are refined by: a second, at most
+// Standard errors, stops: of a meter, and of the level of a light's bright pixels.
+constexpr double kMeteredError = 0.15;
+constexpr double kBrightError = 0.5;
+
+/// A lamp, and what makes its light comparable with the others'.
+struct Lamp {
+  const Image* picture;
+  const LightShadows* shadows;
+  LampRays rays;
+  double level = 1;
+
+  [[nodiscard]] bool lights(size_t pixel) const { return shadows->labels[pixel] == ShadowLabel::Lit; }
+  [[nodiscard]] double grey(size_t pixel) const {
+    return (picture->plane(0)[pixel] + picture->plane(1)[pixel] + picture->plane(2)[pixel]) / 3.;
+  }
+};
+
+/// Where pixels lie, widths of the picture from its middle.
+struct Grid {
+  int width, height;
+  [[nodiscard]] double x(int column) const { return (column + .5) / width - .5; }
+  [[nodiscard]] double y(int row) const { return (.5 * height - row - .5) / width; }
+};
+
+size_t pixelAt(const Grid& grid, int x, int y) {
+  return static_cast<size_t>(y) * static_cast<size_t>(grid.width) + static_cast<size_t>(x);
+}
+
+double brightLevel(const Lamp& lamp, const Grid& grid) {
+  std::vector<float> levels;
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x) {
+      const size_t pixel = pixelAt(grid, x, y);
+      if (lamp.lights(pixel))
+        levels.push_back(static_cast<float>(lamp.grey(pixel) / lamp.rays.at(grid.x(x), grid.y(y)).level));
+    }
+  return levels.empty() ? 0 : quantile(std::span<float>(levels), kBright);
+}
+
+/// Pixels here and there.
+std::vector<PixelSights> somePixels(const std::vector<Lamp>& lamps, const Grid& grid) {
+  const double pixels = static_cast<double>(grid.width) * grid.height;
+  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kRefinedPixels))));
+  std::vector<PixelSights> found;
+  for (int y = step / 2; y < grid.height; y += step)
+    for (int x = step / 2; x < grid.width; x += step) {
+      PixelSights& sights = found.emplace_back(PixelSights{grid.x(x), grid.y(y), {}, {}});
+      for (size_t i = 0; i < lamps.size(); ++i)
+        if (lamps[i].lights(pixelAt(grid, x, y))) {
+          sights.lamps.push_back(i);
+          sights.light.push_back(lamps[i].grey(pixelAt(grid, x, y)));
+        }
+    }
+  return found;
+}
+
+/// Those that light anything, refined.
+std::vector<Lamp> lampsOf(const SolvedSet& set, const std::vector<LightShadows>& shadows,
+                          const std::vector<PlacedLight>& placed, const Grid& grid) {
+  const bool metered = std::all_of(placed.begin(), placed.end(),
+                                   [](const PlacedLight& light) { return light.place.stops.has_value(); });
+  std::vector<Lamp> lamps;
+  std::vector<TunedLamp> told;
+  for (const PlacedLight& light : placed) {
+    Lamp lamp{&set.contributions[light.light], &shadows[light.light], LampRays(light.place)};
+    lamp.level = metered ? std::exp2(*light.place.stops) : brightLevel(lamp, grid);
+    if (lamp.level <= 0) continue;
+    lamps.push_back(lamp);
+    told.push_back({light.place, lamp.level});
+  }
+  const auto refined = refinedLamps(told, somePixels(lamps, grid), metered ? kMeteredError : kBrightError);
+  for (size_t i = 0; i < lamps.size(); ++i) {
+    lamps[i].rays = LampRays(refined[i].place);
+    lamps[i].level = refined[i].level;
+  }
+  return lamps;
+}
+
+/// Of some rows.
+struct Tally {
+  RefusedPixels refused;
+  size_t checked = 0;
+};
+
+void write(const std::vector<LampSight>& sights, size_t pixel, Image& normals, Tally& tally) {
+  for (int c = 0; c < 3; ++c) normals.plane(c)[pixel] = 0;
+  if (sights.size() < kFewestLamps) {
+    ++tally.refused.fewLamps;
+    return;
+  }
+  const NormalFit found = fitNormal(sights, kRounds);
+  if (!found.known()) {
+    ++tally.refused.alike;
+  } else if (found.residual > kMostResidual) {
+    ++tally.refused.disagreed;
+  } else if (found.scaled.z() <= 0) {
+    ++tally.refused.away;
+  } else {
+    const Eigen::Vector3d normal = found.scaled.normalized();
+    for (int c = 0; c < 3; ++c) normals.plane(c)[pixel] = static_cast<float>(normal[c]);
+    tally.checked += sights.size() > kFewestLamps ? 1 : 0;
+  }
+}
+
+Tally writeRow(const std::vector<Lamp>& lamps, const Grid& grid, int y, Image& normals) {
+  Tally tally;
+  std::vector<LampSight> sights;
+  for (int x = 0; x < grid.width; ++x) {
+    const size_t pixel = pixelAt(grid, x, y);
+    sights.clear();
+    for (const Lamp& lamp : lamps) {
+      if (!lamp.lights(pixel)) continue;
+      const LampRay ray = lamp.rays.at(grid.x(x), grid.y(y));
+      sights.push_back({{ray.direction[0], ray.direction[1], ray.direction[2]},
+                        lamp.grey(pixel) / (ray.level * lamp.level)});
+    }
+    write(sights, pixel, normals, tally);
+  }
+  return tally;
+}
+
+}  // namespace
+
+SurfaceNormals surfaceNormals(const SolvedSet& set, const std::vector<LightShadows>& shadows,
+                              const std::vector<PlacedLight>& lamps, const Progress& progress) {
+  progress.update(0, "finding normals");
+  const Grid grid{set.width(), set.height()};
+  const std::vector<Lamp> known = lampsOf(set, shadows, lamps, grid);
+  SurfaceNormals found;
+  found.normals = Image(ImageSpec{grid.width, grid.height, {"normal.X", "normal.Y", "normal.Z"}, "data"});
+  std::mutex adding;
+  parallelRows(grid.height, kRows, [&](int begin, int end) {
+    progress.update(0.2F, "finding normals");
+    for (int y = begin; y < end; ++y) {
+      const Tally tally = writeRow(known, grid, y, found.normals);
+      const std::lock_guard lock(adding);
+      found.refused.fewLamps += tally.refused.fewLamps;
+      found.refused.alike += tally.refused.alike;
+      found.refused.disagreed += tally.refused.disagreed;
+      found.refused.away += tally.refused.away;
+      found.checked += tally.checked;
+    }
+  });
+  return found;
+}
+
+}  // namespace swaplight

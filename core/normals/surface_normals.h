@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/normals/lamp_place.h"
+#include "core/set/solved_set.h"
+#include "core/shadow/result/light_shadows.h"
+
+namespace swaplight {
+
+/// Why a pixel has no normal; each pixel counts once.
+struct RefusedPixels {
+  size_t fewLamps = 0;   ///< fewer than three lamps light it
+  size_t alike = 0;      ///< they light it from directions too much alike
+  size_t disagreed = 0;  ///< four or more do, and contradict each other
+  size_t away = 0;       ///< it would be turned away from the camera
+  [[nodiscard]] size_t count() const { return fewLamps + alike + disagreed + away; }
+};
+
+struct SurfaceNormals {
+  /// normal.X to the right, .Y up, .Z towards the camera, of length 1; 0 where refused.
+  Image normals;
+  RefusedPixels refused;
+  size_t checked = 0;  ///< pixels with a normal that four lamps or more agree on
+
+  /// Lamps disagree so often that a place is likely to be told wrong: then the others may agree by chance.
+  /// A quarter: lamps told 12 degrees off disagree on a tenth at most where the depth is that of the middle.
+  [[nodiscard]] bool isContradictory() const { return refused.disagreed * 4 > refused.disagreed + checked; }
+};
+
+/// A light of the set, by its index, and where its lamp stood.
+struct PlacedLight {
+  size_t light = 0;
+  LampPlace place;
+};
+
+/// How the surfaces of a set are turned, by photometric stereo.
+///
+/// A matte surface of reflectance r and normal n shows T_i = r s_i f_i(x) (n . l_i(x)) of lamp i, where s_i
+/// is the lamp's level, l_i the direction to it and f_i its falloff (lamp_place.h). Three lamps or more that
+/// shine there give r n (normal_fit.h). T is the mean of the channels of a contribution; a lamp shines where
+/// `shadows` calls it lit. Light that bounces around is not modelled: it bends normals towards where it comes
+/// from.
+///
+/// Levels: those that were metered, if all have `stops`. Otherwise each light is held against its own bright
+/// pixels, as if some bright surface faced each lamp. Where four lamps or more shine, their directions and
+/// levels are refined (lamp_refinement.h). What remains open, the bas-relief ambiguity among it (Belhumeur,
+/// Kriegman and Yuille 1999), is as right as what was said: integrability, measured by the curl of normals
+/// that are 10 degrees off, drew levels away from the truth.
+///
+/// `shadows`: of all lights in the set's order. Throws Stopped.
+[[nodiscard]] SurfaceNormals surfaceNormals(const SolvedSet& set, const std::vector<LightShadows>& shadows,
+                                            const std::vector<PlacedLight>& lamps,
+                                            const Progress& progress = {});
+
+}  // namespace swaplight
