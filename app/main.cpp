@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   addLookVerb(program);
   addLightsVerb(program);
   addLightmapVerb(program);
+  addNormalsVerb(program);
   addSinksVerb(program);
   addBalanceVerb(program);
   addResponseVerb(program);

@@ -21,6 +21,7 @@ void addSinksVerb(Program& program);
 void addBetaVerb(Program& program);
 void addDoctorVerb(Program& program);
 void addLightmapVerb(Program& program);
+void addNormalsVerb(Program& program);
 void addLightsVerb(Program& program);
 void addBalanceVerb(Program& program);
 void addCuesVerb(Program& program);

@@ -13,8 +13,9 @@ namespace swaplight {
 namespace {
 
 constexpr int kRows = 16;
-constexpr double kBright =
-    0.98;  // of a light's lit pixels: surfaces that face its lamp; the rest are highlights
+// The part of a light's lit pixels that is below its level: some surface faces the lamp; the rest are
+// highlights.
+constexpr double kBright = 0.98;
 constexpr int kRounds = 6;
 constexpr double kMostResidual = 0.15;  // of the reflectance
 constexpr int kRefinedPixels = 2500;    // that the lamps' places are refined by: a second, at most

@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/arguments/edit_arguments.h"
+#include "app/arguments/solve_arguments.h"
+#include "app/verbs/verbs.h"
+#include "core/base/error.h"
+#include "core/base/json.h"
+#include "core/base/number_text.h"
+#include "core/capture/no_such_light.h"
+#include "core/file/same_file.h"
+#include "core/image/io/image_io.h"
+#include "core/normals/normal_fit.h"
+#include "core/normals/relief.h"
+#include "core/normals/surface_normals.h"
+#include "core/ocio/chosen_config.h"
+#include "core/session/open_source.h"
+#include "core/shadow/detect/detect_shadows.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kFarthest = 1000;  // widths: farther is far
+constexpr float kMostStops = 20;
+
+struct NormalsCommand {
+  std::string source;
+  EditArguments edits;
+  SolveArguments solve;
+  std::vector<std::string> lamps;
+  std::string file;
+};
+
+/// A lamp as the option names it.
+struct NamedPlace {
+  std::string light;
+  LampPlace place;
+};
+
+InputError notAPlace(const std::string& text) {
+  return InputError(
+      "--lamp {}: write LIGHT=AZIMUTH,ELEVATION,DISTANCE or LIGHT=AZIMUTH,ELEVATION,DISTANCE,STOPS: degrees "
+      "to the right of the camera (-180 to 180), degrees up (-90 to 90), widths of the picture or far, stops",
+      text);
+}
+
+std::vector<std::string> partsOf(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+/// LIGHT=AZIMUTH,ELEVATION,DISTANCE[,STOPS].
+NamedPlace placeFromOption(const std::string& text) {
+  const auto number = [&](const std::string& part, float least, float most) {
+    const std::optional<float> value = numberFromText(part);
+    if (!value || *value < least || *value > most) throw notAPlace(text);
+    return *value;
+  };
+  const size_t sign = text.find('=');
+  if (sign == std::string::npos) throw notAPlace(text);
+  const std::vector<std::string> parts = partsOf(text.substr(sign + 1));
+  if (parts.size() < 3 || parts.size() > 4) throw notAPlace(text);
+  NamedPlace named{text.substr(0, sign), {}};
+  named.place.azimuth = number(parts[0], -180, 180);
+  named.place.elevation = number(parts[1], -90, 90);
+  if (parts[2] != "far") named.place.distance = number(parts[2], 0, kFarthest);
+  if (parts.size() == 4) named.place.stops = number(parts[3], -kMostStops, kMostStops);
+  return named;
+}
+
+std::vector<NamedPlace> placesOf(const NormalsCommand& arguments) {
+  std::vector<NamedPlace> places;
+  for (const std::string& text : arguments.lamps) {
+    places.push_back(placeFromOption(text));
+    if (places.back().place.stops.has_value() != places.front().place.stops.has_value())
+      throw InputError("--lamp {}: say the stops of all lamps, or of none", text);
+    for (size_t i = 0; i + 1 < places.size(); ++i)
+      if (places[i].light == places.back().light)
+        throw InputError("--lamp {}: {} was given a place already", text, places[i].light);
+  }
+  if (places.size() < kFewestLamps)
+    throw InputError("--lamp: normals need {} lamps or more, {} given", kFewestLamps, places.size());
+  return places;
+}
+
+/// Those lamps of the set that can be used; says which cannot.
+std::vector<PlacedLight> placedLights(const std::vector<NamedPlace>& places, const Capture& capture,
+                                      const std::string& source, Terminal& terminal) {
+  std::vector<PlacedLight> placed;
+  std::vector<std::string> near;
+  for (const NamedPlace& named : places) {
+    const size_t light = placeOfLight(capture, named.light, source);
+    if (named.place.isTooNear())
+      near.push_back(named.light);
+    else
+      placed.push_back({light, named.place});
+  }
+  if (placed.size() < kFewestLamps)
+    throw InputError(
+        "{}: normals cannot be told: {} nearer than {} widths of the picture, where light comes from another "
+        "direction in every place; {} lamps farther off are needed",
+        source, fmt::join(near, ", "), LampPlace::kNearest, kFewestLamps);
+  if (!near.empty())
+    terminal.say("warning: {}: not used, nearer than {} widths of the picture: {}", source,
+                 LampPlace::kNearest, fmt::join(near, ", "));
+  return placed;
+}
+
+/// Both layers in one picture.
+Image layersOf(const Image& normals, const Image& depth) {
+  Image layers(
+      ImageSpec{normals.width(), normals.height(), {"normal.X", "normal.Y", "normal.Z", "depth.Z"}, "data"});
+  for (int c = 0; c < 3; ++c) std::copy_n(normals.plane(c), normals.pixelCount(), layers.plane(c));
+  std::copy_n(depth.plane(0), depth.pixelCount(), layers.plane(3));
+  return layers;
+}
+
+void sayResult(const NormalsCommand& arguments, const SurfaceNormals& found, Terminal& terminal) {
+  const auto pixels = static_cast<double>(found.normals.pixelCount());
+  const auto share = [&](size_t count) { return static_cast<double>(count) / pixels; };
+  const RefusedPixels& refused = found.refused;
+  const size_t known = found.normals.pixelCount() - refused.count();
+  terminal.say("wrote {}, {} x {} pixels", arguments.file, found.normals.width(), found.normals.height());
+  if (known > 0 && found.checked < known / 2)
+    terminal.say(
+        "warning: {}: {:.0f} % of the normals come from three lamps, which nothing checks: they are as right "
+        "as the lamps' places",
+        arguments.source, 100. * static_cast<double>(known - found.checked) / static_cast<double>(known));
+  if (found.isContradictory())
+    terminal.say(
+        "warning: {}: the lamps disagree on {:.0f} % of the pixels that four or more light: check their "
+        "places",
+        arguments.source,
+        100. * static_cast<double>(refused.disagreed) /
+            static_cast<double>(refused.disagreed + found.checked));
+  terminal.result(
+      fmt::format("refused {:.1f} % of the pixels: fewer than three lamps {:.1f} %, lamps too much alike "
+                  "{:.1f} %, lamps disagree {:.1f} %, turned away {:.1f} %\n",
+                  100 * share(refused.count()), 100 * share(refused.fewLamps), 100 * share(refused.alike),
+                  100 * share(refused.disagreed), 100 * share(refused.away)),
+      {{"file", arguments.file},
+       {"refused", share(refused.count())},
+       {"few_lamps", share(refused.fewLamps)},
+       {"alike", share(refused.alike)},
+       {"disagree", share(refused.disagreed)},
+       {"away", share(refused.away)},
+       {"checked", share(found.checked)}});
+}
+
+int run(const NormalsCommand& arguments, Terminal& terminal) {
+  const std::vector<NamedPlace> places = placesOf(arguments);
+  const SolveOptions solving = arguments.solve.resolve();
+  if (std::filesystem::path(arguments.file).extension() != ".exr")
+    throw InputError("{}: normals are written as OpenEXR. Name it {}.", arguments.file,
+                     std::filesystem::path(arguments.file).replace_extension(".exr").string());
+  std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
+  inputs.emplace_back(arguments.edits.file);
+  checkOutput(arguments.file, inputs);
+
+  const Progress progress = terminal.progress();
+  const SolvedSet set = arguments.edits.applyTo(
+      openSource(*programConfig(), arguments.source, solving, progress.part(0, 0.4F)));
+  sayWarnings(set.capture.warnings, terminal);
+  const std::vector<PlacedLight> lamps = placedLights(places, set.capture, arguments.source, terminal);
+  const std::vector<LightShadows> shadows = detectShadows(set, {}, progress.part(0.4F, 0.9F));
+  const SurfaceNormals found = surfaceNormals(set, shadows, lamps, progress.part(0.9F, 1));
+  WriteOptions output;
+  output.pixelType = "float";
+  writeImage(layersOf(found.normals, reliefOf(found.normals)), arguments.file, output);
+  sayResult(arguments, found, terminal);
+  return 0;
+}
+
+}  // namespace
+
+void addNormalsVerb(Program& program) {
+  const auto a = std::make_shared<NormalsCommand>();
+  CLI::App& verb =
+      program.addVerb("normals", "How surfaces are turned, from three lamps or more whose places are told",
+                      [a](Terminal& terminal) { return run(*a, terminal); });
+  verb.add_option("SOURCE", a->source, "A solved set, or a capture to solve")->required();
+  verb.add_option(
+          "--lamp", a->lamps,
+          "Where a lamp stood, seen from the middle of the set: degrees to the right of the camera (-90: "
+          "left, 180: behind the set), degrees up, its distance in widths of the picture there or far, "
+          "and, of all lamps or none, what a meter reads that points to it; once a lamp")
+      ->required()
+      ->type_name("LIGHT=AZIMUTH,ELEVATION,DISTANCE[,STOPS]");
+  verb.add_option("-o,--output", a->file, "EXR: normal.X right, normal.Y up, normal.Z to the camera; depth.Z")
+      ->required()
+      ->type_name("FILE.exr");
+  a->edits.addTo(verb);
+  a->solve.addTo(verb);
+}
+
+}  // namespace swaplight
