@@ -26,7 +26,7 @@ struct SurfaceNormals {
   size_t checked = 0;  ///< pixels with a normal that four lamps or more agree on
 
   /// Lamps disagree so often that a place is likely to be told wrong: then the others may agree by chance.
-  /// A quarter: lamps told 12 degrees off disagree on a tenth at most where the depth is that of the middle.
+  /// A quarter: chosen by judgement, not measured.
   [[nodiscard]] bool isContradictory() const { return refused.disagreed * 4 > refused.disagreed + checked; }
 };
 
