@@ -120,26 +120,36 @@ class EvenedShots {
   CapturePixels m_even;
 };
 
-SolvedSet solveUnevenLamps(const Capture& capture, const CapturePixels& photographs, const FlatFields& fields,
-                           const SolveOptions& options, const Progress& progress) {
-  const auto part = [&](int round) {
-    return progress.part(float(round) / (kMostRounds + 1), float(round + 1) / (kMostRounds + 1));
-  };
-  SolvedSet set = solve(capture, photographs, options, part(0));
+Progress partOfRound(const Progress& progress, int round) {
+  return progress.part(float(round) / (kMostRounds + 1), float(round + 1) / (kMostRounds + 1));
+}
+
+/// `set`: what even lamps would have given, solved in the first part of `progress`.
+SolvedSet solveUnevenLamps(SolvedSet set, const Capture& capture, const CapturePixels& photographs,
+                           const FlatFields& fields, const SolveOptions& options, const Progress& progress) {
   EvenedShots shots(photographs, fields);
   double seconds = set.report->seconds;
   for (int round = 1; round <= kMostRounds; ++round) {
     if (shots.update(colorsOf(capture, *set.report), set.contributions) < kSettled) break;
-    set = solve(capture, shots.pixels(), options, part(round));
+    set = solve(capture, shots.pixels(), options, partOfRound(progress, round));
     seconds += set.report->seconds;
   }
   set.report->seconds = seconds;
   return set;
 }
 
-/// The drift that the photographs show, as a solve would see them.
+/// Photographs without what the lens takes.
+CapturePixels throughNoLens(const CapturePixels& photographs, const SmoothField& lens) {
+  CapturePixels pixels = withoutShots(photographs);
+  for (const Image& shot : photographs.shots) lens.takeFrom(pixels.shots.emplace_back(shot.clone()));
+  if (photographs.ambient) lens.takeFrom(pixels.ambient.emplace(photographs.ambient->clone()));
+  return pixels;
+}
+
+/// The drift that the photographs show, as a solve would see them. A coloured lens is no drift of the lamps.
 std::optional<LampDrift> seenDrift(const Capture& capture, const CapturePixels& photographs,
-                                   const SolveOptions& options) {
+                                   const std::optional<SmoothField>& lens, const SolveOptions& options) {
+  if (lens) return seenDrift(capture, throughNoLens(photographs, *lens), {}, options);
   const std::string where = capture.file.empty() ? capture.name : capture.file.filename().string();
   std::optional<SensorNoise> noise = toldNoise(capture, options.noise);
   const float scale = signalScale(photographs, where);
@@ -161,15 +171,21 @@ LampField fieldInReport(const std::string& light, const SmoothField& field, doub
 
 /// solve() of lamps that are evened as far as the photographs show them to drift.
 SolvedSet solveDriftingLamps(const Capture& capture, const CapturePixels& photographs,
-                             const SolveOptions& options, const Progress& progress) {
-  progress.update(0, "Comparing the lamps over the picture");
-  const std::optional<LampDrift> drift = seenDrift(capture, photographs, options);
-  if (!drift) {
-    SolvedSet set = solve(capture, photographs, options, progress);
-    set.report->warnings.emplace_back(
-        "the photographs do not surely show lamps whose colour drifts over the picture: nothing was evened");
-    return set;
-  }
+                             const std::optional<SmoothField>& lens, const SolveOptions& options,
+                             const Progress& progress) {
+  SolvedSet set = solve(capture, photographs, options, partOfRound(progress, 0));
+  const auto asItIs = [&](const char* why) {
+    set.report->warnings.emplace_back(std::string(why) + ": nothing was evened");
+    return std::move(set);
+  };
+  if (options.solveAmbient)
+    return asItIs("the lamps' drift is not looked for where ambient light is solved for (--field)");
+  if (set.report->causes.all.empty())
+    return asItIs(
+        "whether the lamps' colour drifts over the picture cannot be told of these photographs: the lamps "
+        "were lit one at a time, they are too few or too dark, or more than can be compared (--field)");
+  const std::optional<LampDrift> drift = seenDrift(capture, photographs, lens, options);
+  if (!drift) return asItIs("the photographs do not surely show lamps whose colour drifts over the picture");
   FlatFields fields;
   std::vector<LampField> found;
   double largest = 0;
@@ -181,7 +197,7 @@ SolvedSet solveDriftingLamps(const Capture& capture, const CapturePixels& photog
     auto& lamps = fields.lamps.emplace_back();
     for (int i = 0; i < capture.lightCount(); ++i) lamps.emplace_back(drift->field(i));
   }
-  SolvedSet set = solveUnevenLamps(capture, photographs, fields, options, progress);
+  set = solveUnevenLamps(std::move(set), capture, photographs, fields, options, progress);
   set.report->lampFields = std::move(found);
   set.report->message += fmt::format(
       " The lamps' colours were evened as the photographs show them to drift, by up to {:.1f} % (RMS).",
@@ -192,9 +208,10 @@ SolvedSet solveDriftingLamps(const Capture& capture, const CapturePixels& photog
 SolvedSet solveLamps(const Capture& capture, const CapturePixels& photographs, const FlatFields& fields,
                      const SolveOptions& options, const Progress& progress) {
   if (fields.lamps.empty())
-    return options.field ? solveDriftingLamps(capture, photographs, options, progress)
+    return options.field ? solveDriftingLamps(capture, photographs, fields.lens, options, progress)
                          : solve(capture, photographs, options, progress);
-  SolvedSet set = solveUnevenLamps(capture, photographs, fields, options, progress);
+  SolvedSet set = solveUnevenLamps(solve(capture, photographs, options, partOfRound(progress, 0)), capture,
+                                   photographs, fields, options, progress);
   set.report->message += " The lamps' colours were evened by their flat fields.";
   if (options.field)
     set.report->warnings.emplace_back("the lamps have flat fields: their drift was not looked for (--field)");

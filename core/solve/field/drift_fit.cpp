@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/image/shrunk_image.h"
@@ -12,6 +13,8 @@
 
 namespace swaplight {
 namespace {
+
+constexpr float kNeverClipped = std::numeric_limits<float>::infinity();
 
 /// A picture of at most so many pixels across, what is saturated being no number.
 Image averaged(const Image& image, float clip, int width, int height) {
@@ -36,7 +39,7 @@ Averaged averagedPhotographs(const CapturePixels& photographs, int across) {
   for (size_t k = 0; k < photographs.shots.size(); ++k)
     result.pixels.shots.push_back(averaged(photographs.shots[k], photographs.clipLevel[k], width, height));
   if (photographs.ambient)
-    result.pixels.ambient = averaged(*photographs.ambient, photographs.clipLevel.front(), width, height);
+    result.pixels.ambient = averaged(*photographs.ambient, kNeverClipped, width, height);
   for (float& step : result.pixels.quantum) step /= float(std::sqrt(result.each));
   return result;
 }
@@ -47,7 +50,7 @@ void checkKnown(const Capture& capture) {
       if (!color)
         throw InputError(
             "{}: a light colour is unknown, so that no drift over the field can be told from the "
-            "photographs; tell the colour, or leave out --field",
+            "photographs; tell the colour, or let the lamps count as even (without --field)",
             capture.file.empty() ? capture.name : capture.file.filename().string());
 }
 
@@ -63,8 +66,7 @@ std::optional<LampDrift> findDrift(const Capture& capture, const CapturePixels& 
   if (told) told = SensorNoise{told->read / std::sqrt(small.each), told->fullWell * small.each};
   const CauseContext context = causeContext(capture, small.pixels, told);
   const MisfitCauses causes = misfitCauses(context.estimator, context.signal);
-  if (std::find(causes.likely.begin(), causes.likely.end(), Cause::Field) == causes.likely.end())
-    return std::nullopt;
+  if (causes.likely.empty() || causes.likely.front() != Cause::Field) return std::nullopt;
 
   DriftSample sample(context, tuning);
   LampDrift drift(capture.lightCount());
