@@ -80,7 +80,7 @@ void SessionController::open(const fs::path& path, const SolveOptions& solve) {
     if (pending.file.empty()) pending.session.document.solve = solve;
     begin(std::move(pending));
   } catch (const std::exception& error) {
-    m_messages.error(error.what(), SetController::kPurpose);
+    m_messages.error(error.what());
   }
 }
 

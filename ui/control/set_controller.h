@@ -29,9 +29,6 @@ struct OpenSet {
 /// one is there.
 class SetController {
  public:
-  /// What errors of opening pictures are about.
-  static constexpr const char* kPurpose = "these pictures";
-
   explicit SetController(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
   /// `workingSpace`: of the set that is shown; empty: the source's own.
@@ -51,7 +48,7 @@ class SetController {
   /// Hands the result of load() or convert() on, once, when it is there.
   template <typename OnSet>
   Taken take(Messages& messages, const OnSet& onSet) {
-    return takeOrReport(m_job, messages, kPurpose, onSet);
+    return takeOrReport(m_job, messages, "these pictures", onSet);
   }
 
  private:

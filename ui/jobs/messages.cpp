@@ -19,16 +19,10 @@ Clock::time_point endOf(Messages::Kind kind, const std::string& text) {
 
 }  // namespace
 
-void Messages::say(Kind kind, const std::string& text, const std::string& about) {
+void Messages::say(Kind kind, const std::string& text) {
   logLine((kind == Kind::Error ? "error: " : kind == Kind::Warning ? "warning: " : "") + text);
-  m_messages.push_back({kind, text, about, endOf(kind, text)});
+  m_messages.push_back({kind, text, endOf(kind, text)});
   if (m_messages.size() > kMostShown) m_messages.pop_front();
-}
-
-void Messages::settled(const std::string& about) {
-  std::erase_if(m_messages, [&](const Message& message) {
-    return message.kind == Kind::Error && !about.empty() && message.about == about;
-  });
 }
 
 bool Messages::expire() {

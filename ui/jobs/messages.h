@@ -13,17 +13,14 @@ class Messages {
   struct Message {
     Kind kind;
     std::string text;
-    std::string about;  ///< what failed, as settled() names it; may be empty
     std::chrono::steady_clock::time_point until;
   };
 
-  /// Errors stay until they are clicked away, or what they are about has been done.
-  void say(Kind kind, const std::string& text, const std::string& about = {});
+  /// Errors stay until they are clicked away.
+  void say(Kind kind, const std::string& text);
   void info(const std::string& text) { say(Kind::Info, text); }
   void warn(const std::string& text) { say(Kind::Warning, text); }
-  void error(const std::string& text, const std::string& about = {}) { say(Kind::Error, text, about); }
-  /// It has been done: takes back the errors that are about it.
-  void settled(const std::string& about);
+  void error(const std::string& text) { say(Kind::Error, text); }
 
   /// Forgets what has been shown long enough; true where that changed anything.
   bool expire();

@@ -17,23 +17,21 @@ enum class Taken {
   Failed,   ///< a message says why
 };
 
-/// Hands a job's result on, once. What went wrong, in the work or in `onValue`, becomes a message, which goes
-/// when a job of the same purpose succeeds. `purpose`: what there may be too little memory for, as "this
-/// export".
+/// Hands a job's result on, once. What went wrong, in the work or in `onValue`, becomes a message. `purpose`:
+/// what there may be too little memory for, as "this export".
 template <typename Result, typename OnValue>
 Taken takeOrReport(Job<Result>& job, Messages& messages, const std::string& purpose, const OnValue& onValue) {
   try {
     auto value = job.take();
     if (!value) return Taken::Nothing;
     onValue(std::move(*value));
-    messages.settled(purpose);
     return Taken::Value;
   } catch (const Stopped&) {
     return Taken::Stopped;
   } catch (const std::bad_alloc&) {
-    messages.error("There is not enough memory for " + purpose + ".", purpose);
+    messages.error("There is not enough memory for " + purpose + ".");
   } catch (const std::exception& error) {
-    messages.error(error.what(), purpose);
+    messages.error(error.what());
   }
   return Taken::Failed;
 }

@@ -63,19 +63,6 @@ TEST(SessionController, OpensASolvedSetInAThread) {
   EXPECT_THAT(studio.session.title(), HasSubstr("kitchen.exr"));
 }
 
-TEST(SessionController, AnErrorOfOpeningGoesWhenAFileOpens) {
-  StudioParts studio;
-  studio.messages.error("another one", "something else");
-  studio.session.open(studio.folder / "nowhere.exr");
-  test::writeBytes(studio.folder / "broken.exr", "this is no picture");
-  studio.session.open(studio.folder / "broken.exr");
-  studio.until("the broken one goes on", [&] { return !studio.sets.busy(); });
-  ASSERT_EQ(studio.errors(), 3U) << studio.said();
-  openAndWait(studio, solvedFile(studio));
-  EXPECT_EQ(studio.errors(), 1U) << studio.said();
-  EXPECT_THAT(studio.said(), HasSubstr("another one"));
-}
-
 TEST(SessionController, NewSetsOpenInTheViewChosenLastAndSessionsInTheirOwn) {
   StudioParts studio;
   const fs::path set = solvedFile(studio);
