@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/capture_pixels.h"
+#include "core/capture/left_out.h"
 #include "core/capture/no_such_light.h"
 #include "core/file/json_fields.h"
 
@@ -112,7 +113,7 @@ Capture withFlats(Capture capture, const std::map<std::string, std::string>& lam
   return capture;
 }
 
-Capture withoutLostFlats(Capture capture) {
+Capture withoutLostFlats(Capture capture, std::vector<Shot> leftOut) {
   const auto there = [&](const std::string& name) { return std::filesystem::exists(capture.folder / name); };
   const auto keepFound = [&](KeptJson& extra) {
     Json kept = extra.json();
@@ -125,7 +126,8 @@ Capture withoutLostFlats(Capture capture) {
   };
   keepFound(capture.extra);
   for (Shot& shot : capture.shots) keepFound(shot.extra);
-  return capture;
+  for (Shot& shot : leftOut) keepFound(shot.extra);
+  return withLeftOut(std::move(capture), leftOut);
 }
 
 Json flatsFromJson(JsonFields& fields, const std::vector<Light>& lights) {

@@ -29,8 +29,9 @@ struct FlatNames {
 /// The capture with these for all of its shots, beside those that it has. Throws InputError: no such light.
 [[nodiscard]] Capture withFlats(Capture capture, const std::map<std::string, std::string>& lamps,
                                 const std::string& lens);
-/// The capture without flat pictures of lights that it does not have, or that are not in its folder.
-[[nodiscard]] Capture withoutLostFlats(Capture capture);
+/// The capture, these shots left out, without flat pictures of lights that it does not have, or that are not
+/// in its folder.
+[[nodiscard]] Capture withoutLostFlats(Capture capture, std::vector<Shot> leftOut);
 /// What a manifest says of them, checked, to be carried along: an object, empty where it says nothing.
 [[nodiscard]] Json flatsFromJson(JsonFields& fields, const std::vector<Light>& lights);
 

@@ -17,10 +17,13 @@ void addKept(KeptJson& made, const KeptJson& before) {
   made = std::move(all);
 }
 
-/// A picture that is still there.
-void addKept(std::optional<std::string>& made, const std::optional<std::string>& before,
-             const std::filesystem::path& folder) {
-  if (!made && before && std::filesystem::exists(folder / *before)) made = before;
+/// A picture that is still there, and is not one of the shots now.
+void addKept(std::optional<std::string>& kept, const std::optional<std::string>& before,
+             const Capture& made) {
+  const auto isIt = [&](const Shot& shot) { return shot.image == *before; };
+  if (!kept && before && std::filesystem::exists(made.folder / *before) &&
+      std::none_of(made.shots.begin(), made.shots.end(), isIt))
+    kept = before;
 }
 
 void addKept(std::vector<Shot>& made, const std::vector<Shot>& before) {
@@ -43,8 +46,8 @@ void addKept(std::vector<Light>& made, const Capture& before) {
 
 Capture withKept(Capture made, const Capture& before) {
   made.name = before.name;
-  addKept(made.ambient, before.ambient, made.folder);
-  addKept(made.dark, before.dark, made.folder);
+  addKept(made.ambient, before.ambient, made);
+  addKept(made.dark, before.dark, made);
   if (!made.noise) made.noise = before.noise;
   for (const auto& [light, picture] : before.truth)
     if (made.lightIndex(light) >= 0) made.truth.try_emplace(light, picture);
@@ -55,7 +58,7 @@ Capture withKept(Capture made, const Capture& before) {
   addKept(leftOut, leftOutOf(before));
   addKept(made.shots, leftOutOf(before));
   addKept(made.extra, withLeftOut(before, {}).extra);
-  return withoutLostFlats(withLeftOut(std::move(made), leftOut));
+  return withoutLostFlats(std::move(made), std::move(leftOut));
 }
 
 Capture withKept(Capture made, const std::filesystem::path& file) {
@@ -64,6 +67,9 @@ Capture withKept(Capture made, const std::filesystem::path& file) {
   try {
     before = captureFromJson(readJson(file), file.parent_path(), file);
   } catch (const InputError&) {
+    // Whoever wrote it may want it back.
+    std::filesystem::copy_file(file, file.string() + ".broken",
+                               std::filesystem::copy_options::overwrite_existing);
     return made;
   }
   return withKept(std::move(made), before);

@@ -11,7 +11,8 @@ namespace swaplight {
 /// found by their names, photographs by their files; what is told of others is dropped.
 [[nodiscard]] Capture withKept(Capture made, const Capture& before);
 
-/// The same with the capture.json that lies there; as it is where there is none, or none that can be read.
+/// The same with the capture.json that lies there; as it is where there is none. One that cannot
+/// be read is kept beside it as capture.json.broken.
 [[nodiscard]] Capture withKept(Capture made, const std::filesystem::path& file);
 
 }  // namespace swaplight

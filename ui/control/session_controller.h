@@ -27,6 +27,10 @@ class SessionController {
                     ColorChoice& colors, const std::filesystem::path& stateFolder,
                     std::function<void()> wake);
 
+  /// Sets open in the view of a first start, and what is chosen is not kept: a script makes the same pictures
+  /// whoever runs it.
+  void rememberNoViews() { m_viewFile.clear(); }
+
   /// A capture, a solved set or a session. What goes wrong becomes a message. `solve`: how a capture is
   /// solved; a session says so itself.
   void open(const std::filesystem::path& path, const SolveOptions& solve = {});

@@ -354,7 +354,10 @@ void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, con
   if (!go) return;
   try {
     const fs::path written = writeDraft(draft(), m_replace);
-    const SolveOptions options = m_solve;
+    SolveOptions options = m_solve;
+    // The tick stands below the answer, and counts as long as that is seen.
+    options.correctTone =
+        options.correctTone && linearity() && linearity()->answer == LinearityEvidence::Answer::Curved;
     close();
     solve(written, options);
   } catch (const std::exception& error) {

@@ -111,8 +111,15 @@ void thresholdLine(EditingContext& studio, const std::string& light, size_t inde
     tooltip(tip);
     ImGui::SameLine(buttonsAt);
   };
+  const auto threshold = [&] {
+    const float stops = stopsFromThreshold(
+        shadowThresholdOf(studio.document(), light).value_or(preview->ownThreshold(index)));
+    return stops < ShadowHistogram::kLowestStops ? std::string("no shadow")
+                                                 : fmt::format("below {:+.1f} st", stops);
+  };
   if (edits.findingShadows()) {
-    words(fmt::format("finding {:.0f} %", 100 * edits.findingFraction()), "The shadows are being found.");
+    words(fmt::format("{}finding {:.0f} %", preview ? threshold() + ": " : "", 100 * edits.findingFraction()),
+          "The shadows are being found.");
     if (ImGui::Button("Stop", ImVec2(px(kSearchWidth), 0))) edits.stopFindingShadows();
     markItem("shadows.stop");
   } else if (edits.stoppedFindingShadows() && !edits.shadowsCurrent()) {
@@ -124,10 +131,7 @@ void thresholdLine(EditingContext& studio, const std::string& light, size_t inde
     if (!preview) {
       words("analysing …", "The light is being analysed.");
     } else {
-      const float stops = stopsFromThreshold(
-          shadowThresholdOf(studio.document(), light).value_or(preview->ownThreshold(index)));
-      words(stops < ShadowHistogram::kLowestStops ? "no shadow" : fmt::format("below {:+.1f} st", stops),
-            "Darker places are in shadow: stops below fully lit.");
+      words(threshold(), "Darker places are in shadow: stops below fully lit.");
     }
     actionTextButton(studio.actions, "shadows.outlines", "Outlines", px(kSearchWidth));
   }

@@ -109,6 +109,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
       m_tourSample(options.samplesFolder / "three_point" / "capture.json"),
       m_keys(configFolder() / "keys.txt") {
   m_chooser.beginIn(m_place.folder);
+  if (!options.script.empty()) m_session.rememberNoViews();
   addActions();
   try {
     readKeyFile(m_actions, configFolder() / "keys.txt");
@@ -216,7 +217,7 @@ void StudioWindow::open(const fs::path& path) {
   if (sourceKind(path) == SourceKind::Folder) {
     m_wizard.start(m_colors.config(), path);
   } else if (isPhotograph(path)) {
-    m_messages.info(path.filename().string() + " is one photograph of a set. Here is its folder.");
+    m_messages.info(path.filename().string() + " is no solved set. These are the pictures of its folder.");
     m_wizard.start(m_colors.config(), fs::absolute(path).parent_path());
   } else {
     m_session.open(path);

@@ -52,6 +52,7 @@ DisplayChoice openingView(const ColorConfig& config, const std::filesystem::path
 }
 
 void rememberView(const ColorConfig& config, const DisplayChoice& choice, const std::filesystem::path& file) {
+  if (file.empty()) return;
   Json all = remembered(file);
   all[config.name()] = jsonFromDisplay(choice.withoutGrade());
   try {

@@ -18,7 +18,7 @@ using Kind = SelectionState::Kind;
 using Point = std::array<float, 2>;
 
 constexpr float kLeastLassoStep = 1.5F;  // pixels of the screen between two points of a lasso
-constexpr float kLeastLassoWidth = 4;    // pixels of the screen, on average: less is a line, not an area
+constexpr float kLeastLassoWidth = 3;    // pixels of the screen: less is a line, not an area
 constexpr float kLeastSelection = 3;     // pixels of the screen: less is a click
 constexpr float kDash = 5;               // pixels of the screen at scale 1
 constexpr int kMarchSteps = 6;           // until a dash is where the next of its colour was
@@ -79,15 +79,22 @@ void click(EditingContext& studio, const Point& at, SelectHow how) {
   }
 }
 
-/// How broad the area within a closed line is on average, in the line's units: a long rectangle's short side.
-float widthWithin(const std::vector<Point>& line) {
-  float doubleArea = 0, length = 0;
-  for (size_t i = 0; i < line.size(); ++i) {
-    const Point &a = line[i], &b = line[(i + 1) % line.size()];
-    doubleArea += a[0] * b[1] - b[0] * a[1];
-    length += std::hypot(b[0] - a[0], b[1] - a[1]);
+/// How far a line's points lie off the straight one from its first point to the one farthest from it, on both
+/// sides together, in the line's units.
+float widthOf(const std::vector<Point>& line) {
+  const Point& first = line.front();
+  const auto distance = [&](const Point& p) { return std::hypot(p[0] - first[0], p[1] - first[1]); };
+  const Point& far = *std::max_element(
+      line.begin(), line.end(), [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
+  if (!(distance(far) > 0)) return 0;
+  float left = 0, right = 0;
+  for (const Point& p : line) {
+    const float off =
+        ((far[0] - first[0]) * (p[1] - first[1]) - (far[1] - first[1]) * (p[0] - first[0])) / distance(far);
+    left = std::max(left, off);
+    right = std::max(right, -off);
   }
-  return length > 0 ? std::abs(doubleArea) / length : 0;
+  return left + right;
 }
 
 void finish(EditingContext& studio, const ViewWindow& window) {
@@ -99,7 +106,7 @@ void finish(EditingContext& studio, const ViewWindow& window) {
     far = std::max({far, std::abs(p[0] - first[0]), std::abs(p[1] - first[1])});
   const auto zoom = static_cast<float>(window.zoom);
   const bool drawn = far * zoom >= kLeastSelection;
-  if (drawn && state.kind == Kind::Lasso && widthWithin(going.points) * zoom < kLeastLassoWidth)
+  if (drawn && state.kind == Kind::Lasso && widthOf(going.points) * zoom < kLeastLassoWidth)
     studio.messages.info("This lasso encloses nothing. Draw around what is to be selected.");
   else if (drawn)
     addPart(studio, drawnShape(state.kind, going.points), going.how);

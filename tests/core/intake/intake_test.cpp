@@ -263,7 +263,7 @@ TEST(CaptureDraft, KeepsWhatAReplacedDescriptionSaysBeyondIt) {
     "lights": [{"name": "key", "role": "practical", "lamp": "Dedo"}, {"name": "gone"}],
     "shots": [{"image": "a.exr", "light_colors": [[1, 1, 1], [0, 0, 0]], "slate": "12A"},
               {"image": "lost.exr", "light_colors": [[0, 0, 0], [1, 1, 1]]}],
-    "left_out": [{"image": "c.exr", "light_colors": [[1, 1, 1], [1, 1, 1]], "why": "moved"}],
+    "left_out": [{"image": "c.exr", "light_colors": [[1, 1, 1], [1, 1, 1]], "why": "moved", "flats": {"gone": "card.exr"}}],
     "dark": "black.exr", "ambient": "lost.exr", "noise": {"read": 0.002, "full_well": 20000, "iso": 800},
     "flats": {"key": "card.exr", "gone": "card.exr"}, "vignetting": "lost.exr",
     "truth": {"key": "T_key.exr", "gone": "T_gone.exr"}})";
@@ -281,6 +281,7 @@ TEST(CaptureDraft, KeepsWhatAReplacedDescriptionSaysBeyondIt) {
   EXPECT_FALSE(made.shots[0].lightColors[0]) << "the colours are the draft's";
   EXPECT_EQ(made.shots[0].extra.json()["slate"], "12A");
   EXPECT_EQ(leftOutOf(made).at(0).extra.json()["why"], "moved");
+  EXPECT_FALSE(leftOutOf(made).at(0).extra.json().contains("flats")) << "it could not be read again";
   EXPECT_EQ(made.dark, "black.exr");
   EXPECT_FALSE(made.ambient) << "it is not there";
   EXPECT_EQ(made.noise, (SensorNoise{.002, 20000}));
@@ -291,12 +292,23 @@ TEST(CaptureDraft, KeepsWhatAReplacedDescriptionSaysBeyondIt) {
   EXPECT_EQ(made.extra.json()["noise"]["iso"], 800);
 }
 
+TEST(CaptureDraft, APictureThatIsAShotNowIsNotKeptAsAmbientLight) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.exr", "b.exr"}) writePicture(folder.path() / name);
+  std::ofstream(folder.path() / "capture.json") << R"({
+    "format": "swaplight-capture", "version": 1, "lights": [{"name": "key"}], "ambient": "b.exr",
+    "shots": [{"image": "a.exr", "light_colors": [[1, 1, 1]]}]})";
+  const CaptureDraft draft = draftOf(scanShotFolder(test::builtinColors(), folder.path()), {"key"});
+  EXPECT_FALSE(readCapture(test::builtinColors(), writeDraft(draft, true)).ambient);
+}
+
 TEST(CaptureDraft, ReplacesADescriptionThatCannotBeRead) {
   const TemporaryFolder folder;
   writePicture(folder.path() / "a.exr");
   std::ofstream(folder.path() / "capture.json") << "{";
   const CaptureDraft draft = draftOf(scanShotFolder(test::builtinColors(), folder.path()), {"key"});
   EXPECT_EQ(readCapture(test::builtinColors(), writeDraft(draft, true)).shots.size(), 1U);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "capture.json.broken"));
 }
 
 TEST(CaptureDraft, WarnsOfColoursThatAreTooAlike) {

@@ -63,6 +63,8 @@ TEST(OpeningView, IsRolledOffUntilAnotherOneIsChosen) {
   rememberView(builtin, {"P3-D65", "ACES SDR", "Blue light fix", grade}, file);
   EXPECT_EQ(openingView(builtin, file), (DisplayChoice{"P3-D65", "ACES SDR", "Blue light fix"}))
       << "a grade is its session's";
+  rememberView(builtin, {"P3-D65", "ACES SDR"}, {});
+  EXPECT_EQ(openingView(builtin, {}), (DisplayChoice{"sRGB", "AgX"})) << "without a file nothing is kept";
 }
 
 TEST(OpeningView, IsEachConfigurationsOwn) {
