@@ -47,8 +47,8 @@ struct PlacedLight {
 /// Levels: those that were metered, if all have `stops`. Otherwise each light is held against its own bright
 /// pixels, as if some bright surface faced each lamp. Where four lamps or more shine, their directions and
 /// levels are refined (lamp_refinement.h). What remains open, the bas-relief ambiguity among it (Belhumeur,
-/// Kriegman and Yuille 1999), is as right as what was said: integrability, measured by the curl of normals
-/// that are 10 degrees off, drew levels away from the truth.
+/// Kriegman and Yuille 1999), is as right as what was said. (A search for levels by the normals' curl,
+/// almost free of them, drew them away in a prototype; with a firm prior it was not tried.)
 ///
 /// `shadows`: of all lights in the set's order. Throws Stopped.
 [[nodiscard]] SurfaceNormals surfaceNormals(const SolvedSet& set, const std::vector<LightShadows>& shadows,

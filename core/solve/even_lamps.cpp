@@ -182,8 +182,10 @@ SolvedSet solveDriftingLamps(const Capture& capture, const CapturePixels& photog
     return asItIs("the lamps' drift is not looked for where ambient light is solved for (--field)");
   if (set.report->causes.all.empty())
     return asItIs(
-        "whether the lamps' colour drifts over the picture cannot be told of these photographs: the lamps "
-        "were lit one at a time, they are too few or too dark, or more than can be compared (--field)");
+        "whether the lamps' colour drifts over the picture cannot be told of these photographs: a colour is "
+        "unknown, the lamps were lit one at a time, or the photographs are too few, too dark, or more than "
+        "can "
+        "be compared (--field)");
   const std::optional<LampDrift> drift = seenDrift(capture, photographs, lens, options);
   if (!drift) return asItIs("the photographs do not surely show lamps whose colour drifts over the picture");
   FlatFields fields;
