@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "app/arguments/edit_arguments.h"
 #include "app/arguments/solve_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -28,7 +27,6 @@ constexpr float kMostStops = 20;
 
 struct NormalsCommand {
   std::string source;
-  EditArguments edits;
   SolveArguments solve;
   std::vector<std::string> lamps;
   std::string file;
@@ -143,12 +141,13 @@ void sayResult(const NormalsCommand& arguments, const SurfaceNormals& found, Ter
         100. * static_cast<double>(refused.disagreed) /
             static_cast<double>(refused.disagreed + found.checked));
   terminal.result(
-      fmt::format("refused {:.1f} % of the pixels: fewer than three lamps {:.1f} %, lamps too much alike "
-                  "{:.1f} %, lamps disagree {:.1f} %, turned away {:.1f} %\n",
-                  100 * share(refused.count()), 100 * share(refused.fewLamps), 100 * share(refused.alike),
-                  100 * share(refused.disagreed), 100 * share(refused.away)),
+      fmt::format("refused {:.1f} % of the pixels: not measured {:.1f} %, fewer than three lamps {:.1f} %, "
+                  "lamps too much alike {:.1f} %, lamps disagree {:.1f} %, turned away {:.1f} %\n",
+                  100 * share(refused.count()), 100 * share(refused.flagged), 100 * share(refused.fewLamps),
+                  100 * share(refused.alike), 100 * share(refused.disagreed), 100 * share(refused.away)),
       {{"file", arguments.file},
        {"refused", share(refused.count())},
+       {"flagged", share(refused.flagged)},
        {"few_lamps", share(refused.fewLamps)},
        {"alike", share(refused.alike)},
        {"disagree", share(refused.disagreed)},
@@ -162,13 +161,10 @@ int run(const NormalsCommand& arguments, Terminal& terminal) {
   if (std::filesystem::path(arguments.file).extension() != ".exr")
     throw InputError("{}: normals are written as OpenEXR. Name it {}.", arguments.file,
                      std::filesystem::path(arguments.file).replace_extension(".exr").string());
-  std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
-  inputs.emplace_back(arguments.edits.file);
-  checkOutput(arguments.file, inputs);
+  checkOutput(arguments.file, filesOfSource(arguments.source));
 
   const Progress progress = terminal.progress();
-  const SolvedSet set = arguments.edits.applyTo(
-      openSource(*programConfig(), arguments.source, solving, progress.part(0, 0.4F)));
+  const SolvedSet set = openSource(*programConfig(), arguments.source, solving, progress.part(0, 0.4F));
   sayWarnings(set.capture.warnings, terminal);
   const std::vector<PlacedLight> lamps = placedLights(places, set.capture, arguments.source, terminal);
   const std::vector<LightShadows> shadows = detectShadows(set, {}, progress.part(0.4F, 0.9F));
@@ -194,11 +190,11 @@ void addNormalsVerb(Program& program) {
           "left, 180: behind the set), degrees up, its distance in widths of the picture there or far, "
           "and, of all lamps or none, what a meter reads that points to it; once a lamp")
       ->required()
+      ->allow_extra_args(false)
       ->type_name("LIGHT=AZIMUTH,ELEVATION,DISTANCE[,STOPS]");
   verb.add_option("-o,--output", a->file, "EXR: normal.X right, normal.Y up, normal.Z to the camera; depth.Z")
       ->required()
       ->type_name("FILE.exr");
-  a->edits.addTo(verb);
   a->solve.addTo(verb);
 }
 

@@ -10,13 +10,13 @@
 #include "core/balance/lamp_fit.h"
 #include "core/ocio/luminance.h"
 #include "core/relight/relight.h"
+#include "core/set/measured_pixels.h"
 #include "core/solve/registration/align_shots.h"
 
 namespace swaplight {
 namespace {
 
 constexpr size_t kMostBlocks = size_t{1} << 18;
-constexpr int kUnusable = kClipped | kMoved | kNotFinite | kFilled;  // flags of a set
 constexpr double kLit = 3;              // standard errors that a lamp which is on is above none
 constexpr float kFaintestLamp = 1e-3F;  // of the brightest lamp: less is its spill, not the lamp
 constexpr double kWorseThanAny = 0.2;   // real gels and gloss leave a few per cent
@@ -57,8 +57,7 @@ class BlockReader {
   [[nodiscard]] bool usable(int x, int y) const {
     for (int dy = 0; dy < 2; ++dy)
       for (int dx = 0; dx < 2; ++dx) {
-        if (!m_set.quality.empty() && int(m_set.quality.view().at(kFlags, x + dx, y + dy)) & kUnusable)
-          return false;
+        if (!isMeasured(m_set, x + dx, y + dy)) return false;
         for (int c = 0; c < 3; ++c) {
           const float value = m_photograph.view().at(c, x + dx, y + dy);
           if (!std::isfinite(value) || value >= m_clip) return false;

@@ -30,8 +30,10 @@ constexpr size_t kFewestLamps = 3;
 constexpr double kOutlier = 0.1;
 
 /// light = l . b by least squares (Woodham, "Photometric method for determining surface orientation from
-/// multiple images", 1980, equations 13-16). `rounds`: of reweighting by Geman and McClure's weights, which
-/// leave out highlights and edges of shadows; with three lamps there is nothing to leave out.
+/// multiple images", 1980, equations 13-16). `rounds`: of reweighting by Geman and McClure's weights, by
+/// which a lamp that the others contradict (a highlight, the edge of a shadow) bends the normal little;
+/// `residual` still counts it in full, so that such a pixel may be refused. With three lamps nothing is
+/// reweighted.
 [[nodiscard]] NormalFit fitNormal(std::span<const LampSight> sights, int rounds);
 
 }  // namespace swaplight

@@ -8,6 +8,7 @@
 #include "core/base/quantile.h"
 #include "core/normals/lamp_refinement.h"
 #include "core/normals/normal_fit.h"
+#include "core/set/measured_pixels.h"
 
 namespace swaplight {
 namespace {
@@ -59,12 +60,13 @@ double brightLevel(const Lamp& lamp, const Grid& grid) {
 }
 
 /// Pixels here and there.
-std::vector<PixelSights> somePixels(const std::vector<Lamp>& lamps, const Grid& grid) {
+std::vector<PixelSights> somePixels(const SolvedSet& set, const std::vector<Lamp>& lamps, const Grid& grid) {
   const double pixels = static_cast<double>(grid.width) * grid.height;
   const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kRefinedPixels))));
   std::vector<PixelSights> found;
   for (int y = step / 2; y < grid.height; y += step)
     for (int x = step / 2; x < grid.width; x += step) {
+      if (!isMeasured(set, x, y)) continue;
       PixelSights& sights = found.emplace_back(PixelSights{grid.x(x), grid.y(y), {}, {}});
       for (size_t i = 0; i < lamps.size(); ++i)
         if (lamps[i].lights(pixelAt(grid, x, y))) {
@@ -89,7 +91,8 @@ std::vector<Lamp> lampsOf(const SolvedSet& set, const std::vector<LightShadows>&
     lamps.push_back(lamp);
     told.push_back({light.place, lamp.level});
   }
-  const auto refined = refinedLamps(told, somePixels(lamps, grid), metered ? kMeteredError : kBrightError);
+  const auto refined =
+      refinedLamps(told, somePixels(set, lamps, grid), metered ? kMeteredError : kBrightError);
   for (size_t i = 0; i < lamps.size(); ++i) {
     lamps[i].rays = LampRays(refined[i].place);
     lamps[i].level = refined[i].level;
@@ -104,7 +107,6 @@ struct Tally {
 };
 
 void write(const std::vector<LampSight>& sights, size_t pixel, Image& normals, Tally& tally) {
-  for (int c = 0; c < 3; ++c) normals.plane(c)[pixel] = 0;
   if (sights.size() < kFewestLamps) {
     ++tally.refused.fewLamps;
     return;
@@ -123,11 +125,17 @@ void write(const std::vector<LampSight>& sights, size_t pixel, Image& normals, T
   }
 }
 
-Tally writeRow(const std::vector<Lamp>& lamps, const Grid& grid, int y, Image& normals) {
+Tally writeRow(const SolvedSet& set, const std::vector<Lamp>& lamps, const Grid& grid, int y,
+               Image& normals) {
   Tally tally;
   std::vector<LampSight> sights;
   for (int x = 0; x < grid.width; ++x) {
     const size_t pixel = pixelAt(grid, x, y);
+    for (int c = 0; c < 3; ++c) normals.plane(c)[pixel] = 0;
+    if (!isMeasured(set, x, y)) {
+      ++tally.refused.flagged;
+      continue;
+    }
     sights.clear();
     for (const Lamp& lamp : lamps) {
       if (!lamp.lights(pixel)) continue;
@@ -153,8 +161,9 @@ SurfaceNormals surfaceNormals(const SolvedSet& set, const std::vector<LightShado
   parallelRows(grid.height, kRows, [&](int begin, int end) {
     progress.update(0.2F, "finding normals");
     for (int y = begin; y < end; ++y) {
-      const Tally tally = writeRow(known, grid, y, found.normals);
+      const Tally tally = writeRow(set, known, grid, y, found.normals);
       const std::lock_guard lock(adding);
+      found.refused.flagged += tally.refused.flagged;
       found.refused.fewLamps += tally.refused.fewLamps;
       found.refused.alike += tally.refused.alike;
       found.refused.disagreed += tally.refused.disagreed;

@@ -12,11 +12,12 @@ namespace swaplight {
 
 /// Why a pixel has no normal; each pixel counts once.
 struct RefusedPixels {
+  size_t flagged = 0;    ///< its light was not measured: clipped, moved, filled in
   size_t fewLamps = 0;   ///< fewer than three lamps light it
   size_t alike = 0;      ///< they light it from directions too much alike
   size_t disagreed = 0;  ///< four or more do, and contradict each other
   size_t away = 0;       ///< it would be turned away from the camera
-  [[nodiscard]] size_t count() const { return fewLamps + alike + disagreed + away; }
+  [[nodiscard]] size_t count() const { return flagged + fewLamps + alike + disagreed + away; }
 };
 
 struct SurfaceNormals {

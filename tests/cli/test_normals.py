@@ -84,6 +84,7 @@ class NormalsTest(cli.CliTest):
         self.deny('normals', solved, *self.lamps()[2:], '--lamp', 'left=0,0,far', '-o', out, naming=['stops'])
         self.deny('normals', solved, *self.lamps(), '-o', self.path('normals.png'), naming=['normals.png', 'OpenEXR'])
         self.deny('normals', solved, *self.lamps()[2:], '--lamp', 'sun=0,0,far,0', '-o', out, naming=['sun', 'left'])
+        self.deny('normals', solved, *self.lamps(), '-o', out, '--edits', 'edits.json', naming=['--edits'])
         self.deny('normals', self.path('none.exr'), *self.lamps(), '-o', out, naming=['none.exr'])
 
 

@@ -117,11 +117,22 @@ TEST(SurfaceNormals, FollowTheFalloffOfALampWhoseDistanceIsTold) {
   EXPECT_GT(meanError(normalsOf(lit).normals), 3);
 }
 
-TEST(SurfaceNormals, LeaveOutTheOneLampThatMakesAHighlight) {
+TEST(SurfaceNormals, AreRefusedWhereOneLampMakesAHighlight) {
   const auto places = metered(kFive, {0, 0, 0, 0, 0});
   const auto highlight = [](size_t lamp, int x, int) { return lamp == 1 && x > 40 && x < 56 ? .5 : 0.; };
   const SurfaceNormals found = normalsOf(ballUnder(places, {1, 1, 1, 1, 1}, highlight));
   EXPECT_LT(meanError(found.normals), 4);
+  EXPECT_GT(found.refused.disagreed, size_t{15 * kHeight / 4});
+}
+
+TEST(SurfaceNormals, AreRefusedWhereLightWasNotMeasured) {
+  Lit lit = ballUnder(kFive, {1, 1, 1, 1, 1});
+  lit.set.quality = Image(ImageSpec{kWidth, kHeight, {"residual", "sigma", "flags", "model"}, "data"}, 0.F);
+  std::fill_n(lit.set.quality.plane(kFlags), 10 * kWidth, static_cast<float>(kClipped));
+  const SurfaceNormals found = normalsOf(lit);
+  EXPECT_EQ(found.refused.flagged, size_t{10 * kWidth});
+  EXPECT_EQ(found.normals.view().at(2, 48, 5), 0);
+  EXPECT_GT(found.normals.view().at(2, 48, 48), .5);
 }
 
 TEST(SurfaceNormals, AreRefusedWhereFewerThanThreeLampsShine) {
