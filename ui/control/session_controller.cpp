@@ -53,8 +53,8 @@ SessionController::SessionController(DocumentEditor& editor, ViewState& view, Se
   for (const std::string& words : setBrokenAside(stateFolder / "recovery")) m_messages.warn(words);
 }
 
-DisplayChoice SessionController::viewOfNewSet() {
-  return openingView(*m_colors.configFor({}), m_viewFile);
+DisplayChoice SessionController::openingViewIn(const fs::path& colorConfig) {
+  return openingView(*m_colors.configFor(colorConfig), m_viewFile);
 }
 
 void SessionController::rememberView(const DisplayChoice& choice) {
@@ -69,7 +69,7 @@ SessionController::Pending SessionController::pendingFor(const fs::path& path) {
   } else {
     if (!fs::exists(path)) throw InputError("{}: there is no such file", path.string());
     pending.session.document.source = sourceFile(path);
-    pending.session.document.display = viewOfNewSet();
+    pending.session.document.display = openingViewIn({});
   }
   return pending;
 }
@@ -113,7 +113,7 @@ void SessionController::useOnSet(const fs::path& path) {
 void SessionController::openSet(OpenSet set) {
   Pending pending;
   pending.session.document.source = set.source;
-  pending.session.document.display = viewOfNewSet();
+  pending.session.document.display = openingViewIn({});
   adopt(std::move(pending), std::move(set));
 }
 

@@ -30,6 +30,9 @@ class SessionController {
   /// Sets open in the view of a first start, and what is chosen is not kept: a script makes the same pictures
   /// whoever runs it.
   void rememberNoViews() { m_viewFile.clear(); }
+  /// What a set is seen through that comes to a colour configuration without a view of its own. Empty: the
+  /// built-in configuration.
+  [[nodiscard]] DisplayChoice openingViewIn(const std::filesystem::path& colorConfig);
 
   /// A capture, a solved set or a session. What goes wrong becomes a message. `solve`: how a capture is
   /// solved; a session says so itself.
@@ -94,8 +97,6 @@ class SessionController {
     bool fromOtherSet = false;  ///< it is new, and in no file yet
   };
   [[nodiscard]] Pending pendingFor(const std::filesystem::path& path);
-  /// What a set that is in no session is seen through.
-  [[nodiscard]] DisplayChoice viewOfNewSet();
   void begin(Pending pending);
   void takeSet();
   /// A set was not to be had: what was there stays.

@@ -10,7 +10,9 @@ constexpr double kZoomStep = 1.25;
 void useColorConfig(ViewerContext& studio, const std::filesystem::path& file) {
   Document next = studio.document();
   next.colorConfig = file;
-  next.display = {"", "", {}, next.display.grade};  // another configuration has other names
+  const std::optional<ColorGrade> grade = next.display.grade;
+  next.display = studio.session.openingViewIn(file);  // another configuration has other names
+  next.display.grade = grade;
   studio.editor.edit("Colour configuration", std::move(next));
 }
 

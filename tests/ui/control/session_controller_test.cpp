@@ -83,6 +83,17 @@ TEST(SessionController, NewSetsOpenInTheViewChosenLastAndSessionsInTheirOwn) {
   EXPECT_EQ(studio.editor.document().display, (DisplayChoice{"sRGB", "ACES SDR"}));
 }
 
+TEST(SessionController, KnowsTheViewThatEachConfigurationOpensIn) {
+  StudioParts studio;
+  const fs::path handMade = SWAPLIGHT_TEST_DATA "/color/config.ocio";
+  EXPECT_EQ(studio.session.openingViewIn({}), (DisplayChoice{"sRGB", "AgX"}));
+  EXPECT_EQ(studio.session.openingViewIn(handMade), DisplayChoice{}) << "its own";
+  studio.colors.follow(handMade, studio.messages);
+  studio.session.rememberView({"Monitor", "Film"});
+  EXPECT_EQ(studio.session.openingViewIn(handMade), (DisplayChoice{"Monitor", "Film"}));
+  EXPECT_EQ(studio.session.openingViewIn({}), (DisplayChoice{"sRGB", "AgX"})) << "the way back";
+}
+
 TEST(SessionController, WhatCannotBeOpenedLeavesWhatIsOpen) {
   StudioParts studio;
   openAndWait(studio, solvedFile(studio));
