@@ -31,13 +31,18 @@ int zoneOf(const Operation& operation, int width) {
 // What the operation looks up of each chosen light's shadows, or what was looked up before.
 std::vector<ShadowChange> shadowChanges(const ShadowOperation& operation, const Edit& edit,
                                         const std::vector<int>& chosen, const EditedLights& lights,
-                                        const ShadowSource& shadows, const PreparedEdit* earlier) {
+                                        const MaskContext& context, const PreparedEdit* earlier) {
+  const ShadowSource& shadows = context.shadows();
   if (!shadows) throw InputError("the edit \"{}\" uses shadows, which are not available here.", edit.name);
   const auto* before = earlier ? std::get_if<ShadowOperation>(&earlier->edit->operation) : nullptr;
-  if (before && earlier->lights == chosen && sameShadowChange(*before, operation)) return earlier->shadows;
+  const bool same = before && earlier->lights == chosen;
+  if (same && sameShadowChange(*before, operation)) return earlier->shadows;
   std::vector<ShadowChange> changes;
-  for (const int i : chosen)
-    changes.push_back(shadowChange(operation, shadows(lights.names[static_cast<size_t>(i)])));
+  for (size_t k = 0; k < chosen.size(); ++k) {
+    const auto light = static_cast<size_t>(chosen[k]);
+    changes.push_back(shadowChange(operation, shadows(lights.names[light]), context.set(), light,
+                                   same ? &earlier->shadows[k] : nullptr));
+  }
   return changes;
 }
 
@@ -88,8 +93,7 @@ PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& l
   std::visit(
       [&]<typename T>(const T& operation) {
         if constexpr (std::is_same_v<T, ShadowOperation>)
-          prepared.shadows =
-              shadowChanges(operation, *edit, prepared.lights, lights, context.shadows(), earlier);
+          prepared.shadows = shadowChanges(operation, *edit, prepared.lights, lights, context, earlier);
         if constexpr (LampOperation<T>)
           prepared.lamps = lampEdits(operation.lampChange(), prepared.lights, context, earlier);
         if constexpr (std::is_same_v<T, UnknownGelOperation>)

@@ -1,55 +1,44 @@
 #include "core/edit/apply/shadow_change.h"
 
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
 
-#include "core/base/parallel.h"
+#include "core/edit/apply/shadow_silhouette.h"
+#include "core/edit/apply/soft_visibility.h"
 
 namespace swaplight {
 namespace {
 
 using Kind = ShadowOperation::Kind;
 
-constexpr int kExactRadius = 8;  // larger blurs are made of a smaller picture
-
-// A steeper visibility: half light stays half light, the penumbra shrinks to nothing.
-float hardened(float visibility) {
-  return std::clamp((visibility - .5f) * 20 + .5f, 0.f, 1.f);
+/// A steeper visibility: half light stays half light, the penumbra shrinks to nothing.
+Image hardened(const Image& visibility) {
+  Image hard(visibility.spec());
+  std::transform(visibility.plane(0), visibility.plane(0) + visibility.pixelCount(), hard.plane(0),
+                 [](float v) { return std::clamp((v - .5f) * 20 + .5f, 0.f, 1.f); });
+  return hard;
 }
 
-cv::Mat softened(const cv::Mat& visibility, int radius) {
-  const int shrink = std::max(1, radius / kExactRadius);
-  cv::Mat small = visibility;
-  if (shrink > 1) {
-    const cv::Size size((visibility.cols + shrink - 1) / shrink, (visibility.rows + shrink - 1) / shrink);
-    cv::resize(visibility, small, size, 0, 0, cv::INTER_AREA);
-  }
-  cv::Mat soft(small.size(), CV_32F);
-  parallelRows(small.rows, 64, [&](int begin, int end) {
-    cv::Mat band = soft.rowRange(begin, end);  // sees the rows around it
-    cv::GaussianBlur(small.rowRange(begin, end), band, {}, radius / (2. * shrink), 0, cv::BORDER_REPLICATE);
-  });
-  if (shrink > 1) cv::resize(soft, soft, visibility.size(), 0, 0, cv::INTER_LINEAR);
-  return soft;
+std::shared_ptr<const Image> stepTo(Image next, const Image& visibility) {
+  for (size_t i = 0; i < next.pixelCount(); ++i) next.plane(0)[i] -= visibility.plane(0)[i];
+  return std::make_shared<const Image>(std::move(next));
 }
 
 }  // namespace
 
-ShadowChange shadowChange(const ShadowOperation& operation, std::shared_ptr<const LightShadows> shadows) {
-  if (operation.kind != Kind::Soften && operation.kind != Kind::Sharpen) return {std::move(shadows), nullptr};
+ShadowChange shadowChange(const ShadowOperation& operation, std::shared_ptr<const LightShadows> shadows,
+                          const SolvedSet& set, size_t light, const ShadowChange* earlier) {
   const Image& visibility = shadows->visibility;
-  auto step = std::make_shared<Image>(visibility.spec());
-  const cv::Mat in(visibility.height(), visibility.width(), CV_32F, const_cast<float*>(visibility.plane(0)));
-  const bool softens = operation.kind == Kind::Soften;
-  const cv::Mat soft = softens ? softened(in, operation.radius) : cv::Mat();
-  parallelRows(visibility.height(), 64, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const auto* v = in.ptr<float>(y);
-      float* out = step->span().row(0, y);
-      for (int x = 0; x < in.cols; ++x) out[x] = (softens ? soft.ptr<float>(y)[x] : hardened(v[x])) - v[x];
-    }
-  });
-  return {std::move(shadows), std::move(step)};
+  ShadowChange change;
+  if (operation.kind == Kind::Soften) {
+    change.silhouettes = earlier && earlier->shadows == shadows && earlier->silhouettes
+                             ? earlier->silhouettes
+                             : std::make_shared<const Image>(shadowSilhouettes(visibility, set, light));
+    change.step = stepTo(softVisibility(visibility, *change.silhouettes, operation.radius), visibility);
+  } else if (operation.kind == Kind::Sharpen) {
+    change.step = stepTo(hardened(visibility), visibility);
+  }
+  change.shadows = std::move(shadows);
+  return change;
 }
 
 bool sameShadowChange(const ShadowOperation& a, const ShadowOperation& b) {

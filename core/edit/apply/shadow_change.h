@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/edit/stack/edit.h"
+#include "core/set/solved_set.h"
 #include "core/shadow/result/light_shadows.h"
 
 namespace swaplight {
@@ -11,11 +12,15 @@ namespace swaplight {
 /// much. Of the operation it knows the kind and the radius; amount and colour are free to change.
 struct ShadowChange {
   std::shared_ptr<const LightShadows> shadows;
-  std::shared_ptr<const Image> step;  ///< one channel, -1..1: to the new visibility; nullptr: to 1
+  std::shared_ptr<const Image> step;         ///< one channel, -1..1: to the new visibility; nullptr: to 1
+  std::shared_ptr<const Image> silhouettes;  ///< where softening ends (shadow_silhouette.h); else nullptr
 };
 
+/// Of light number `light` of the set. `earlier`, if there is one, is what an operation looked up of it
+/// before: what has not changed is taken from it.
 [[nodiscard]] ShadowChange shadowChange(const ShadowOperation& operation,
-                                        std::shared_ptr<const LightShadows> shadows);
+                                        std::shared_ptr<const LightShadows> shadows, const SolvedSet& set,
+                                        size_t light, const ShadowChange* earlier = nullptr);
 
 /// Whether changes made for one operation serve another.
 [[nodiscard]] bool sameShadowChange(const ShadowOperation& a, const ShadowOperation& b);
