@@ -3,6 +3,11 @@
 #include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {
+namespace {
+
+constexpr double kFew = 1e-5;  // of all pixels around: so few that are lit say nothing
+
+}  // namespace
 
 OtherLights otherLights(const SetEvidence& set, const std::vector<cv::Mat>& visibilities, size_t light,
                         int rim, const OtherLightsTuning& tuning) {
@@ -19,6 +24,29 @@ OtherLights otherLights(const SetEvidence& set, const std::vector<cv::Mat>& visi
   cv::erode(reached, reached, {}, {-1, -1}, rim, cv::BORDER_CONSTANT, cv::Scalar(255));
   others.known = (others.grey > tuning.dark) & reached;
   return others;
+}
+
+cv::Mat lightsAround(const SetEvidence& set, const std::vector<cv::Mat>& visibilities, size_t light,
+                     const cv::Mat& lit, const OtherLightsTuning& tuning) {
+  const double reach = tuning.around * referenceUnit(lit);
+  const auto around = [&](const cv::Mat& x) {
+    cv::Mat mean;
+    cv::GaussianBlur(lit.mul(x), mean, {}, reach, 0, cv::BORDER_REPLICATE);
+    return mean;
+  };
+  const cv::Mat count = around(cv::Mat(lit.size(), CV_32F, cv::Scalar(1)));
+  const cv::Size full = set.contributions[light].size();
+  cv::Mat sum(full, CV_32FC3, cv::Scalar::all(0));
+  cv::Mat all(lit.size(), CV_32F, cv::Scalar(0)), some = all.clone();  // grey, around
+  for (size_t j = 0; j < set.contributions.size(); ++j) {
+    if (j == light) continue;
+    const cv::Mat share = (around(shrunk(visibilities[j], lit.size())) + kFew) / (count + kFew);
+    const cv::Mat grey = shrunk(greyOf(set.contributions[j]), lit.size());
+    sum += set.contributions[j].mul(spread(grown(share, full)));
+    all += around(grey);
+    some += around(grey.mul(share));
+  }
+  return sum.mul(spread(grown((all + kFew) / (some + kFew), full)));
 }
 
 cv::Mat OtherLights::ratioOf(const cv::Mat& own, const cv::Mat& mask, cv::Size size) const {

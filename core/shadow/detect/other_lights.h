@@ -23,4 +23,11 @@ struct OtherLights {
 [[nodiscard]] OtherLights otherLights(const SetEvidence& set, const std::vector<cv::Mat>& visibilities,
                                       size_t light, int rim, const OtherLightsTuning& tuning = {});
 
+/// The other lights' sum again, each of them as far as it shines on the surfaces around that `lit` (0 or 1,
+/// float, of any smaller size) chooses. A light's ratio to the others that was taken there says nothing of a
+/// light that does not shine there: a back light on hair would count as much of the key as it does of the
+/// fill. Near those surfaces the sum is about what it was.
+[[nodiscard]] cv::Mat lightsAround(const SetEvidence& set, const std::vector<cv::Mat>& visibilities,
+                                   size_t light, const cv::Mat& lit, const OtherLightsTuning& tuning = {});
+
 }  // namespace swaplight

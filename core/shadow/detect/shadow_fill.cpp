@@ -73,11 +73,15 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   cv::erode(others.known, detailed, {});
   cv::Mat(spread(grown(smoothRatio, full)).mul(others.rgb)).copyTo(unshadowed, detailed);
 
-  cv::Mat missing = unshadowed - own;
-  cv::max(missing, 0, missing);
   // What is seen nearly in whole needs no continuation.
-  const cv::Mat share = 1 / cv::max(visibility, tuning.fill.sure) - 1;
-  cv::Mat(own.mul(spread(share))).copyTo(missing, sure);
+  const cv::Mat continuedShare = 1 / cv::max(visibility, tuning.fill.sure) - 1;
+  const auto missingOf = [&](const cv::Mat& whole) {
+    cv::Mat missing = whole - own;
+    cv::max(missing, 0, missing);
+    cv::Mat(own.mul(spread(continuedShare))).copyTo(missing, sure);
+    return missing;
+  };
+  cv::Mat missing = missingOf(unshadowed);
 
   // Where most of the light arrives, what is missing says how much of it exactly: bounced light counts
   // little.
@@ -95,6 +99,13 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   ending.copyTo(filled.visibility, others.known);
   filled.visibility.setTo(1, sure & (visibility > tuning.fill.allSeen));
 
+  // What fills it: of lights alone that shine where the ratio was taken.
+  if (set.contributions.size() > 2) {
+    cv::Mat(spread(grown(smoothRatio, full))
+                .mul(lightsAround(set, visibilities, light, asFloat(fixed), tuning.others)))
+        .copyTo(unshadowed, detailed);
+    missing = missingOf(unshadowed);
+  }
   // Bounced light is no part of it where it can be told apart: in the umbra.
   cv::divide(missing, spread(cv::max(1 - filled.visibility, 1 - tuning.fill.fullySeen)), filled.direct);
   const cv::Mat lit = clampedToOne((filled.visibility - tuning.fill.barelySeen) /

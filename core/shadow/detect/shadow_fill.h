@@ -18,11 +18,11 @@ struct FilledShadow {
 ///
 /// The light's ratio to the other lights varies smoothly over a surface and knows nothing of its texture: it
 /// is continued from the lit surroundings into the shadow, not across the edges that the other lights show (a
-/// Poisson fill guided by them), and multiplied by the other lights. Where they are dark too nothing is known
-/// of the surface, and the filled contribution itself is continued. What faces away from the light has
-/// borders at which the ratio fades out; those are continued as dark as they are. An approximation: objects
-/// in the shadow keep their outlines, but not their shape's own shading.
-/// `told` as in RefinedVisibility.
+/// Poisson fill guided by them), and multiplied by those of the other lights that shine around it. Where they
+/// are dark too nothing is known of the surface, and the filled contribution itself is continued. What faces
+/// away from the light has borders at which the ratio fades out; those are continued as dark as they are. An
+/// approximation: objects in the shadow keep their outlines, but not their shape's own shading. `told` as in
+/// RefinedVisibility.
 [[nodiscard]] FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visibilities,
                                       const cv::Mat& told, size_t light, const ShadowTuning& tuning = {});
 

@@ -43,11 +43,13 @@ struct OtherLightsTuning {
   float seen = .7F;       ///< visibility from which on a light shows it well enough
   float ratioEdge = .3F;  ///< log step of theirs that a ratio is not continued over
   float meanEdge = 3;     ///< the same for means of a ratio, in such steps
+  float around = 20;      ///< units: standard deviation, of the surfaces around that a light shines on
 
   static constexpr auto fields() {
     using T = OtherLightsTuning;
     return std::tuple{std::pair{"dark", &T::dark}, std::pair{"seen", &T::seen},
-                      std::pair{"ratio_edge", &T::ratioEdge}, std::pair{"mean_edge", &T::meanEdge}};
+                      std::pair{"ratio_edge", &T::ratioEdge}, std::pair{"mean_edge", &T::meanEdge},
+                      std::pair{"around", &T::around}};
   }
 };
 
