@@ -19,12 +19,23 @@ struct Gel {
   std::string id;  ///< the maker's letter and the number: L201
   std::string name;
   Kind kind = Kind::Color;
-  float miredShift = 0;     ///< Correction: added to 1e6 / Kelvin; negative is bluer
-  float green = 0;          ///< Correction: 1 = full plus green
-  float transmission = 1;   ///< 0..1
-  Rgb filter{1, 1, 1};      ///< Color: transmission of each channel, seen under daylight
-  bool approximate = true;  ///< made by eye; false where it follows from the maker's shift or density
+  float miredShift = 0;    ///< Correction: added to 1e6 / Kelvin; negative is bluer
+  float green = 0;         ///< Correction: 1 = full plus green
+  float transmission = 1;  ///< 0..1
+  Rgb filter{1, 1, 1};     ///< Color: transmission of each channel, seen under daylight
+  /// How its colour is known.
+  enum class Source {
+    ByEye,      ///< made for trying out
+    Maker,      ///< follows from the maker's shift or density
+    Published,  ///< printed in the dissertation that this program follows (Lindsay 2013, 6.4)
+    Table,      ///< a person's table, which does not say
+    Measured,   ///< a person's table: by a photograph of a chart (swaplight chart)
+  };
+  Source source = Source::Table;
 };
+
+/// For people: "by eye", "maker's figures", "published", "own table", "measured".
+[[nodiscard]] const char* sourceName(Gel::Source source);
 
 /// The built-in table: correction gels by their mired shift, neutral densities, and a few colours of our own
 /// making, for trying out; no maker's table.
@@ -44,7 +55,22 @@ size_t importGels(const std::filesystem::path& csv);
 
 /// Gels from a table with the columns brand, number, name, x, y, T: the chromaticity of daylight through the
 /// gel and its transmission, 0..1 or in percent ("34%" or above 1). The first line may name the columns, in
-/// any order; lines that begin with # are skipped. Throws InputError with the line.
+/// any order, and one more, source, where "measured" is a gel that was; lines that begin with # are skipped.
+/// Throws InputError with the line.
 [[nodiscard]] std::vector<Gel> gelsFromCsv(const std::string& text, const std::string& fileName);
+
+/// What a gel is called in a table.
+struct GelLabel {
+  std::string brand, number, name;
+
+  /// "Rosco,4660,60 Red"; the name may be left out. Throws InputError that quotes the text.
+  [[nodiscard]] static GelLabel fromText(const std::string& text);
+};
+
+/// A table (see gelsFromCsv; "" is none yet) with one gel more, a measured one: `filter` is what it lets
+/// through of each linear Rec.709 channel of white. The table keeps its columns and their order. Throws
+/// InputError as gelsFromCsv does, where the table has the gel already, and where nothing passes the filter.
+[[nodiscard]] std::string withMeasuredGel(const std::string& table, const std::string& fileName,
+                                          const GelLabel& label, const Rgb& filter);
 
 }  // namespace swaplight

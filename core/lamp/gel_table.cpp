@@ -3,30 +3,53 @@
 #include <cmath>
 
 #include "core/color/chromaticity.h"
+#include "core/color/srgb.h"
 
 namespace swaplight {
 namespace {
 
 /// Mired shift as the maker states it; transmission rounded to a few per cent.
 Gel correction(const char* id, const char* name, float miredShift, float transmission) {
-  return {id, name, Gel::Kind::Correction, miredShift, 0, transmission, Rgb(1), false};
+  return {id, name, Gel::Kind::Correction, miredShift, 0, transmission, Rgb(1), Gel::Source::Maker};
 }
 
 /// The makers state CC values: CC30 is full, CC15 a half, CC075 a quarter, CC035 an eighth.
 Gel green(const char* id, const char* name, float amount, float transmission) {
-  return {id, name, Gel::Kind::Correction, 0, amount, transmission, Rgb(1), false};
+  return {id, name, Gel::Kind::Correction, 0, amount, transmission, Rgb(1), Gel::Source::Maker};
 }
 
 Gel neutral(const char* id, const char* name, float density) {
-  return {id, name, Gel::Kind::Neutral, 0, 0, std::pow(10.0f, -density), Rgb(1), false};
+  return {id, name, Gel::Kind::Neutral, 0, 0, std::pow(10.0f, -density), Rgb(1), Gel::Source::Maker};
 }
 
 /// Made by eye.
 Gel color(const char* id, const char* name, const Rgb& filter) {
-  return {id, name, Gel::Kind::Color, 0, 0, luminance(filter), filter, true};
+  return {id, name, Gel::Kind::Color, 0, 0, luminance(filter), filter, Gel::Source::ByEye};
+}
+
+/// Codes of sRGB that the dissertation gives the gels of its experiments, over daylight (Lindsay 2013, 6.4).
+Gel published(const char* id, const char* name, const Rgb& codes) {
+  const Rgb filter = linearFromSrgb(codes / 255.0F);
+  return {id, name, Gel::Kind::Color, 0, 0, luminance(filter), filter, Gel::Source::Published};
 }
 
 }  // namespace
+
+const char* sourceName(Gel::Source source) {
+  switch (source) {
+    case Gel::Source::ByEye:
+      return "by eye";
+    case Gel::Source::Maker:
+      return "maker's figures";
+    case Gel::Source::Published:
+      return "published";
+    case Gel::Source::Table:
+      return "own table";
+    case Gel::Source::Measured:
+      return "measured";
+  }
+  return "";
+}
 
 const std::vector<Gel>& builtInGels() {
   static const std::vector<Gel> gels{
@@ -100,6 +123,10 @@ const std::vector<Gel>& builtInGels() {
       color("R27", "Medium Red", {0.45f, 0.005f, 0.01f}),
       color("R80", "Primary Blue", {0.02f, 0.07f, 0.50f}),
       color("R90", "Dark Yellow Green", {0.03f, 0.20f, 0.04f}),
+      published("R12", "Straw", {255, 203, 0}),
+      published("R59", "Indigo", {0, 38, 96}),
+      published("R89", "Moss Green", {42, 165, 95}),
+      published("R4660", "60 Red", {218, 131, 102}),
   };
   return gels;
 }

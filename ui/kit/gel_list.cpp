@@ -39,8 +39,7 @@ std::string gelWords(const std::string& id) {
 }
 
 bool gelLine(const Gel& gel, bool current) {
-  const std::string label =
-      fmt::format("      {}  {}{}", gel.id, gel.name, gel.approximate ? "  (approximate)" : "");
+  const std::string label = fmt::format("      {}  {}  ({})", gel.id, gel.name, sourceName(gel.source));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool clicked = ImGui::Selectable(label.c_str(), current);
   const float side = ImGui::GetTextLineHeight();

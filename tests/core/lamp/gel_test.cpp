@@ -93,5 +93,52 @@ TEST(GelCsv, SaysWhichLineIsWrong) {
   EXPECT_THAT(message(",1,a,0.3,0.3,1\n"), testing::HasSubstr("brand and number"));
 }
 
+TEST(Gel, SaysHowItIsKnown) {
+  // BALANCE: linear .701/.227/.133, .023/.376/.114, 1/.597/0, 0/.019/.117.
+  const struct {
+    const char* id;
+    Rgb filter;
+  } published[] = {{"R4660", {.701F, .227F, .133F}},
+                   {"R89", {.023F, .376F, .114F}},
+                   {"R12", {1, .597F, 0}},
+                   {"R59", {0, .019F, .117F}}};
+  for (const auto& one : published) {
+    const Gel& gel = findGel(one.id);
+    EXPECT_EQ(gel.source, Gel::Source::Published) << one.id;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(gel.filter[c], one.filter[c], 1e-3) << one.id;
+  }
+  EXPECT_EQ(findGel("L201").source, Gel::Source::Maker);
+  EXPECT_EQ(findGel("L106").source, Gel::Source::ByEye);
+  const auto own = gelsFromCsv(
+      "brand,number,name,x,y,T,source\nA,1,a,.3,.3,.5,measured\nB,2,b,.3,.3,.5,\nC,3,c,.3,.3,.5\n",
+      "gels.csv");
+  EXPECT_EQ(own[0].source, Gel::Source::Measured);
+  EXPECT_EQ(own[1].source, Gel::Source::Table);
+  EXPECT_EQ(own[2].source, Gel::Source::Table);
+}
+
+TEST(GelCsv, TakesInMeasuredGels) {
+  const Rgb filter(.7F, .2F, .1F);
+  const GelLabel label = GelLabel::fromText("Rosco,4660,\"60 Red, old\"");
+  EXPECT_EQ(label.name, "60 Red, old");
+  const std::string table = withMeasuredGel("", "gels.csv", label, filter);
+  const Gel gel = gelsFromCsv(table, "gels.csv").at(0);
+  EXPECT_EQ(gel.id, "R4660");
+  EXPECT_EQ(gel.name, "60 Red, old");
+  EXPECT_EQ(gel.source, Gel::Source::Measured);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(gel.filter[c], filter[c], 1e-4);
+  EXPECT_THAT(test::inputError([&] { (void)withMeasuredGel(table, "gels.csv", label, filter); }),
+              testing::HasSubstr("R4660"));
+  // A table that is there keeps its columns, comments and order.
+  const std::string own = "# mine\nT,y,x,name,number,brand,note\n50,0.33,0.31,Grey,1,Lee,dear";
+  const std::string more = withMeasuredGel(own, "gels.csv", GelLabel::fromText("Lee,2"), filter);
+  EXPECT_THAT(more, testing::StartsWith(own + "\n"));
+  EXPECT_EQ(gelsFromCsv(more, "gels.csv").at(1).id, "L2");
+  EXPECT_NEAR(gelsFromCsv(more, "gels.csv").at(1).filter.r, filter.r, 1e-4);
+  EXPECT_THROW((void)withMeasuredGel(own, "gels.csv", label, Rgb(0)), InputError);
+  for (const char* wrong : {"", "Lee", "Lee,", ",1", "Lee,1,a,b", "#Lee,1", "Lee,1,a\nb"})
+    EXPECT_THROW((void)GelLabel::fromText(wrong), InputError) << wrong;
+}
+
 }  // namespace
 }  // namespace swaplight
