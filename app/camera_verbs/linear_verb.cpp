@@ -33,9 +33,10 @@ int run(const LinearCommand& arguments, Terminal& terminal) {
     capture.colorSpace = pathInManifest(capture.folder, arguments.response);
   }
   sayWarnings(capture.warnings, terminal);
-  const CapturePixels pixels = loadCapturePixels(*config, capture, terminal.progress());
+  const Progress progress = terminal.progress();
+  const CapturePixels pixels = loadCapturePixels(*config, capture, progress.part(0, .5F));
   sayWarnings(pixels.warnings, terminal);
-  const LinearityEvidence evidence = linearityOf(capture, pixels);
+  const LinearityEvidence evidence = linearityOf(capture, pixels, progress.part(.5F, 1));
   Description d{"", jsonFromLinearity(evidence)};
   d.json["color_space"] = capture.colorSpace;
   d.line("light?", evidence.words);

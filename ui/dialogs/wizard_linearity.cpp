@@ -25,9 +25,10 @@ void CaptureWizard::testLight() {
   whole.frame = {};
   m_tested = typedColors();
   m_linearity.reset();
-  m_testing.start([capture = captureOf(whole), all = m_found->pixels, used = usedPhotographs(m_rows)](
-                      const Progress&) { return linearityOf(capture, *pixelsOf(all, used)); },
-                  m_wake);
+  m_testing.start(
+      [capture = captureOf(whole), all = m_found->pixels, used = usedPhotographs(m_rows)](
+          const Progress& progress) { return linearityOf(capture, *pixelsOf(all, used), progress); },
+      m_wake);
 }
 
 void CaptureWizard::drawLightTest(const std::string& wrong) {
@@ -49,14 +50,14 @@ const LinearityEvidence* CaptureWizard::linearity() const {
 
 void CaptureWizard::drawLinearity() {
   const LinearityEvidence* evidence = linearity();
-  markState("wizard.linear.words", evidence ? evidence->words : "");
+  markState("wizard.linear.words", evidence ? evidence->finding : "");
   if (!evidence) return;
   const bool linear = evidence->answer == LinearityEvidence::Answer::Linear;
   const ImVec4 color =
       linear ? ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled) : ImGui::ColorConvertU32ToFloat4(kChanged);
   ImGui::TextColored(color, "%s", linear ? kIconCheck : kIconWarning);
   ImGui::SameLine(0, px(6));
-  ImGui::TextUnformatted(("Do the photographs hold light? " + evidence->words).c_str());
+  ImGui::TextUnformatted(("Do the photographs hold light? " + evidence->finding).c_str());
   if (evidence->answer != LinearityEvidence::Answer::Curved) return;
   ImGui::Checkbox("Take the curve off before solving", &m_solve.correctTone);
   markItem("wizard.tone");

@@ -18,6 +18,7 @@
 namespace swaplight {
 namespace {
 
+constexpr const char* kWhat = "looking whether the photographs hold light";
 constexpr int kParts = 4;            // across and down, that are left out in turns
 constexpr size_t kFewestParts = 8;   // in fewer a standard error is none
 constexpr int kLevels = 33;          // at which a curve is looked at
@@ -155,7 +156,7 @@ double hiddenExponent(const ToneRows& tone, double squaredScale) {
 
 /// Nothing where too small a part of the picture is in the sample.
 std::optional<ToneEvidence> evidenceIn(const CauseContext& context, const std::vector<PixelMisfit>& sample,
-                                       const CauseTuning& tuning) {
+                                       const Progress& progress, const CauseTuning& tuning) {
   if (int(sample.size()) < tuning.fewestPixels) return std::nullopt;
   const ToneRows tone = toneRows(context, sample);
   if (tone.parts.size() < kFewestParts) return std::nullopt;
@@ -167,6 +168,7 @@ std::optional<ToneEvidence> evidenceIn(const CauseContext& context, const std::v
                                      [](double a, double b) { return std::abs(a) < std::abs(b); });
   std::vector<double> exponents, gains;
   for (const PixelSpan& part : tone.parts) {
+    progress.update(float(exponents.size()) / float(tone.parts.size()), kWhat);
     const ToneRows rest = withoutPart(tone, part);
     exponents.push_back(fitTerms(rest, 1, tuning).unknowns[0]);
     gains.push_back(departures(fitTerms(rest, terms, tuning).unknowns, levels)[size_t(most - gain.begin())]);
@@ -197,9 +199,10 @@ double mostDeparture(const ToneEvidence& one) {
 
 /// Gauss-Newton, as in findToneCorrection, on the sample alone.
 ToneCorrection toneByAdditivity(const CauseContext& context, const std::vector<double>& exposure,
-                                const CauseTuning& tuning) {
+                                const Progress& progress, const CauseTuning& tuning) {
   ToneCorrection tone;
   for (int round = 0; round < ToneCorrection::kMostRounds; ++round) {
+    progress.update(float(round) / ToneCorrection::kMostRounds, kWhat);
     const AdditivitySample sample = additivitySample(context, exposure, tone, tuning.pixels, tuning);
     if (int(sample.pixels.size()) < tuning.fewestPixels) break;
     const ToneRows rows = toneRows(context, sample.pixels);
@@ -241,22 +244,25 @@ std::string percent(double logarithm) {
   return fmt::format("{:.0f} %", 100 * std::expm1(logarithm));
 }
 
-std::string curvedWords(const char* how, double exponent) {
-  return fmt::format(
-      "no: they do not hold light as their colour space says, but light to the power of about {:.2f} in the "
-      "middle of the range ({}). Photograph raw, measure the camera (swaplight response), or let the solve "
-      "take the curve off (--tone auto)",
-      exponent, how);
+void answer(LinearityEvidence& evidence, LinearityEvidence::Answer what, const std::string& finding) {
+  evidence.answer = what;
+  evidence.finding = evidence.words = finding;
 }
 
-void answer(LinearityEvidence& evidence, LinearityEvidence::Answer what, std::string words) {
-  evidence.answer = what;
-  evidence.words = std::move(words);
+void answerCurved(LinearityEvidence& evidence, const char* how, double exponent) {
+  answer(evidence, LinearityEvidence::Answer::Curved,
+         fmt::format("no: they do not hold light as their colour space says, but light to the power of about "
+                     "{:.2f} in the middle of the range ({})",
+                     exponent, how));
+  evidence.words +=
+      ". Photograph raw, measure the camera (swaplight response), or let the solve take the curve off "
+      "(--tone "
+      "auto)";
 }
 
 /// What adding photographs up says; whether it settles the matter.
 bool settledByAdditivity(const CauseContext& context, const std::vector<double>& exposure,
-                         const CauseTuning& tuning, LinearityEvidence& evidence) {
+                         const Progress& progress, const CauseTuning& tuning, LinearityEvidence& evidence) {
   using Answer = LinearityEvidence::Answer;
   if (!evidence.additivity) return false;
   const ToneEvidence& sums = *evidence.additivity;
@@ -270,9 +276,9 @@ bool settledByAdditivity(const CauseContext& context, const std::vector<double>&
           "reason of; take a picture with all lamps off");
       return true;
     }
-    const ToneCorrection tone = toneByAdditivity(context, exposure, tuning);
+    const ToneCorrection tone = toneByAdditivity(context, exposure, progress, tuning);
     evidence.curve = tone.curve();
-    answer(evidence, Answer::Curved, curvedWords("photographs do not add up to others", tone.exponent()));
+    answerCurved(evidence, "photographs do not add up to others", tone.exponent());
     return true;
   }
   if (mostDeparture(sums) > tuning.additiveWithin) return false;
@@ -290,9 +296,8 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
   if (causes.is(Cause::Tone)) {
     const auto tone = findToneCorrection(capture, photographs, {}, tuning);
     if (tone) evidence.curve = tone->curve();
-    return answer(evidence, Answer::Curved,
-                  curvedWords("matte surfaces would look otherwise under these colours",
-                              tone ? tone->exponent() : evidence.matte->exponent));
+    return answerCurved(evidence, "matte surfaces would look otherwise under these colours",
+                        tone ? tone->exponent() : evidence.matte->exponent);
   }
   if (!causes.likely.empty())
     return answer(evidence, Answer::Unknown, "it cannot be told: " + wordsFor(causes));
@@ -310,13 +315,15 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
 }  // namespace
 
 LinearityEvidence linearityOf(const Capture& capture, const CapturePixels& photographs,
-                              const CauseTuning& tuning) {
+                              const Progress& progress, const CauseTuning& tuning) {
+  using Answer = LinearityEvidence::Answer;
   LinearityEvidence evidence;
   if (capture.shotCount() > kMaxShots || capture.lightCount() > kMaxLights) {
-    evidence.words =
-        fmt::format("it cannot be told: of more than {} photographs or {} lights", kMaxShots, kMaxLights);
+    answer(evidence, Answer::Unknown,
+           fmt::format("it cannot be told: of more than {} photographs or {} lights", kMaxShots, kMaxLights));
     return evidence;
   }
+  progress.update(0, kWhat);
   const CauseContext context = causeContext(capture, photographs, toldNoise(capture, {}));
   std::vector<double> exposure;
   for (const Shot& shot : capture.shots) exposure.push_back(std::exp2(double(shot.exposureStops)));
@@ -324,26 +331,29 @@ LinearityEvidence linearityOf(const Capture& capture, const CapturePixels& photo
   if (!isUnknown(capture, true)) {
     const AdditivitySample sums = additivitySample(apart, exposure, {}, tuning.pixels, tuning);
     evidence.ambientProof = sums.ambientProof;
-    evidence.additivity = evidenceIn(context, sums.pixels, tuning);
+    evidence.additivity = evidenceIn(context, sums.pixels, progress.part(.1F, .4F), tuning);
     // Six photographs of three gels, swapped: lamps that flicker by 2 % look like a power of 2 there.
     if (evidence.additivity && !(evidence.additivity->levelError < tuning.mostLevelError))
       evidence.additivity.reset();
   }
   if (!isUnknown(capture, false)) {
+    progress.update(.4F, kWhat);
     evidence.causes = misfitCauses(context.estimator, context.signal, tuning);
     const auto sample = misfitSample(context.estimator, context.signal, tuning.pixels, tuning);
-    evidence.matte = evidenceIn(context, sample, tuning);
+    evidence.matte = evidenceIn(context, sample, progress.part(.5F, .7F), tuning);
   }
-  if (settledByAdditivity(apart, exposure, tuning, evidence)) return evidence;
+  progress.update(.7F, kWhat);
+  if (settledByAdditivity(apart, exposure, progress.part(.7F, 1), tuning, evidence)) return evidence;
   if (evidence.matte)
     answerByMatte(capture, photographs, tuning, evidence);
   else
-    evidence.words =
+    answer(
+        evidence, Answer::Unknown,
         isUnknown(capture, false)
-            ? "it cannot be told: a light's colour is unknown. Tell it, or photograph brackets, or each lamp "
-              "alone and all together"
+            ? "it cannot be told: a light's colour is unknown. Tell it, or photograph brackets, or each "
+              "lamp alone and all together"
             : "it cannot be told: no photograph follows from the others. Photograph brackets, or each lamp "
-              "alone and all together";
+              "alone and all together");
   return evidence;
 }
 

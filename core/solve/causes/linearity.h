@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/json_fwd.h"
+#include "core/base/progress.h"
 #include "core/capture/capture_pixels.h"
 #include "core/set/misfit_cause.h"
 #include "core/solve/causes/cause_tuning.h"
@@ -37,7 +38,8 @@ struct LinearityEvidence {
   MisfitCauses causes;  ///< what else the matte model's misfit looks like
   /// {value of the files as declared, light}, linear, full scale 1, of the evidence that the answer is by.
   std::vector<std::array<float, 2>> curve;
-  std::string words;  ///< the answer, for a person
+  std::string finding;  ///< the answer, for a person
+  std::string words;    ///< the same, and what to do on the command line
 };
 
 /// Do these photographs hold light, as their colour space says? A tone curve of three terms (cause_slopes.h:
@@ -46,9 +48,9 @@ struct LinearityEvidence {
 /// jackknife), and what the sample cannot show at all. The noise is that of the sensor, if it is told, else
 /// estimated. Full scale is about 1. Sums of brackets say something only where their exposures are told or
 /// stated by the files: found in the pictures, they take a power of light along. Unknown for more
-/// photographs or lights than a solve takes; throws nothing.
+/// photographs or lights than a solve takes. Throws Stopped.
 [[nodiscard]] LinearityEvidence linearityOf(const Capture& capture, const CapturePixels& photographs,
-                                            const CauseTuning& tuning = {});
+                                            const Progress& progress = {}, const CauseTuning& tuning = {});
 
 /// "linear": true, false or null; the rest as above.
 [[nodiscard]] Json jsonFromLinearity(const LinearityEvidence& evidence);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <functional>
 
@@ -189,6 +190,31 @@ TEST(Linearity, SaysWhatWouldTell) {
   EXPECT_THAT(unknown.words, testing::HasSubstr("colour is unknown"));
   EXPECT_TRUE(jsonFromLinearity(unknown)["linear"].is_null());
   EXPECT_TRUE(jsonFromLinearity(unknown)["additivity"].is_null());
+}
+
+TEST(Linearity, CanBeStopped) {
+  const Capture capture = captureUnder({{Rgb(1), Rgb(0)}, {Rgb(0), Rgb(1)}, {Rgb(1), Rgb(1)}});
+  const CapturePixels pixels = photographs(capture, light);
+  int told = 0;
+  std::atomic<bool> stop = false;
+  Progress progress;
+  progress.stop = &stop;
+  progress.report = [&](float fraction, std::string_view) {
+    EXPECT_GE(fraction, 0);
+    EXPECT_LE(fraction, 1);
+    stop = ++told == 5;
+  };
+  EXPECT_THROW((void)linearityOf(capture, pixels, progress), Stopped);
+  EXPECT_EQ(told, 5);
+}
+
+TEST(Linearity, SaysWhatToDoOnTheCommandLineOnly) {
+  const Capture capture = captureUnder({{Rgb(1), Rgb(0)}, {Rgb(0), Rgb(1)}, {Rgb(1), Rgb(1)}});
+  const LinearityEvidence curved = linearityOf(capture, photographs(capture, contrast));
+  ASSERT_EQ(curved.answer, Answer::Curved);
+  EXPECT_THAT(curved.words, testing::StartsWith(curved.finding));
+  EXPECT_THAT(curved.words, testing::HasSubstr("--tone auto"));
+  EXPECT_THAT(curved.finding, testing::Not(testing::HasSubstr("--")));
 }
 
 }  // namespace
