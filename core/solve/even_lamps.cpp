@@ -124,6 +124,11 @@ Progress partOfRound(const Progress& progress, int round) {
   return progress.part(float(round) / (kMostRounds + 1), float(round + 1) / (kMostRounds + 1));
 }
 
+/// Only to stop by: what it looks at takes a small part of a solve.
+Progress silent(const Progress& progress) {
+  return {{}, progress.stop};
+}
+
 /// `set`: what even lamps would have given, solved in the first part of `progress`.
 SolvedSet solveUnevenLamps(SolvedSet set, const Capture& capture, const CapturePixels& photographs,
                            const FlatFields& fields, const SolveOptions& options, const Progress& progress) {
@@ -148,8 +153,9 @@ CapturePixels throughNoLens(const CapturePixels& photographs, const SmoothField&
 
 /// The drift that the photographs show, as a solve would see them. A coloured lens is no drift of the lamps.
 std::optional<LampDrift> seenDrift(const Capture& capture, const CapturePixels& photographs,
-                                   const std::optional<SmoothField>& lens, const SolveOptions& options) {
-  if (lens) return seenDrift(capture, throughNoLens(photographs, *lens), {}, options);
+                                   const std::optional<SmoothField>& lens, const SolveOptions& options,
+                                   const Progress& progress) {
+  if (lens) return seenDrift(capture, throughNoLens(photographs, *lens), {}, options, progress);
   const std::string where = capture.file.empty() ? capture.name : capture.file.filename().string();
   std::optional<SensorNoise> noise = toldNoise(capture, options.noise);
   const float scale = signalScale(photographs, where);
@@ -158,7 +164,7 @@ std::optional<LampDrift> seenDrift(const Capture& capture, const CapturePixels& 
   if (scale != 1) scaled = scaledSignal(photographs, scale);
   const CapturePixels& pixels = scaled ? *scaled : photographs;
   if (options.align) aligned = movedShots(pixels, measureShifts(pixels));
-  return findDrift(capture, aligned ? *aligned : pixels, noise);
+  return findDrift(capture, aligned ? *aligned : pixels, noise, progress);
 }
 
 LampField fieldInReport(const std::string& light, const SmoothField& field, double size) {
@@ -186,7 +192,7 @@ SolvedSet solveDriftingLamps(const Capture& capture, const CapturePixels& photog
         "unknown, the lamps were lit one at a time, or the photographs are too few, too dark, or more than "
         "can "
         "be compared (--field)");
-  const std::optional<LampDrift> drift = seenDrift(capture, photographs, lens, options);
+  const std::optional<LampDrift> drift = seenDrift(capture, photographs, lens, options, silent(progress));
   if (!drift) return asItIs("the photographs do not surely show lamps whose colour drifts over the picture");
   FlatFields fields;
   std::vector<LampField> found;

@@ -75,6 +75,43 @@ class FlatFields(cli.CliTest):
         with open(self.capture.path) as file:
             self.assertEqual(json.load(file)['flats'], {'key': '../cards/flat_key.exr', 'fill': 'flat_fill.exr'})
 
+    def test_drift_is_found_without_cards(self):
+        """Two lamps that fall off to either side, their shadows, and blobs of colour; key's red rises by 30 %."""
+        random = np.random.default_rng(11)
+        y, x = np.mgrid[:144, :192].astype(float)
+        blobs = np.zeros((144, 192, 3))
+        for _ in range(500):
+            cx, cy, size = 192 * random.random(), 144 * random.random(), 1.5 + 5 * random.random()
+            blobs += 3 * (random.random(3) - .4) * np.exp(-((x - cx) ** 2 + (y - cy) ** 2) / (2 * size ** 2))[..., None]
+        albedo = .9 / (1 + np.exp(1.2 - blobs))
+        lit = [(1 - .75 * u) * np.where(np.sin(.11 * x + tilt * y) > .75, .04, 1)
+               for u, tilt in ((x / 192, .07), (1 - x / 192, -.05))]
+        even = np.stack([albedo * one[..., None] for one in lit])
+        drift = np.stack([1 + .15 * (x / 96 - 1), np.ones_like(x), np.ones_like(x)], -1)
+        capture = cli.Capture(self.path('drifting'), height=144, width=192)
+        capture.manifest['noise'] = {'read': .0005, 'full_well': 200000}
+
+        def error(lights, *arguments):
+            shots = [cli.photograph(lights, colors) for colors in cli.SWAPPED]
+            capture.shots = [s + random.normal(size=s.shape) * np.sqrt(s / 200000 + .0005 ** 2) for s in shots]
+            capture.save()
+            said = self.succeed_json('solve', capture.path, '-o', self.path('solved.exr'), '--float', '--report', self.path('report.json'), *arguments)
+            with open(self.path('report.json')) as file:
+                report = json.load(file)
+            found = np.stack([cli.read_rgb(self.path('solved.exr'), name) for name in self.names])
+            return np.sqrt(((found - even) ** 2).mean() / (even ** 2).mean()), report, said
+
+        drifting = even * np.stack([drift, np.ones_like(drift)])
+        plain, report, _ = error(drifting)
+        self.assertIn('field', report['misfit_causes']['likely'])
+        evened, report, said = error(drifting, '--field')
+        self.assertLess(evened, .9 * plain)  # what the lamps share stays, and noise
+        self.assertEqual([field['light'] for field in report['lamp_fields']], ['key', 'fill'])
+        self.assertIn('evened', json.dumps(said))
+        _, report, _ = error(even, '--field')
+        self.assertFalse(report.get('lamp_fields'))
+        self.assertTrue(any('nothing was evened' in warning for warning in report['warnings']), report['warnings'])
+
     def test_what_is_wrong_is_said(self):
         out = ['-o', self.path('x.exr')]
         self.deny('solve', self.capture.path, *out, '--flat', 'moon=' + self.path('cards', 'flat_key.exr'), naming='no light "moon"')

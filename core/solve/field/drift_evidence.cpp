@@ -113,6 +113,15 @@ Normal marginal(const Normal& all, Eigen::Index first, const Eigen::VectorXd& pr
           all.pull.topRows(first) - mixed * solved.rightCols(all.pull.cols())};
 }
 
+/// Channels that some lamp has in some shot. Of the others no reflectance is seen, and it explains nothing.
+int litChannels(const LightingMatrix& lighting) {
+  int lit = 0;
+  for (int c = 0; c < 3; ++c)
+    lit += std::any_of(lighting.colors.begin(), lighting.colors.end(),
+                       [&](const Rgb& color) { return color[c] > 0; });
+  return lit;
+}
+
 /// What the unknowns of drift, and then a relative error of every colour, do to a pixel's values.
 Eigen::MatrixXd matteSlopes(const DriftSample& sample, const PixelMisfit& pixel, int p) {
   const LightingMatrix& lighting = sample.lighting();
@@ -138,7 +147,7 @@ DriftEvidence matteEvidence(const DriftSample& sample, const FieldTuning& tuning
   const Eigen::Index drifts = LampDrift::kTerms * LampDrift::kChromas * lighting.lights;
   const Eigen::Index unknowns = drifts + 3 * lighting.shots * lighting.lights;
   Rows rows;
-  rows.each = 3 * lighting.shots - lighting.lights - 2;
+  rows.each = 3 * lighting.shots - lighting.lights - litChannels(lighting) + 1;
   rows.freedom = tuning.matteFreedom;
   rows.tiles = tuning.tiles;
   const auto most = std::max<size_t>(size_t(tuning.work / double(unknowns * rows.each)), 1);

@@ -14,6 +14,7 @@
 namespace swaplight {
 namespace {
 
+constexpr const char* kWhat = "looking how the lamps' colours drift";
 constexpr float kNeverClipped = std::numeric_limits<float>::infinity();
 
 /// A picture of at most so many pixels across, what is saturated being no number.
@@ -41,6 +42,9 @@ Averaged averagedPhotographs(const CapturePixels& photographs, int across) {
   if (photographs.ambient)
     result.pixels.ambient = averaged(*photographs.ambient, kNeverClipped, width, height);
   for (float& step : result.pixels.quantum) step /= float(std::sqrt(result.each));
+  // Neighbours share a part of a JPEG's error: less is averaged out than of noise (scaleDown in
+  // capture_pixels.cpp has what was measured).
+  for (ValueVariance& at : result.pixels.codingError) at.variance *= float(factor);
   return result;
 }
 
@@ -57,22 +61,31 @@ void checkKnown(const Capture& capture) {
 }  // namespace
 
 std::optional<LampDrift> findDrift(const Capture& capture, const CapturePixels& photographs,
-                                   const std::optional<SensorNoise>& noise, const FieldTuning& tuning) {
+                                   const std::optional<SensorNoise>& noise, const Progress& progress,
+                                   const FieldTuning& tuning) {
   checkKnown(capture);
   if (capture.shotCount() > kMaxShots || capture.lightCount() > kMaxLights)
     return std::nullopt;  // which a solve refuses
+  progress.update(0, kWhat);
   const Averaged small = averagedPhotographs(photographs, tuning.across);
   std::optional<SensorNoise> told = toldNoise(capture, noise);
   if (told) told = SensorNoise{told->read / std::sqrt(small.each), told->fullWell * small.each};
   const CauseContext context = causeContext(capture, small.pixels, told);
+  progress.update(.2F, kWhat);
   const MisfitCauses causes = misfitCauses(context.estimator, context.signal);
   if (causes.likely.empty() || causes.likely.front() != Cause::Field) return std::nullopt;
 
   DriftSample sample(context, tuning);
   LampDrift drift(capture.lightCount());
   for (int round = 0; round < tuning.rounds; ++round) {
+    const auto now = [&](float part) {
+      progress.update(.3F + .7F * (float(round) + part) / float(tuning.rounds), kWhat);
+    };
+    now(0);
     if (round > 0) sample.fit(drift);
-    const DriftEvidence matte = matteEvidence(sample, tuning), surface = surfaceEvidence(sample, tuning);
+    const DriftEvidence matte = matteEvidence(sample, tuning);
+    now(.5F);
+    const DriftEvidence surface = surfaceEvidence(sample, tuning);
     Eigen::MatrixXd information = matte.information + surface.information;
     const double known = 1 / (tuning.drift * tuning.drift);
     information.diagonal().array() += known;
