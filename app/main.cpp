@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   addBalanceVerb(program);
   addResponseVerb(program);
   addLinearVerb(program);
+  addChartVerb(program);
   addCuesVerb(program);
   addGradeVerb(program);
   addVersionsVerb(program);

@@ -8,5 +8,6 @@ namespace swaplight {
 
 void addResponseVerb(Program& program);
 void addLinearVerb(Program& program);
+void addChartVerb(Program& program);
 
 }  // namespace swaplight

@@ -16,6 +16,7 @@
 #include "core/balance/white_point.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/chart/chart_shot.h"
 #include "core/export/frame_file.h"
 #include "core/file/json_file.h"
 #include "core/file/same_file.h"
@@ -35,6 +36,7 @@ struct BalanceCommand {
   std::string colors;
   std::string method;
   std::string grey;
+  std::string camera;
   std::string map;
   std::string white = "D65";
   std::string lights = "all";
@@ -110,13 +112,7 @@ void balanceWithSet(const BalanceCommand& arguments, Work& work, const Progress&
 }
 
 void loadPlain(const BalanceCommand& arguments, Work& work, const Progress& progress) {
-  Capture capture;
-  capture.file = arguments.photograph;
-  capture.colorSpace = arguments.colorSpace.empty()
-                           ? colorSpaceOfPhotograph(*work.config, capture, arguments.photograph)
-                           : arguments.colorSpace;
-  capture.shots.emplace_back().image = std::filesystem::absolute(arguments.photograph).string();
-  CapturePixels pixels = loadCapturePixels(*work.config, capture, progress);
+  CapturePixels pixels = loadPhotograph(*work.config, arguments.photograph, arguments.colorSpace, progress);
   work.warnings = pixels.warnings;
   work.picture = std::move(pixels.shots.front());
   work.clip = pixels.clipLevel.front();
@@ -150,6 +146,16 @@ void balanceByCard(const BalanceCommand& arguments, Work& work) {
   work.json["card"] = jsonFromRgb(*card.color);
 }
 
+/// The camera's colours become those of Rec.709.
+void correctCamera(const BalanceCommand& arguments, const CameraFile& camera, Work& work) {
+  const std::string& space = work.picture.spec().colorSpace;
+  if (space != camera.from)
+    throw InputError("--camera {}: is for photographs in {}, {} is in {}", arguments.camera, camera.from,
+                     arguments.photograph, space);
+  camera.apply(work.picture, work.white, colorOfWhite(whitePointFromText(arguments.white)));
+  work.json["camera"] = arguments.camera;
+}
+
 bool isRig(const BalanceCommand& arguments) {
   return std::filesystem::path(arguments.photograph).extension() == ".json";
 }
@@ -157,10 +163,11 @@ bool isRig(const BalanceCommand& arguments) {
 /// A rig's lights become white: what the studio's Neutralize does.
 int balanceRig(const BalanceCommand& arguments, Terminal& terminal) {
   if (!arguments.set.empty() || !arguments.colors.empty() || !arguments.method.empty() ||
-      !arguments.grey.empty())
+      !arguments.grey.empty() || !arguments.camera.empty())
     throw InputError(
-        "{}: is a rig: its lights have colours of their own; leave out --beta, --colors, --method and "
-        "--grey",
+        "{}: is a rig: its lights have colours of their own; leave out --beta, --colors, --method, --grey "
+        "and "
+        "--camera",
         arguments.photograph);
   const std::vector<std::filesystem::path> inputs{arguments.photograph};
   checkOutput(arguments.output, inputs);
@@ -183,11 +190,10 @@ void checkArguments(const BalanceCommand& arguments) {
   const int ways =
       int(!arguments.set.empty()) + int(arguments.set.empty() && !arguments.colors.empty()) + int(method);
   if (ways > 1) throw InputError("give one of --beta, --colors and --method");
-  if (ways == 0 && arguments.grey.empty())
+  if (ways == 0 && arguments.grey.empty() && arguments.camera.empty())
     throw InputError(
-        "say how: --beta SOLVED (best), --colors FIRST,SECOND of two lamps, --grey X,Y of a card, or "
-        "--method "
-        "NAME");
+        "say how: --beta SOLVED (best), --colors FIRST,SECOND of two lamps, --grey X,Y of a card, --method "
+        "NAME, or, of what is balanced already, --camera CAMERA.json");
   if (arguments.lights != "all" && arguments.set.empty())
     throw InputError("--lights: only a solved set tells lamps apart: give --beta SOLVED");
   if (!arguments.map.empty() && (!arguments.set.empty() || arguments.colors.empty()))
@@ -205,6 +211,12 @@ int run(const BalanceCommand& arguments, Terminal& terminal) {
   checkOutput(arguments.output, inputs);
   if (!arguments.map.empty()) checkOutput(arguments.map, inputs);
   (void)whitePointFromText(arguments.white);
+  std::optional<CameraFile> camera;
+  if (!arguments.camera.empty()) {
+    inputs.emplace_back(arguments.camera);
+    checkOutput(arguments.output, inputs);
+    camera = readCamera(arguments.camera);
+  }
 
   const Progress progress = terminal.progress();
   work.json = {{"photograph", arguments.photograph}, {"output", arguments.output}};
@@ -219,6 +231,7 @@ int run(const BalanceCommand& arguments, Terminal& terminal) {
     }
   }
   if (!arguments.grey.empty()) balanceByCard(arguments, work);
+  if (camera) correctCamera(arguments, *camera, work);
   sayWarnings(work.warnings, terminal);
   work.json["warnings"] = work.warnings;
   writeFrame(*work.config, std::move(work.picture), arguments.output, arguments.frame,
@@ -259,6 +272,10 @@ void addBalanceVerb(Program& program) {
   verb.add_option("--method", a->method, "Without knowing the lamps: " + methodNames())->type_name("NAME");
   verb.add_option("--grey", a->grey, "A grey card in the photograph, which becomes neutral at last")
       ->type_name("X,Y[,SIDE]");
+  verb.add_option("--camera", a->camera,
+                  "The camera's matrix, as swaplight chart writes it: the balanced picture's colours become "
+                  "Rec.709's")
+      ->type_name("CAMERA.json");
   verb.add_option("--white", a->white, "A, D50, D55, D60, D65, 4300K, or with a Duv: 4300K,duv:+0.003")
       ->capture_default_str()
       ->type_name("WHITE");

@@ -4,6 +4,7 @@
 #include "app/arguments/flat_arguments.h"
 #include "app/arguments/leave_out_argument.h"
 #include "app/arguments/place_text.h"
+#include "app/arguments/told_charts.h"
 #include "app/program/description.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -186,8 +187,20 @@ void placeCoding(const NewCommand& arguments, CaptureDraft& draft) {
   draft.colorSpace = pathInManifest(draft.folder.folder, arguments.response);
 }
 
-int run(const NewCommand& arguments, Terminal& terminal) {
+/// With the lights of charts in place of the photographs that show them; what is to be said of those.
+std::vector<std::string> readCharts(const ColorConfig& config, const CaptureDraft& draft,
+                                    NewCommand& arguments, const Progress& progress) {
+  std::vector<std::string> texts = arguments.shots;
+  texts.insert(texts.end(), {arguments.gels, arguments.colors});
+  const ToldCharts charts(config, draft.folder, draft.colorSpace, texts, progress);
+  for (std::string* text : {&arguments.gels, &arguments.colors}) *text = charts.in(*text);
+  for (std::string& shot : arguments.shots) shot = charts.in(shot);
+  return charts.warnings();
+}
+
+int run(NewCommand arguments, Terminal& terminal) {
   const std::shared_ptr<const ColorConfig> config = programConfig();
+  const Progress progress = terminal.progress();
   ShotFolder folder = scanShotFolder(*config, arguments.folder);
   if (!arguments.files.empty()) folder = withShots(*config, std::move(folder), partsOf(arguments.files));
   folder = withShotsLeftOut(std::move(folder), arguments.leftOut, "--leave-out");
@@ -195,13 +208,14 @@ int run(const NewCommand& arguments, Terminal& terminal) {
   placeCoding(arguments, draft);
   for (const auto& [light, name] : arguments.flats.lamps(folder.folder)) draft.flats[light] = name;
   if (const std::string lens = arguments.flats.lens(folder.folder); !lens.empty()) draft.vignetting = lens;
+  const std::vector<std::string> ofCharts = readCharts(*config, draft, arguments, progress.part(0, .3F));
   const std::vector<ShotColor> ring = ringOf(arguments);
   if (ring.empty() && !arguments.oneAtATime && arguments.shots.empty() && arguments.cards.empty())
     throw InputError(
         "say which colours the lights had: --gels L106,L119 or --colors as in the first shot, --shot "
         "FILE=COLOUR,COLOUR, --card LIGHT=X,Y, or --one-at-a-time");
 
-  const CapturePixels pixels = loadCapturePixels(*config, captureOf(draft), terminal.progress());
+  const CapturePixels pixels = loadCapturePixels(*config, captureOf(draft), progress.part(.3F, .7F));
   setBrackets(draft, arguments.exposures.empty() ? findBrackets(folder, pixels)
                                                  : toldBrackets(folder, arguments.exposures));
   std::string how;
@@ -211,9 +225,9 @@ int run(const NewCommand& arguments, Terminal& terminal) {
   placeShots(arguments, draft);
 
   std::vector<std::string> warnings = folder.notes;
-  for (auto&& more : {pictureWarnings(draft, pixels), colorWarnings(draft)})
+  for (auto&& more : {ofCharts, pictureWarnings(draft, pixels), colorWarnings(draft)})
     warnings.insert(warnings.end(), more.begin(), more.end());
-  const LinearityEvidence linearity = linearityOf(captureOf(draft), pixels);
+  const LinearityEvidence linearity = linearityOf(captureOf(draft), pixels, progress.part(.7F, 1));
   if (linearity.answer == LinearityEvidence::Answer::Curved)
     warnings.push_back("do the photographs hold light? " + linearity.words);
   placeFrame(arguments, pixels, draft);
@@ -238,8 +252,10 @@ void addNewVerb(Program& program) {
   verb.add_option("--gels", a->gels,
                   "The gel of each light in the first photograph; how the gels moved is guessed")
       ->type_name("L106,L119");
-  verb.add_option("--colors", a->colors,
-                  "The same as colours: linear r/g/b, #rrggbb, 3200K, gel number, off; ? or ?a: unknown")
+  verb.add_option(
+          "--colors", a->colors,
+          "The same as colours: linear r/g/b, #rrggbb, 3200K, gel number, off, chart:FILE (a photograph of a "
+          "Macbeth chart under it); ? or ?a: unknown")
       ->type_name("LIST");
   verb.add_option("--rotation", a->rotation,
                   "How they moved: guess (from the pictures), forward (a light takes the colour of the next "

@@ -18,6 +18,15 @@ std::string colorSpaceOfPhotograph(const ColorConfig& config, const Capture& cap
   return spec.colorSpace;
 }
 
+CapturePixels loadPhotograph(const ColorConfig& config, const std::filesystem::path& file,
+                             const std::string& colorSpace, const Progress& progress) {
+  Capture photograph;
+  photograph.file = file;
+  photograph.colorSpace = colorSpace.empty() ? colorSpaceOfPhotograph(config, photograph, file) : colorSpace;
+  photograph.shots.emplace_back().image = std::filesystem::absolute(file).string();
+  return loadCapturePixels(config, photograph, progress);
+}
+
 CapturePixels loadPhotographOf(const ColorConfig& config, const SolvedSet& set,
                                const std::filesystem::path& file, const std::string& colorSpace,
                                const Progress& progress) {

@@ -16,6 +16,11 @@ namespace swaplight {
 [[nodiscard]] std::string colorSpaceOfPhotograph(const ColorConfig& config, const Capture& capture,
                                                  const std::filesystem::path& file);
 
+/// A photograph by itself, as the only shot, in linear light. `colorSpace` is that of the file; empty: see
+/// colorSpaceOfPhotograph. Throws InputError that names the file: missing, broken, unknown colour space.
+[[nodiscard]] CapturePixels loadPhotograph(const ColorConfig& config, const std::filesystem::path& file,
+                                           const std::string& colorSpace, const Progress& progress = {});
+
 /// Another photograph of a solved set, as its only shot: cropped and scaled as the set's own were, in linear
 /// light in the set's primaries. `colorSpace` is that of the file; empty: see colorSpaceOfPhotograph. Throws
 /// InputError that names the file: missing, broken, another size than the set (both said), unknown colour

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kFlatPrefix = "flat_";
+constexpr std::string_view kChartPrefix = "chart_";
 constexpr const char* kResponse = "response.csv";
 
 std::string lower(std::string text) {
@@ -56,19 +57,6 @@ std::string takenAt(const ImageFileInfo& info) {
   return {};
 }
 
-std::optional<double> exposureOf(const ImageFileInfo& info) {
-  const auto number = [&](std::initializer_list<const char*> keys) {
-    for (const char* key : keys)
-      if (const auto found = info.numbers.find(key); found != info.numbers.end() && found->second > 0)
-        return found->second;
-    return 0.0;
-  };
-  const double seconds = number({"ExposureTime"}), stop = number({"FNumber"}),
-               iso = number({"Exif:ISOSpeedRatings", "Exif:PhotographicSensitivity"});
-  if (!(seconds > 0 && stop > 0 && iso > 0)) return std::nullopt;
-  return std::log2(seconds * iso / (stop * stop));
-}
-
 /// A picture that this program has made of photographs, and no photograph. Linear ones may have been rendered
 /// or registered to be photographs; of those, what it exports says more of itself than its name.
 bool isExport(const ImageFileInfo& info) {
@@ -88,7 +76,7 @@ FoundShot describe(const ColorConfig& config, const fs::path& file, ImageFileInf
           info.format,
           spec.width,
           spec.height,
-          exposureOf(info)};
+          statedExposure(info)};
 }
 
 bool looksLikePicture(const fs::path& file) {
@@ -143,6 +131,19 @@ void putInOrder(ShotFolder& found) {
 
 }  // namespace
 
+std::optional<double> statedExposure(const ImageFileInfo& info) {
+  const auto number = [&](std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (const auto found = info.numbers.find(key); found != info.numbers.end() && found->second > 0)
+        return found->second;
+    return 0.0;
+  };
+  const double seconds = number({"ExposureTime"}), stop = number({"FNumber"}),
+               iso = number({"Exif:ISOSpeedRatings", "Exif:PhotographicSensitivity"});
+  if (!(seconds > 0 && stop > 0 && iso > 0)) return std::nullopt;
+  return std::log2(seconds * iso / (stop * stop));
+}
+
 ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
   if (!fs::is_directory(folder))
     throw InputError("{}: is no folder, expected one with the photographs of a set", folder.string());
@@ -169,6 +170,8 @@ ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
         found.vignetting = name;
       else if (lower(name).starts_with(kFlatPrefix))
         found.flats[file.stem().string().substr(kFlatPrefix.size())] = name;
+      else if (lower(name).starts_with(kChartPrefix))
+        found.charts.push_back(name);
       else
         found.shots.push_back(std::move(shot));
     } catch (const InputError&) {

@@ -10,6 +10,8 @@
 
 namespace swaplight {
 
+struct ImageFileInfo;
+
 /// A picture as its header describes it.
 struct FoundShot {
   std::string file;   ///< name in the folder
@@ -21,6 +23,9 @@ struct FoundShot {
   std::optional<double> exposureStops;
 };
 
+/// log2 of exposure time x ISO / f-number squared; nothing where the header does not say all three.
+[[nodiscard]] std::optional<double> statedExposure(const ImageFileInfo& info);
+
 /// The photographs of a set that lie in a folder, in order of time.
 struct ShotFolder {
   std::filesystem::path folder;  ///< absolute
@@ -29,6 +34,7 @@ struct ShotFolder {
   std::optional<std::string> ambient;        ///< a picture whose name begins with "ambient"
   std::optional<std::string> dark;           ///< one whose name begins with "dark"
   std::map<std::string, std::string> flats;  ///< of "flat_key.jpg" and the like: light, picture
+  std::vector<std::string> charts;           ///< "chart_key.jpg" and the like: of a colour chart
   std::optional<std::string> response;       ///< "response.csv", where it is: the camera's curve
   std::optional<std::string> vignetting;     ///< one whose name begins with "vignetting"
   bool timed = false;              ///< in the order of the time they were taken at; else of their names

@@ -15,6 +15,7 @@ from studio_session import HERE, PROGRAM, SAMPLES, StudioTest
 
 sys.path.append(os.path.join(HERE, '../intake'))
 from camera_raw import write_dng
+from made_chart import photograph as chart_photograph
 
 
 class Wizard(StudioTest):
@@ -95,6 +96,26 @@ class Wizard(StudioTest):
         studio.click('wizard.solve')
         studio.wait_ready()
         self.assertIs(self.save_as('toned')[1]['solve']['correct_tone'], True)
+
+    def test_colours_are_taken_from_charts(self):
+        """Charts beside the photographs, each under one lamp, are offered with their light."""
+        manifest = self.photographs('two_swapped')
+        colors = manifest['shots'][0]['light_colors']
+        for name, color in zip(('red', 'green'), colors):
+            pixels = np.ascontiguousarray(chart_photograph(np.array(color)), np.float32)
+            out = oiio.ImageBuf(oiio.ImageSpec(*pixels.shape[1::-1], 3, 'float'))
+            out.set_pixels(oiio.ROI(), pixels)
+            out.write(os.path.join(self.shots, f'chart_{name}.exr'))
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        for light, name in enumerate(('red', 'green')):
+            studio.click(f'wizard.cell.0.{light}.list')
+            studio.item(f'wizard.choose.chart_{name}.exr')
+            studio.screenshot('wizard_charts')
+            studio.click(f'wizard.choose.chart_{name}.exr')
+            told = [float(x) for x in studio.state(f'wizard.cell.0.{light}.text').split('/')]
+            np.testing.assert_allclose(told, colors[light], rtol=.05, atol=.01)
 
     def test_a_chosen_folder_with_an_unknown_colour(self):
         manifest = self.photographs('two_swapped')

@@ -44,6 +44,18 @@ float footerHeight(const std::string& words) {
 
 }  // namespace
 
+/// The charts of the folder; that one cannot be read is said.
+void CaptureWizard::readCharts(const ColorConfig& config, const CaptureDraft& draft, const Progress& progress,
+                               Photographs& found) {
+  try {
+    found.charts = chartColors(config, found.folder, draft.colorSpace, found.folder.charts, progress);
+  } catch (const InputError& error) {
+    found.warnings.emplace_back(error.what());
+  }
+  for (const ChartColor& chart : found.charts)
+    for (const std::string& warning : chart.warnings) found.warnings.push_back(chart.file + ": " + warning);
+}
+
 void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::path& folder) {
   close();
   m_folder = folder;
@@ -62,6 +74,7 @@ void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::p
         found.warnings = found.folder.notes;
         for (std::string& warning : pictureWarnings(draft, *found.pixels))
           found.warnings.push_back(std::move(warning));
+        readCharts(*config, draft, progress.part(0.8F, 1), found);
         try {
           if (const fs::path file = found.folder.folder / "capture.json"; fs::exists(file))
             found.told = readCapture(*config, file);

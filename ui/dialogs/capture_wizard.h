@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/chart/chart_colors.h"
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
 #include "core/intake/shot_thumbnail.h"
@@ -49,7 +50,8 @@ class CaptureWizard {
     std::shared_ptr<const CapturePixels> pixels;
     std::vector<SmallPicture> thumbnails;
     Brackets brackets;
-    std::optional<Capture> told;  ///< by the capture.json that is there
+    std::optional<Capture> told;     ///< by the capture.json that is there
+    std::vector<ChartColor> charts;  ///< the lights of colour charts in the folder
     std::vector<std::string> warnings;
   };
   /// What is to be said of the photographs that are used, and their brackets, where those were looked for.
@@ -61,6 +63,8 @@ class CaptureWizard {
   };
   using Cell = WizardCell;
 
+  static void readCharts(const ColorConfig& config, const CaptureDraft& draft, const Progress& progress,
+                         Photographs& found);
   void close();
   /// What was typed for this folder before it was closed without a solve, or before a solve that failed.
   [[nodiscard]] bool restoreTyped();
@@ -103,6 +107,8 @@ class CaptureWizard {
   void cropOnThumbnail(ImVec2 at, ImVec2 size);
   void drawFrame();
   void drawCell(size_t row, size_t light);
+  /// What a click may put there.
+  void drawChoices(WizardCell& cell);
   void drawGuess();
   [[nodiscard]] std::string typedColors() const;
   /// Looks in a thread whether the photographs hold light.

@@ -168,6 +168,30 @@ void CaptureWizard::drawThumbnail(size_t row) {
            pixel(mouse.y - at.y, size.y, m_found->pixels->height()));
 }
 
+void CaptureWizard::drawChoices(Cell& cell) {
+  if (!ImGui::BeginPopup("##gels")) return;
+  for (const char* word : {"white", "off", "unknown", "?a"}) {
+    if (ImGui::Selectable(fmt::format("      {}", word).c_str(), cell.text == word)) cell = {word, false};
+    markItem({"wizard.choose.", word});
+    if (word[0] == '?') tooltip("Unknown, but the same gel wherever you write this name");
+  }
+  for (const ChartColor& chart : m_found->charts) {
+    const std::string& text = chart.color.text;
+    if (ImGui::Selectable(fmt::format("      {}  {}", chart.file, text).c_str(), cell.text == text))
+      cell = {text, false};
+    markItem({"wizard.choose.", chart.file});
+    tooltip("The light in this photograph of a colour chart");
+  }
+  ImGui::Separator();
+  ImGui::BeginChild("##list", ImVec2(px(346), px(260)));
+  if (const auto chosen = gelChoices(cell.text, m_filter)) {
+    cell = {*chosen, false};
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndChild();
+  ImGui::EndPopup();
+}
+
 void CaptureWizard::drawCell(size_t row, size_t light) {
   Cell& cell = m_rows[row].cells[light];
   const Reading reading = readingOf(cell.text);
@@ -204,24 +228,11 @@ void CaptureWizard::drawCell(size_t row, size_t light) {
     m_picking = picking ? std::nullopt : std::optional(std::pair(row, light));
   markItem({mark, ".pick"});
   ImGui::SameLine(0, px(4));
-  if (toggleButton(kIconDown, false, kAccent, side, "Gels, white, off, unknown")) ImGui::OpenPopup("##gels");
+  if (toggleButton(kIconDown, false, kAccent, side, "Gels, white, off, unknown, colour charts"))
+    ImGui::OpenPopup("##gels");
   markItem({mark, ".list"});
   endNoTabStops();
-  if (ImGui::BeginPopup("##gels")) {
-    for (const char* word : {"white", "off", "unknown", "?a"}) {
-      if (ImGui::Selectable(fmt::format("      {}", word).c_str(), cell.text == word)) cell = {word, false};
-      markItem({"wizard.choose.", word});
-      if (word[0] == '?') tooltip("Unknown, but the same gel wherever you write this name");
-    }
-    ImGui::Separator();
-    ImGui::BeginChild("##list", ImVec2(px(346), px(260)));
-    if (const auto chosen = gelChoices(cell.text, m_filter)) {
-      cell = {*chosen, false};
-      ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndChild();
-    ImGui::EndPopup();
-  }
+  drawChoices(cell);
   ImGui::PopID();
 }
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/chart/chart_corners.h"
+#include "core/chart/chart_fit.h"
+#include "core/ocio/color_config.h"
+
+namespace swaplight {
+
+/// A photograph with a chart in it.
+struct ChartShot {
+  std::filesystem::path file;
+  std::string colorSpace;  ///< linear: of its light and matrix
+  ChartCorners corners{};
+  bool found = true;  ///< by itself; else where it was told, or where it is in another photograph
+  ChartFit fit;
+  /// log2 of exposure time x ISO / f-number squared; nothing where the file does not say all three.
+  std::optional<double> exposureStops;
+};
+
+struct ChartReadingOptions {
+  std::string colorSpace;               ///< of the files; empty: see colorSpaceOfPhotograph
+  std::optional<ChartCorners> corners;  ///< of the chart, in any order around it; nothing: it is looked for
+};
+
+/// The charts in photographs of one camera. Where a chart is not found in one of them (under a deep gel), it
+/// is taken to be where it was found in another one of that size, the first of them. Throws InputError that
+/// names the file: cannot be read, no chart found, saturated; Stopped.
+[[nodiscard]] std::vector<ChartShot> readChartShots(const ColorConfig& config,
+                                                    const std::vector<std::filesystem::path>& files,
+                                                    const ChartReadingOptions& options = {},
+                                                    const Progress& progress = {});
+
+/// The one whose matrix leaves the least of the patches; nothing where none has a matrix.
+[[nodiscard]] const ChartShot* bestChartShot(const std::vector<ChartShot>& shots);
+
+/// A matrix as a file tells it.
+struct CameraFile {
+  CameraMatrix matrix{};
+  std::string from;  ///< linear primaries of what it is for
+
+  /// A picture in linear light in which `white` (of those primaries) is white: in place to linear Rec.709, in
+  /// which `to` is.
+  void apply(Image& picture, const Rgb& white, const Rgb& to) const;
+};
+/// As a file that readCamera reads. `shot` has a matrix.
+[[nodiscard]] Json jsonFromCamera(const ChartShot& shot);
+/// Throws InputError that names the file: missing, no such description, a matrix that keeps no white.
+[[nodiscard]] CameraFile readCamera(const std::filesystem::path& file);
+
+}  // namespace swaplight

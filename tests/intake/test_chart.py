@@ -1,0 +1,97 @@
+"""swaplight chart: light and camera off a Macbeth chart, gels into a table, colours of a capture."""
+import csv
+import json
+
+import numpy as np
+import cli
+from made_chart import CORNERS, photograph
+
+LAMP, GEL = np.array([.8, .7, .6]), np.array([.75, .35, .2])
+
+
+class Chart(cli.CliTest):
+    def photo(self, name, light, **options):
+        cli.write_image(self.path(name), photograph(light, **options))
+        return self.path(name)
+
+    def test_light_and_camera_are_read_off_the_chart(self):
+        camera = np.array([[.78, .17, .05], [.12, .80, .08], [.03, .22, .75]])
+        photo = self.photo('a.exr', LAMP, camera=camera)
+        said = self.succeed_json('chart', photo, '-o', self.path('camera.json'))
+        shot = said['shots'][0]
+        np.testing.assert_allclose(shot['light'], LAMP, rtol=.01)
+        self.assertLess(shot['delta_e']['mean'], 1)
+        self.assertGreater(shot['delta_e']['balanced'], shot['delta_e']['mean'] + 2)
+        np.testing.assert_allclose(np.array(said['camera_matrix']) @ camera, np.eye(3), atol=.03)
+        self.assertTrue(shot['found'])
+        self.assertLess(np.abs(np.array(shot['corners']) - CORNERS).max(), 12)
+        with open(self.path('camera.json')) as file:
+            self.assertEqual(json.load(file)['camera_matrix'], said['camera_matrix'])
+        # What balance makes of it: the chart's own colours.
+        out = self.path('out.exr')
+        self.succeed('balance', photo, '--grey', '150,350', '--camera', self.path('camera.json'), '-o', out, '-q')
+        plain, seen = photograph(np.ones(3), noise=0), cli.read_rgb(out)
+        scale = np.median(seen[340:360, 140:160] / plain[340:360, 140:160])
+        np.testing.assert_allclose(seen[110:120, 140:160].mean((0, 1)), scale * plain[115, 150], rtol=.05)
+
+    def test_gels_are_measured_into_a_table(self):
+        lamp, gel = self.photo('lamp.exr', LAMP), self.photo('gel.exr', LAMP * GEL)
+        table = self.path('gels.csv')
+        arguments = ['--without', lamp, '--gel', 'House,7,"Dusk, warm"', '--gels', table]
+        said = self.succeed_json('chart', gel, *arguments)['gels'][0]
+        self.assertEqual(said['id'], 'H7')
+        np.testing.assert_allclose(said['filter'], GEL, rtol=.03, atol=.01)
+        self.assertAlmostEqual(said['transmission'], GEL @ (.2126, .7152, .0722), 2)
+        with open(table, newline='') as file:
+            row = list(csv.DictReader(file))[0]
+        self.assertEqual((row['name'], row['source']), ('Dusk, warm', 'measured'))
+        self.deny('chart', gel, *arguments, naming=['gels.csv', 'H7'])
+        self.deny('chart', gel, '--gels', table, naming='--without')
+        self.deny('chart', gel, gel, *arguments, naming='2 photographs')
+        self.deny('chart', gel, '--without', lamp, '--gel', 'House', '--gels', table, naming='House')
+        # It is one of the gels from then on.
+        data = self.path('data')
+        with open(table) as file:
+            text = file.read()
+        cli.os.makedirs(cli.os.path.join(data, 'swaplight'))
+        with open(cli.os.path.join(data, 'swaplight', 'gels.csv'), 'w') as file:
+            file.write(text)
+        result = cli.run('plan', '--lights', '2', '--gels', 'H7,L119', '--json', env={'XDG_DATA_HOME': data})
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_charts_give_the_colours_of_a_capture(self):
+        colors = np.array([[.8, .2, .15], [.12, .3, .75]])
+        capture = cli.Capture(self.path('made'), height=60, width=80,
+                              light_colors=[colors.tolist(), colors[::-1].tolist()])
+        for k, shot in enumerate(capture.shots):
+            cli.write_image(self.path('shots', f'{k}.exr'), shot)
+        for name, color in zip(('red', 'blue'), colors):
+            self.photo(f'shots/chart_{name}.exr', color)
+        said = self.succeed_json('new', self.path('shots'), '--lights', 'key,fill',
+                                 '--colors', 'chart:chart_red.exr,chart:chart_blue.exr')
+        self.assertEqual(len(said['shots']), 2, 'charts are no shots')
+        with open(self.path('shots', 'capture.json')) as file:
+            told = [shot['light_colors'] for shot in json.load(file)['shots']]
+        np.testing.assert_allclose(told, [colors, colors[::-1]], rtol=.05, atol=.01)
+        self.deny('new', self.path('shots'), '--lights', 'key,fill', '--colors', 'chart:none.exr,1/1/1', '--force',
+                  naming='none.exr')
+
+    def test_what_cannot_be_done_is_said_in_one_line(self):
+        wall = self.path('wall.exr')
+        cli.write_image(wall, np.full((300, 400, 3), .3))
+        self.deny('chart', wall, naming=['wall.exr', 'no chart found', '--corners'])
+        self.deny('chart', wall, '--corners', '1,2,3', naming=['--corners', 'X,Y,X,Y'])
+        self.deny('chart', wall, '--corners', '10,10,90,10,90,70,10,70', naming=['wall.exr', 'does not look like'])
+        self.deny('chart', self.path('none.exr'), naming='none.exr')
+        photo = self.photo('bright.exr', LAMP * 4)
+        corners = ','.join(f'{x},{y}' for x, y in CORNERS)
+        self.succeed('chart', photo, '--corners', corners)  # floating point does not clip
+        self.deny('chart', photo, '-o', photo, naming='bright.exr')
+        self.deny('balance', photo, '--camera', photo, '-o', self.path('x.exr'), naming='bright.exr')
+        with open(self.path('camera.json'), 'w') as file:
+            json.dump({'format': 'swaplight-camera', 'camera_matrix': [[1, 0, 0], [0, 2, 0], [0, 0, 1]]}, file)
+        self.deny('balance', photo, '--camera', self.path('camera.json'), '-o', self.path('x.exr'), naming=['camera.json', 'white'])
+
+
+if __name__ == '__main__':
+    cli.main()
