@@ -1,29 +1,14 @@
 #include "core/image/image.h"
 
-#include <sys/mman.h>
-
 #include <algorithm>
-#include <cstdlib>
-#include <new>
 
 #include "core/base/error.h"
+#include "core/image/images_in_files.h"
 
 namespace swaplight {
 namespace {
 
 constexpr size_t kAlignFloats = 16;  // 64 bytes: one cache line, one AVX-512 register
-constexpr size_t kHugePage = size_t{2} << 20;
-
-float* allocate(size_t floats) {
-  const size_t bytes = floats * sizeof(float);
-  const size_t align = bytes >= 2 * kHugePage ? kHugePage : 64;
-  const size_t rounded = (bytes + align - 1) / align * align;
-  void* p = std::aligned_alloc(align, rounded);
-  if (!p) throw std::bad_alloc();
-  // First touch of 4K pages runs at a tenth of memory speed; huge pages at a third.
-  if (align == kHugePage) madvise(p, rounded, MADV_HUGEPAGE);
-  return static_cast<float*>(p);
-}
 
 }  // namespace
 
@@ -32,7 +17,7 @@ ImageSpec ImageSpec::rgb(int width, int height) {
 }
 
 void Image::Free::operator()(float* p) const {
-  std::free(p);
+  freeImage(p);
 }
 
 Image::Image(ImageSpec spec) : m_spec(std::move(spec)) {
@@ -41,7 +26,7 @@ Image::Image(ImageSpec spec) : m_spec(std::move(spec)) {
   const size_t stride = (m_spec.pixelCount() + kAlignFloats - 1) / kAlignFloats * kAlignFloats;
   m_planeStride = static_cast<ptrdiff_t>(stride);
   const size_t floats = stride * m_spec.channels.size();
-  if (floats > 0) m_data.reset(allocate(floats));
+  if (floats > 0) m_data.reset(allocateImage(floats));
 }
 
 Image::Image(ImageSpec spec, float value) : Image(std::move(spec)) {

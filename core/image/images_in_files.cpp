@@ -1,0 +1,131 @@
+#include "core/image/images_in_files.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <new>
+#include <string>
+#include <system_error>
+
+#include "core/base/machine_error.h"
+
+namespace swaplight {
+namespace {
+
+constexpr size_t kHugePage = size_t{2} << 20;
+constexpr std::chrono::milliseconds kHandBackEvery{20};
+
+/// Where images go, and which lie in files.
+struct Files {
+  std::mutex mutex;
+  std::filesystem::path folder;
+  std::map<float*, size_t> mapped;  ///< bytes of each
+};
+
+Files& files() {
+  static Files theOnes;
+  return theOnes;
+}
+
+constexpr size_t kNever = ~size_t{0};
+std::atomic<size_t> largestInMemory = kNever;
+std::atomic<size_t> mappedCount = 0;
+
+[[noreturn]] void fail(const std::filesystem::path& folder, int error) {
+  throw MachineError(
+      "{}: no temporary file for a large picture: {}. Free some space, or write to another disk.",
+      folder.string(), std::generic_category().message(error));
+}
+
+/// A file without a name, with room for all its bytes: a mapped one that grows on a full disk would end the
+/// program.
+int namelessFile(const std::filesystem::path& folder, size_t bytes) {
+  std::string name = (folder / ".swaplight-picture-XXXXXX").string();
+  const int file = ::mkostemp(name.data(), O_CLOEXEC);
+  if (file < 0) fail(folder, errno);
+  ::unlink(name.c_str());
+  const int error = ::posix_fallocate(file, 0, static_cast<off_t>(bytes));
+  if (error == 0) return file;
+  ::close(file);
+  fail(folder, error);
+}
+
+float* mapFile(size_t bytes) {
+  const std::lock_guard lock(files().mutex);
+  const int file = namelessFile(files().folder, bytes);
+  void* p = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  ::close(file);
+  if (p == MAP_FAILED) throw std::bad_alloc();
+  auto* pixels = static_cast<float*>(p);
+  files().mapped[pixels] = bytes;
+  mappedCount = files().mapped.size();
+  return pixels;
+}
+
+/// The pages stay in the file, and in the system's cache as long as there is room.
+void handBack() {
+  const std::lock_guard lock(files().mutex);
+  for (const auto& [pixels, bytes] : files().mapped) ::madvise(pixels, bytes, MADV_DONTNEED);
+}
+
+}  // namespace
+
+ImagesInFiles::ImagesInFiles(const std::filesystem::path& folder, size_t largerThan) {
+  {
+    const std::lock_guard lock(files().mutex);
+    files().folder = folder.empty() ? std::filesystem::path(".") : folder;
+  }
+  largestInMemory = largerThan;
+  m_handingBack = std::jthread([](const std::stop_token& end) {
+    std::mutex mutex;
+    std::condition_variable_any wait;
+    std::unique_lock lock(mutex);
+    while (!wait.wait_for(lock, end, kHandBackEvery, [&] { return end.stop_requested(); })) handBack();
+  });
+}
+
+ImagesInFiles::~ImagesInFiles() {
+  largestInMemory = kNever;
+}
+
+size_t ImagesInFiles::count() {
+  return mappedCount;
+}
+
+float* allocateImage(size_t floats) {
+  const size_t bytes = floats * sizeof(float);
+  if (bytes > largestInMemory) return mapFile(bytes);
+  const size_t align = bytes >= 2 * kHugePage ? kHugePage : 64;
+  const size_t rounded = (bytes + align - 1) / align * align;
+  void* p = std::aligned_alloc(align, rounded);
+  if (!p) throw std::bad_alloc();
+  // First touch of 4K pages runs at a tenth of memory speed; huge pages at a third.
+  if (align == kHugePage) madvise(p, rounded, MADV_HUGEPAGE);
+  return static_cast<float*>(p);
+}
+
+void freeImage(float* pixels) {
+  if (mappedCount == 0) {
+    std::free(pixels);
+    return;
+  }
+  const std::lock_guard lock(files().mutex);
+  const auto found = files().mapped.find(pixels);
+  if (found == files().mapped.end()) {
+    std::free(pixels);
+    return;
+  }
+  ::munmap(pixels, found->second);
+  files().mapped.erase(found);
+  mappedCount = files().mapped.size();
+}
+
+}  // namespace swaplight
