@@ -177,41 +177,62 @@ std::vector<std::string> imagesOf(const Filter& filter) {
   return images;
 }
 
-std::string declarations(const Filter& filter, const std::vector<std::string>& images) {
+/// What the filter's own passes draw, or those before it.
+bool isDrawn(const Filter& filter, const std::string& image) {
+  return image == "inputImage" || std::any_of(filter.passes.begin(), filter.passes.end(),
+                                              [&](const FilterPass& pass) { return pass.target == image; });
+}
+
+/// Functions that read an image of this kind of sampler, by the pixel of all of it; `window` says where its
+/// texture begins, and its whole size. `level` ends the arguments of a texel, `between` reads
+/// between them.
+std::string readers(const Filter& filter, const char* sampler, const char* level, const char* between) {
+  const char* read = filter.nearest ? "isf_texel(image, floor(p - window.xy))" : between;
+  return fmt::format(
+      "vec4 isf_texel({0} image, vec2 at) {{\n"
+      "  return texelFetch(image, clamp(ivec2(at), ivec2(0), textureSize(image{1}) - 1){1});\n}}\n"
+      "vec4 isf_pixel({0} image, vec4 window, vec2 p) {{ return {2}; }}\n"
+      "vec4 isf_normPixel({0} image, vec4 window, vec2 p) {{ return isf_pixel(image, window, p * window.zw); "
+      "}}\n"
+      "vec2 isf_size({0} image, vec4 window) {{ return window.zw; }}\n",
+      sampler, level, read);
+}
+
+std::string declarations(const Filter& filter, const std::vector<std::string>& images,
+                         const TranslationOptions& options) {
   std::string text =
-      "#version 410 core\n"
-      "uniform int PASSINDEX;\nuniform vec2 RENDERSIZE;\nuniform float TIME;\nuniform float TIMEDELTA;\n"
+      "#version 410 core\nuniform vec2 RENDERSIZE;\nuniform float TIME;\nuniform float TIMEDELTA;\n"
       "uniform vec4 DATE;\nuniform int FRAMEINDEX;\nuniform vec2 isf_origin;\nuniform vec4 isf_target;\n"
       "uniform vec2 isf_bounds;\nuniform float isf_notANumber;\n";
+  text += fmt::format("const int PASSINDEX = {};\n", options.pass);
   for (const FilterInput& input : filter.inputs)
     if (std::string(glslType(input.type)) != "sampler2D")
       text += fmt::format("uniform {} {};\n", glslType(input.type), glslName(input.name));
-  for (const std::string& image : images)
-    text += fmt::format("uniform sampler2D {0};\nuniform vec4 isf_window_{0};\n", image);
+  for (const std::string& image : images) {
+    const char* sampler = options.rectangles && isDrawn(filter, image) ? "sampler2DRect" : "sampler2D";
+    text += fmt::format("uniform {1} {0};\nuniform vec4 isf_window_{0};\n", image, sampler);
+  }
   text += fmt::format("int isf_turns = 0;\nbool isf_go() {{ return ++isf_turns <= {}; }}\n", kMostLoopTurns);
-  // An image is read by the pixel of all of it; `window` says where its texture begins, and its whole size.
-  text += filter.nearest
-              ? "vec4 isf_pixel(sampler2D image, vec4 window, vec2 p) {\n"
-                "  return texelFetch(image, clamp(ivec2(floor(p - window.xy)), ivec2(0), "
-                "textureSize(image, 0) - 1), 0);\n}\n"
-              : "vec4 isf_pixel(sampler2D image, vec4 window, vec2 p) {\n"
-                "  return textureLod(image, (p - window.xy) / vec2(textureSize(image, 0)), 0.0);\n}\n";
   return text +
-         "vec4 isf_normPixel(sampler2D image, vec4 window, vec2 p) { return isf_pixel(image, window, p * "
-         "window.zw); }\n"
-         "vec2 isf_size(sampler2D image, vec4 window) { return window.zw; }\n";
+         readers(filter, "sampler2D", ", 0",
+                 "textureLod(image, (p - window.xy) / vec2(textureSize(image, 0)), 0.0)") +
+         readers(filter, "sampler2DRect", "", "texture(image, p - window.xy)");
 }
 
 constexpr const char* kFragmentStart =
     "out vec4 isf_FragColor;\n"
     "#define isf_FragCoord vec4(gl_FragCoord.xy + isf_origin, gl_FragCoord.zw)\n"
-    "#define isf_FragNormCoord ((gl_FragCoord.xy + isf_origin) / RENDERSIZE)\n"
-    "vec4 isf_thisPixel(sampler2D image, vec4 window) {\n"
-    "  if (window.zw == RENDERSIZE)\n"
-    "    return texelFetch(image, clamp(ivec2(gl_FragCoord.xy + isf_origin - window.xy), ivec2(0), "
-    "textureSize(image, 0) - 1), 0);\n"
-    "  return isf_normPixel(image, window, isf_FragNormCoord);\n"
-    "}\n";
+    "#define isf_FragNormCoord ((gl_FragCoord.xy + isf_origin) / RENDERSIZE)\n";
+
+/// The pixel that is drawn, of an image.
+std::string thisPixel(const char* sampler) {
+  return fmt::format(
+      "vec4 isf_thisPixel({} image, vec4 window) {{\n"
+      "  if (window.zw == RENDERSIZE) return isf_texel(image, gl_FragCoord.xy + isf_origin - window.xy);\n"
+      "  return isf_normPixel(image, window, isf_FragNormCoord);\n"
+      "}}\n",
+      sampler);
+}
 
 constexpr const char* kFragmentEnd =
     "\nvoid main() {\n"
@@ -231,6 +252,8 @@ constexpr const char* kVertexStart =
     "  isf_FragNormCoord = (isf_target.xy + isf_corner * isf_target.zw) / RENDERSIZE;\n"
     "}\n"
     "vec4 isf_thisPixel(sampler2D image, vec4 window) { return isf_normPixel(image, window, "
+    "isf_FragNormCoord); }\n"
+    "vec4 isf_thisPixel(sampler2DRect image, vec4 window) { return isf_normPixel(image, window, "
     "isf_FragNormCoord); }\n";
 
 constexpr const char* kVertexEnd =
@@ -259,18 +282,20 @@ std::string glslName(const std::string& name) {
   return newlyReserved().contains(name) ? "isf_word_" + name : name;
 }
 
-GlslTranslation translateFilter(const Filter& filter, bool maySkipBounds) {
+GlslTranslation translateFilter(const Filter& filter, const TranslationOptions& options) {
   GlslTranslation result;
   result.images = imagesOf(filter);
   const std::set<std::string> images(result.images.begin(), result.images.end());
-  const std::string head = declarations(filter, result.images);
-  result.fragment = head + kFragmentStart + fmt::format("#line {}\n", filter.sourceLine) +
-                    translateBody(filter.source, images, false, maySkipBounds, result.looksElsewhere) +
-                    kFragmentEnd;
+  const std::string head = declarations(filter, result.images, options);
+  result.fragment =
+      head + kFragmentStart + thisPixel("sampler2D") + thisPixel("sampler2DRect") +
+      fmt::format("#line {}\n", filter.sourceLine) +
+      translateBody(filter.source, images, false, options.maySkipBounds, result.looksElsewhere) +
+      kFragmentEnd;
   const std::string vertex = filter.vertexSource.empty() ? "void main() {}" : filter.vertexSource;
   bool ignored = false;
   result.vertex = head + kVertexStart + "#line 1\n" +
-                  translateBody(vertex, images, true, maySkipBounds, ignored) + kVertexEnd;
+                  translateBody(vertex, images, true, options.maySkipBounds, ignored) + kVertexEnd;
   if (!filter.vertexSource.empty()) result.looksElsewhere = true;
   return result;
 }

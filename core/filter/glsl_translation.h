@@ -9,7 +9,7 @@ namespace swaplight {
 
 /// A filter as OpenGL 4.1 compiles it.
 ///
-/// Uniforms: ISF's own (PASSINDEX, RENDERSIZE, TIME, TIMEDELTA, DATE, FRAMEINDEX) and every input by its
+/// Uniforms: ISF's own (RENDERSIZE, TIME, TIMEDELTA, DATE, FRAMEINDEX) and every input by its
 /// name. `isf_origin` (vec2) is the pixel of the pass at which its left bottom corner lies: a tile's place.
 /// Every image X has `isf_window_X` (vec4): the pixel of X at which its texture begins, and the size of all
 /// of X. `isf_bounds` (vec2): what results are clamped to. What is not a number becomes
@@ -20,8 +20,14 @@ struct GlslTranslation {
   bool looksElsewhere = false;      ///< it reads other pixels than the one it writes
 };
 
-/// `maySkipBounds`: loops stay as they are (the program's own filters are known to end).
-[[nodiscard]] GlslTranslation translateFilter(const Filter& filter, bool maySkipBounds = false);
+struct TranslationOptions {
+  bool maySkipBounds = false;  ///< loops stay as they are (the program's own filters are known to end)
+  /// inputImage and targets are samplers of the kind sampler2DRect, which is right where the source reads
+  /// images by IMG_ functions alone.
+  bool rectangles = false;
+  int pass = 0;  ///< PASSINDEX, a constant: a processor that draws would go through the code of all passes
+};
+[[nodiscard]] GlslTranslation translateFilter(const Filter& filter, const TranslationOptions& options = {});
 
 /// An input's name as the translated shader has it: another one where GLSL 4.10 reserves the author's.
 [[nodiscard]] std::string glslName(const std::string& name);

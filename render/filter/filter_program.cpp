@@ -52,6 +52,11 @@ UniformValue uniformFrom(const FilterValue& value) {
   throw std::logic_error("a picture is no uniform");
 }
 
+bool read(std::span<const ShaderProgram> passes, const std::string& image) {
+  return std::any_of(passes.begin(), passes.end(),
+                     [&](const ShaderProgram& pass) { return pass.hasUniform(image); });
+}
+
 }  // namespace
 
 struct FilterProgram::Drawing {
@@ -62,19 +67,24 @@ struct FilterProgram::Drawing {
   const FilterLimits& limits;
   Clock::time_point begin = Clock::now();
   std::map<std::string, FilterTexture> targets = {};
-  FilterTexture nothing = FilterTexture(FilterWindow::whole(1, 1));
+  /// Stands for a picture that is missing, and for a target that is not drawn yet.
+  FilterTexture noPicture = FilterTexture(FilterWindow::whole(1, 1));
+  FilterTexture noTarget = FilterTexture(FilterWindow::whole(1, 1), input.kind());
 };
 
-FilterProgram::FilterProgram(std::shared_ptr<const Filter> filter)
+FilterProgram::FilterProgram(std::shared_ptr<const Filter> filter, TextureKind kind)
     : m_filter(std::move(filter)), m_vertexArray(GlVertexArray::make()) {
-  GlslTranslation translation = translateFilter(*m_filter, m_filter->builtIn);
-  try {
-    m_program = ShaderProgram::fromSources(translation.vertex, translation.fragment);
-  } catch (const std::runtime_error& error) {
-    throw InputError("{}", compileErrorLine(error.what(), m_filter->file.string()));
+  for (size_t pass = 0; pass < m_filter->passes.size(); ++pass) {
+    GlslTranslation translation =
+        translateFilter(*m_filter, {m_filter->builtIn, kind == TextureKind::Pixels, static_cast<int>(pass)});
+    try {
+      m_programs.push_back(ShaderProgram::fromSources(translation.vertex, translation.fragment));
+    } catch (const std::runtime_error& error) {
+      throw InputError("{}", compileErrorLine(error.what(), m_filter->file.string()));
+    }
+    m_images = std::move(translation.images);
+    m_looksElsewhere = translation.looksElsewhere;
   }
-  m_images = std::move(translation.images);
-  m_looksElsewhere = translation.looksElsewhere;
 }
 
 bool FilterProgram::tiles() const {
@@ -87,11 +97,11 @@ int FilterProgram::halo(std::span<const FilterValue> values, int wholeWidth, int
   return static_cast<int>(std::clamp(std::ceil(pixels), 0.0, 1e5));
 }
 
-FilterWindow FilterProgram::windowOf(const FilterPass& pass, const Drawing& drawing) const {
-  const FilterWindow& in = drawing.input.window();
+FilterWindow FilterProgram::windowOf(const FilterPass& pass, std::span<const FilterValue> values,
+                                     const FilterWindow& in) const {
   const auto side = [&](const std::string& expression, int standard) {
     if (expression.empty()) return standard;
-    const double value = evaluate(*m_filter, drawing.values, expression, in.wholeWidth, in.wholeHeight);
+    const double value = evaluate(*m_filter, values, expression, in.wholeWidth, in.wholeHeight);
     return static_cast<int>(std::clamp(std::floor(value), 1.0, 32768.0));
   };
   const int width = side(pass.widthExpression, in.wholeWidth);
@@ -112,40 +122,43 @@ FilterWindow FilterProgram::windowOf(const FilterPass& pass, const Drawing& draw
   return window;
 }
 
-void FilterProgram::setInputs(const Drawing& drawing) const {
+void FilterProgram::setInputs(const ShaderProgram& program, const Drawing& drawing) const {
   for (size_t i = 0; i < m_filter->inputs.size(); ++i) {
     const std::string name = glslName(m_filter->inputs[i].name);
     const bool picture = std::holds_alternative<std::string>(drawing.values[i]);
-    if (!picture && m_program.hasUniform(name)) m_program.set({{name, uniformFrom(drawing.values[i])}});
+    if (!picture && program.hasUniform(name)) program.set({{name, uniformFrom(drawing.values[i])}});
   }
 }
 
 void FilterProgram::drawPass(int index, const FilterTexture& target, Drawing& drawing) const {
   const FilterPass& pass = m_filter->passes[static_cast<size_t>(index)];
+  const ShaderProgram& program = m_programs[static_cast<size_t>(index)];
   const FilterWindow& window = target.window();
   const auto set = [&](const std::string& name, const UniformValue& value) {
-    if (m_program.hasUniform(name)) m_program.set({{name, value}});
+    if (program.hasUniform(name)) program.set({{name, value}});
   };
-  const BoundProgram use(m_program.id(), m_vertexArray.id());
-  setInputs(drawing);
+  const BoundProgram use(program.id(), m_vertexArray.id());
+  setInputs(program, drawing);
   BoundTextures bound;
   for (const std::string& image : m_images) {
-    const FilterTexture* texture = &drawing.nothing;
+    const FilterTexture* texture = &drawing.noPicture;
     if (const auto found = drawing.targets.find(image); found != drawing.targets.end())
       texture = &found->second;
     else if (const auto picture = drawing.pictures.find(image); picture != drawing.pictures.end())
       texture = picture->second.get();
     else if (image == "inputImage")
       texture = &drawing.input;
-    set(image, bound.add(GL_TEXTURE_2D, texture->texture()));
     FilterWindow place = texture->window();
     for (const FilterPass& other : m_filter->passes)  // a target not drawn yet is black, and has its size
-      if (texture == &drawing.nothing && other.target == image) place = windowOf(other, drawing);
+      if (texture == &drawing.noPicture && other.target == image) {
+        texture = &drawing.noTarget;
+        place = windowOf(other, drawing.values, drawing.input.window());
+      }
+    set(image, bound.add(texture->target(), texture->texture()));
     set("isf_window_" + image, glm::vec4(place.x, place.y, place.wholeWidth, place.wholeHeight));
   }
   const double seconds = drawing.time.frame / drawing.time.framesPerSecond;
   const bool display = m_filter->space == FilterSpace::Display && !pass.isFloat;
-  set("PASSINDEX", index);
   set("RENDERSIZE", glm::vec2(window.wholeWidth, window.wholeHeight));
   set("TIME", static_cast<float>(seconds));
   set("TIMEDELTA", static_cast<float>(1 / drawing.time.framesPerSecond));
@@ -185,22 +198,46 @@ void FilterProgram::drawStrips(const FilterTexture& target, Drawing& drawing) co
   }
 }
 
-FilterTexture FilterProgram::draw(const FilterTexture& input, std::span<const FilterValue> values,
-                                  const FilterPictures& pictures, const FilterTime& time,
-                                  const FilterLimits& limits) const {
+FilterTexture FilterProgram::draw(const FilterTexture& input, const FilterWindow& output,
+                                  std::span<const FilterValue> values, const FilterPictures& pictures,
+                                  const FilterTime& time, const FilterLimits& limits) const {
   Drawing drawing{input, values, pictures, time, limits};
-  drawing.nothing.clear();
+  drawing.noPicture.clear();
+  drawing.noTarget.clear();
   const int last = static_cast<int>(m_filter->passes.size()) - 1;
   for (int i = 0; i < last; ++i) {
     const FilterPass& pass = m_filter->passes[static_cast<size_t>(i)];
-    FilterTexture target(windowOf(pass, drawing));  // a new one: the pass may read what stood there before
+    FilterTexture target(windowOf(pass, values, input.window()),
+                         input.kind());  // a new one: the pass may read what stood there before
     drawPass(i, target, drawing);
     drawing.targets[pass.target] = std::move(target);
+    const auto later = std::span(m_programs).subspan(static_cast<size_t>(i) + 1);
+    std::erase_if(drawing.targets, [&](const auto& drawn) { return !read(later, drawn.first); });
   }
-  FilterTexture result(input.window());
+  FilterTexture result(output, input.kind());
   drawPass(last, result, drawing);
   checkGl("while a filter is drawn");
   return result;
+}
+
+size_t FilterProgram::pixelsHeld(const FilterWindow& input, const FilterWindow& output,
+                                 std::span<const FilterValue> values) const {
+  std::map<std::string, size_t> targets;
+  const auto held = [&] {
+    size_t pixels = input.pixelCount();
+    for (const auto& [name, count] : targets) pixels += count;
+    return pixels;
+  };
+  size_t most = 0;
+  for (size_t i = 0; i + 1 < m_programs.size(); ++i) {  // as draw() does
+    const FilterPass& pass = m_filter->passes[i];
+    const size_t drawn = windowOf(pass, values, input).pixelCount();
+    most = std::max(most, held() + drawn);
+    targets[pass.target] = drawn;
+    const auto later = std::span(m_programs).subspan(i + 1);
+    std::erase_if(targets, [&](const auto& target) { return !read(later, target.first); });
+  }
+  return std::max(most, held() + output.pixelCount());
 }
 
 }  // namespace swaplight

@@ -31,8 +31,9 @@ using FilterPictures = std::map<std::string, std::shared_ptr<const FilterTexture
 /// A filter, compiled for the current OpenGL context.
 class FilterProgram {
  public:
-  /// Throws InputError that names the filter's file and the line where it does not compile.
-  explicit FilterProgram(std::shared_ptr<const Filter> filter);
+  /// For frames and targets that are textures of this kind; other pictures are read by coordinates. Throws
+  /// InputError that names the filter's file and the line where it does not compile.
+  explicit FilterProgram(std::shared_ptr<const Filter> filter, TextureKind kind = TextureKind::Coordinates);
 
   [[nodiscard]] const Filter& filter() const { return *m_filter; }
   /// Whether a part of the frame can be drawn from that part and its halo.
@@ -40,23 +41,28 @@ class FilterProgram {
   /// How far a pixel looks, in pixels of a frame of this size; 0 where it looks at itself alone.
   [[nodiscard]] int halo(std::span<const FilterValue> values, int wholeWidth, int wholeHeight) const;
 
-  /// Draws the part of the frame that `input` is, all passes of it. `values` as filter().inputs. Throws
-  /// InputError where it takes longer than it may, and ResourceError where graphics memory is short.
-  [[nodiscard]] FilterTexture draw(const FilterTexture& input, std::span<const FilterValue> values,
-                                   const FilterPictures& pictures, const FilterTime& time,
-                                   const FilterLimits& limits) const;
+  /// Draws the window `output`, all passes of it, from an input that holds it and its halo. `values` as
+  /// filter().inputs. Throws InputError where it takes longer than it may, and ResourceError where graphics
+  /// memory is short.
+  [[nodiscard]] FilterTexture draw(const FilterTexture& input, const FilterWindow& output,
+                                   std::span<const FilterValue> values, const FilterPictures& pictures,
+                                   const FilterTime& time, const FilterLimits& limits) const;
+  /// The pixels of all textures that are held while this is drawn, input and result included.
+  [[nodiscard]] size_t pixelsHeld(const FilterWindow& input, const FilterWindow& output,
+                                  std::span<const FilterValue> values) const;
 
  private:
   struct Drawing;
-  [[nodiscard]] FilterWindow windowOf(const FilterPass& pass, const Drawing& drawing) const;
+  [[nodiscard]] FilterWindow windowOf(const FilterPass& pass, std::span<const FilterValue> values,
+                                      const FilterWindow& input) const;
   void drawPass(int index, const FilterTexture& target, Drawing& drawing) const;
   void drawStrips(const FilterTexture& target, Drawing& drawing) const;
-  void setInputs(const Drawing& drawing) const;
+  void setInputs(const ShaderProgram& program, const Drawing& drawing) const;
 
   std::shared_ptr<const Filter> m_filter;
   std::vector<std::string> m_images;
   bool m_looksElsewhere = false;
-  ShaderProgram m_program;
+  std::vector<ShaderProgram> m_programs;  ///< of each pass
   GlVertexArray m_vertexArray;
 };
 

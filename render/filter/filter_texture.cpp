@@ -22,16 +22,29 @@ float sane(float value) {
 
 }  // namespace
 
-FilterTexture::FilterTexture(const FilterWindow& window)
-    : m_window(window), m_texture(GlTexture::make()), m_framebuffer(GlFramebuffer::make()) {
-  const BoundTexture texture(0, GL_TEXTURE_2D, m_texture.id());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, window.width, window.height, 0, GL_RGBA, GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+FilterWindow FilterWindow::grown(int halo) const {
+  FilterWindow window = *this;
+  window.x = std::max(0, x - halo);
+  window.y = std::max(0, y - halo);
+  window.width = std::min(wholeWidth, x + width + halo) - window.x;
+  window.height = std::min(wholeHeight, y + height + halo) - window.y;
+  return window;
+}
+
+unsigned FilterTexture::target() const {
+  return m_kind == TextureKind::Pixels ? GL_TEXTURE_RECTANGLE : GL_TEXTURE_2D;
+}
+
+FilterTexture::FilterTexture(const FilterWindow& window, TextureKind kind)
+    : m_window(window), m_kind(kind), m_texture(GlTexture::make()), m_framebuffer(GlFramebuffer::make()) {
+  const BoundTexture texture(0, target(), m_texture.id());
+  glTexImage2D(target(), 0, GL_RGBA32F, window.width, window.height, 0, GL_RGBA, GL_FLOAT, nullptr);
+  glTexParameteri(target(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(target(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(target(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   const BoundFramebuffer bound(m_framebuffer.id(), window.width, window.height);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_texture.id(), 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target(), m_texture.id(), 0);
   checkGl(fmt::format("for a filter's {} x {} pixels", window.width, window.height));
 }
 
@@ -44,7 +57,7 @@ void FilterTexture::clear() const {
 
 void FilterTexture::upload(ImageView picture) const {
   const TightPixels tight;
-  const BoundTexture bound(0, GL_TEXTURE_2D, texture());
+  const BoundTexture bound(0, target(), texture());
   const auto width = static_cast<size_t>(m_window.width);
   std::vector<float> band;
   for (int first = 0; first < m_window.height; first += kRowsAtOnce) {
@@ -58,7 +71,7 @@ void FilterTexture::upload(ImageView picture) const {
         for (size_t x = 0; x < width; ++x) out[4 * x] = sane(in[x]);
       }
     }
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, m_window.width, rows, GL_RGBA, GL_FLOAT, band.data());
+    glTexSubImage2D(target(), 0, 0, first, m_window.width, rows, GL_RGBA, GL_FLOAT, band.data());
   }
   checkGl("while a filter's picture is uploaded");
 }

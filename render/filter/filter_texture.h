@@ -14,8 +14,16 @@ struct FilterWindow {
   [[nodiscard]] static FilterWindow whole(int width, int height) {
     return {0, 0, width, height, width, height};
   }
+  /// With that many pixels more on every side, as far as the picture goes.
+  [[nodiscard]] FilterWindow grown(int halo) const;
+  [[nodiscard]] size_t pixelCount() const { return static_cast<size_t>(width) * static_cast<size_t>(height); }
   bool operator==(const FilterWindow&) const = default;
 };
+
+/// How a texture is read between its pixels. By their numbers it is the same to the bit whatever part of a
+/// picture the texture holds; by coordinates from 0 to 1, which plain ISF filters know, it is rounded by the
+/// texture's size.
+enum class TextureKind { Coordinates, Pixels };
 
 /// The rectangle's pixels on the graphics card, R G B A as 32-bit floats, the lowest row first; can be drawn
 /// into and read with interpolation.
@@ -23,9 +31,12 @@ class FilterTexture {
  public:
   FilterTexture() = default;
   /// Not initialised. Throws ResourceError where graphics memory is short.
-  explicit FilterTexture(const FilterWindow& window);
+  explicit FilterTexture(const FilterWindow& window, TextureKind kind = TextureKind::Coordinates);
 
   [[nodiscard]] const FilterWindow& window() const { return m_window; }
+  [[nodiscard]] TextureKind kind() const { return m_kind; }
+  /// OpenGL's GL_TEXTURE_2D or GL_TEXTURE_RECTANGLE.
+  [[nodiscard]] unsigned target() const;
   [[nodiscard]] unsigned texture() const { return m_texture.id(); }
   [[nodiscard]] unsigned framebuffer() const { return m_framebuffer.id(); }
   explicit operator bool() const { return static_cast<bool>(m_texture); }
@@ -39,11 +50,13 @@ class FilterTexture {
   /// 4 planes.
   void download(const FilterWindow& rect, ImageSpan picture) const;
 
+  static constexpr size_t kBytesPerPixel = 4 * sizeof(float);
   /// The brightest value that filters see and give.
   static constexpr float kBrightest = 1e10F;
 
  private:
   FilterWindow m_window;
+  TextureKind m_kind = TextureKind::Coordinates;
   GlTexture m_texture;
   GlFramebuffer m_framebuffer;
 };

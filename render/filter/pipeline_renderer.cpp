@@ -68,15 +68,6 @@ std::vector<FilterWindow> partsOf(const Image& image, int side) {
   return parts;
 }
 
-FilterWindow grown(const FilterWindow& part, int halo) {
-  FilterWindow window = part;
-  window.x = std::max(0, part.x - halo);
-  window.y = std::max(0, part.y - halo);
-  window.width = std::min(part.wholeWidth, part.x + part.width + halo) - window.x;
-  window.height = std::min(part.wholeHeight, part.y + part.height + halo) - window.y;
-  return window;
-}
-
 /// What keeps a stage from being drawn.
 class BrokenStage : public InputError {
  public:
@@ -97,7 +88,24 @@ auto ofStage(size_t stage, const Work& work) {
   }
 }
 
+void checkFitsWhole(const Filter& filter, const Image& frame) {
+  const int most = glInfo().maxTextureSize;
+  if (std::max(frame.width(), frame.height()) > most)
+    throw BrokenStage(
+        0, fmt::format("{}: sees the whole frame at once, which is {} x {}; the graphics driver takes {} a "
+                       "side. Give its file a HALO, or a smaller frame",
+                       filter.name, frame.width(), frame.height(), most));
+}
+
 }  // namespace
+
+/// Filters that work on the same values, ready to be drawn.
+struct PipelineRenderer::Run {
+  const PipelineOptions& options;
+  TextureKind kind;
+  std::vector<PlannedStage> planned;
+  std::vector<FilterPictures> pictures;
+};
 
 std::filesystem::path builtInFilterFolder() {
   return shaderFolder() / "filters";
@@ -113,11 +121,12 @@ FilterLibrary installedFilters() {
   return FilterLibrary(folders);
 }
 
-const FilterProgram& PipelineRenderer::program(const std::shared_ptr<const Filter>& filter) {
-  std::unique_ptr<FilterProgram>& program = m_programs[filter.get()];
+const FilterProgram& PipelineRenderer::program(const std::shared_ptr<const Filter>& filter,
+                                               TextureKind kind) {
+  std::unique_ptr<FilterProgram>& program = m_programs[{filter.get(), kind}];
   if (!program) {
     m_filters.push_back(filter);
-    program = std::make_unique<FilterProgram>(filter);
+    program = std::make_unique<FilterProgram>(filter, kind);
   }
   return *program;
 }
@@ -167,39 +176,64 @@ FilterPictures PipelineRenderer::picturesOf(const ResolvedStage& stage, const Im
   return pictures;
 }
 
-void PipelineRenderer::drawRun(Image& image, std::span<const ResolvedStage> stages,
-                               const PipelineOptions& options, const Progress& progress) {
-  int halo = 0;
-  bool tiles = true;
-  std::vector<FilterPictures> pictures;
-  for (size_t i = 0; i < stages.size(); ++i) {
-    const FilterProgram& compiled = program(stages[i].filter);
-    tiles = tiles && compiled.tiles();
-    halo += ofStage(i, [&] { return compiled.halo(stages[i].values, image.width(), image.height()); });
-    pictures.push_back(ofStage(i, [&] { return picturesOf(stages[i], image); }));
-  }
-  const int most = glInfo().maxTextureSize;
-  const int longest = std::max(image.width(), image.height());
-  if (!tiles && longest > most)  // such a filter is drawn alone
-    throw BrokenStage(
-        0, fmt::format("{}: sees the whole frame at once, which is {} x {}; the graphics driver takes {} a "
-                       "side. Give its file a HALO, or a smaller frame",
-                       stages[0].filter->name, image.width(), image.height(), most));
-  const std::vector<FilterWindow> parts = partsOf(image, tiles ? options.tileSide : longest);
-  const bool inPlace = parts.size() == 1;
-  Image result = inPlace ? Image() : Image(image.spec());
+void PipelineRenderer::drawParts(const Image& from, Image& to, const Run& run, const PartGroup& group,
+                                 const Progress& progress) {
+  const std::vector<FilterWindow> parts = partsOf(from, group.side);
   for (size_t p = 0; p < parts.size(); ++p) {
     progress.update(static_cast<float>(p) / static_cast<float>(parts.size()), "Filtering");
-    FilterTexture texture(grown(parts[p], halo));
-    texture.upload(image.view());
-    for (size_t i = 0; i < stages.size(); ++i)
+    int halo = 0;
+    for (size_t i = group.begin; i < group.end; ++i) halo += run.planned[i].halo;
+    FilterTexture texture(parts[p].grown(halo), run.kind);
+    texture.upload(from.view());
+    for (size_t i = group.begin; i < group.end; ++i) {
+      const PlannedStage& stage = run.planned[i];
+      halo -= stage.halo;
       texture = ofStage(i, [&] {
-        return program(stages[i].filter)
-            .draw(texture, stages[i].values, pictures[i], options.time, options.limitsPerTile);
+        return stage.program->draw(texture, parts[p].grown(halo), stage.values, run.pictures[i],
+                                   run.options.time, run.options.limitsPerTile);
       });
-    texture.download(parts[p], inPlace ? image.span() : result.span());
+    }
+    texture.download(parts[p], to.span());
   }
-  if (!inPlace) image = std::move(result);
+}
+
+void PipelineRenderer::drawRun(Image& image, std::span<const ResolvedStage> stages,
+                               const PipelineOptions& options, const Progress& progress) {
+  const bool mixed = std::any_of(stages.begin(), stages.end(), [](const ResolvedStage& stage) {
+    return kindFor(*stage.filter) == TextureKind::Coordinates;
+  });
+  Run run{options, mixed ? TextureKind::Coordinates : TextureKind::Pixels, {}, {}};
+  for (size_t i = 0; i < stages.size(); ++i) {
+    const FilterProgram& compiled = program(stages[i].filter, run.kind);
+    const std::vector<FilterValue>& values = stages[i].values;
+    const int halo = ofStage(i, [&] { return compiled.halo(values, image.width(), image.height()); });
+    run.planned.push_back({&compiled, values, halo});
+    run.pictures.push_back(ofStage(i, [&] { return picturesOf(stages[i], image); }));
+  }
+  const int longest = std::max(image.width(), image.height());
+  std::vector<PartGroup> groups{{0, stages.size(), longest}};
+  if (run.planned[0].program->tiles())
+    groups =
+        planParts(run.planned, image.width(), image.height(), options.tileSide, options.mostTextureBytes);
+  else
+    checkFitsWhole(*stages[0].filter, image);  // such a filter is drawn alone
+  if (groups.size() == 1 && groups[0].side >= longest) {
+    drawParts(image, image, run, groups[0], progress);
+    return;
+  }
+  Image drawn;
+  for (size_t g = 0; g < groups.size(); ++g) {
+    ImageSpec spec = image.spec();
+    if (g + 1 < groups.size())
+      spec.channels = {"R", "G", "B", "A"};  // what one group makes of alpha, the next sees
+    Image next(spec);
+    const auto share = [&](size_t group) {
+      return static_cast<float>(group) / static_cast<float>(groups.size());
+    };
+    drawParts(g == 0 ? image : drawn, next, run, groups[g], progress.part(share(g), share(g + 1)));
+    drawn = std::move(next);
+  }
+  image = std::move(drawn);
 }
 
 std::vector<ResolvedStage> PipelineRenderer::usable(std::span<const ResolvedStage> stages,

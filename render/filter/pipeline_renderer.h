@@ -10,7 +10,7 @@
 #include "core/base/progress.h"
 #include "core/filter/filter_library.h"
 #include "core/filter/filtered_image.h"
-#include "render/filter/filter_program.h"
+#include "render/filter/part_plan.h"
 
 namespace swaplight {
 
@@ -25,7 +25,8 @@ struct PipelineOptions {
   /// Scene-linear light to display code values 0..1, in place, on R G B. Called at most once a frame.
   std::function<void(ImageSpan)> displayFromScene;
   FilterTime time;
-  int tileSide = 4096;  ///< larger frames are drawn in parts where the filters allow it
+  int tileSide = 4096;                        ///< larger frames are drawn in parts where the filters allow it
+  size_t mostTextureBytes = size_t{1} << 30;  ///< parts are smaller where they would take more
   FilterLimits limitsPerTile;
   /// Told, in a line, of each filter that cannot be drawn, which is then left out. Empty: that is an error.
   std::function<void(const std::string&)> leftOut = {};
@@ -54,16 +55,27 @@ class PipelineRenderer {
   [[nodiscard]] std::vector<ResolvedStage> usable(std::span<const ResolvedStage> stages,
                                                   const PipelineOptions& options);
   /// Compiles a filter, or gives the one that is compiled already. Throws InputError.
-  const FilterProgram& program(const std::shared_ptr<const Filter>& filter);
+  const FilterProgram& program(const std::shared_ptr<const Filter>& filter) {
+    return program(filter, kindFor(*filter));
+  }
 
  private:
+  /// Plain ISF filters may read textures by coordinates of their own.
+  static TextureKind kindFor(const Filter& filter) {
+    return filter.builtIn ? TextureKind::Pixels : TextureKind::Coordinates;
+  }
+  const FilterProgram& program(const std::shared_ptr<const Filter>& filter, TextureKind kind);
+
+  struct Run;
+  static void drawParts(const Image& from, Image& to, const Run& run, const PartGroup& group,
+                        const Progress& progress);
   void drawRun(Image& image, std::span<const ResolvedStage> stages, const PipelineOptions& options,
                const Progress& progress);
   FilterPictures picturesFromFiles(const ResolvedStage& stage);
   FilterPictures picturesOf(const ResolvedStage& stage, const Image& frame);
   std::shared_ptr<const FilterTexture> pictureFrom(const std::filesystem::path& file, FilterSpace space);
 
-  std::map<const Filter*, std::unique_ptr<FilterProgram>> m_programs;
+  std::map<std::pair<const Filter*, TextureKind>, std::unique_ptr<FilterProgram>> m_programs;
   std::vector<std::shared_ptr<const Filter>> m_filters;  ///< keeps the keys of m_programs alive
   std::map<std::string, std::shared_ptr<const FilterTexture>> m_pictures;  ///< by space and file
 };

@@ -60,6 +60,8 @@ class BoundTexture {
         return GL_TEXTURE_BINDING_2D_ARRAY;
       case GL_TEXTURE_3D:
         return GL_TEXTURE_BINDING_3D;
+      case GL_TEXTURE_RECTANGLE:
+        return GL_TEXTURE_BINDING_RECTANGLE;
       default:
         return GL_TEXTURE_BINDING_2D;
     }

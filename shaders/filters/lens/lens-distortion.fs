@@ -11,6 +11,7 @@
   "SWAPLIGHT": {
     "SPACE": "any",
     "WHERE": ["shot", "light", "frame"],
+    "HALO": "ceil((abs($k1) + abs($k2)) * sqrt($WIDTH * $WIDTH + $HEIGHT * $HEIGHT) / 2) + 2",
     "TOOLTIP": {"k1": "Above 0: barrel", "fill": "Enlarged until nothing is black"}
   }
 }*/
