@@ -3,6 +3,12 @@
 #include "core/base/error.h"
 
 namespace swaplight {
+namespace {
+
+/// With the program itself and what passes through its memory that is less than 1.5 GiB, at 16K too.
+constexpr size_t kMostTextureBytes = size_t{640} << 20;
+
+}  // namespace
 
 CameraLook::CameraLook(FilterPipeline pipeline, const FilterLibrary& library, const std::string& where,
                        const CameraLookOptions& options)
@@ -43,6 +49,7 @@ FilteredImage CameraLook::apply(FilteredImage frame, const std::function<void(Im
   options.displayFromScene = displayFromScene;
   options.time = {frameNumber, m_options.framesPerSecond};
   options.tileSide = m_options.tileSide;
+  options.mostTextureBytes = kMostTextureBytes;
   options.limitsPerTile.mostSeconds = m_options.mostSecondsPerTile;
   size_t broken = 0;
   if (m_options.leftOut)
