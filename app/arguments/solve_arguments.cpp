@@ -77,6 +77,11 @@ void SolveArguments::addTo(CLI::App& verb) {
   add(verb.add_option("--align", m_align, "off or on: register the photographs to the first"))
       ->type_name("HOW")
       ->capture_default_str();
+  add(verb.add_option("--highlights", m_highlights,
+                      "on or off: keep what of each light is highlight, where the photographs show some (a "
+                      "set with them takes up to twice the memory)"))
+      ->type_name("HOW")
+      ->capture_default_str();
   add(verb.add_flag("--refine-colors", m_solve.refineColors,
                     "Refine the light colours from the photographs, starting at the capture's"));
   add(verb.add_flag("--field", m_solve.field,
@@ -111,6 +116,7 @@ SolveOptions SolveArguments::resolve() const {
   SolveOptions resolved = m_solve;
   resolved.model = modelFromName(m_model);
   resolved.align = chosen("--align", m_align, "off", "on");
+  resolved.highlights = chosen("--highlights", m_highlights, "off", "on");
   if (chosen("--denoise", m_denoise, "off", "guided")) resolved.denoise = Denoise::Guided;
   const int settled = !m_oneLamp.empty() + !m_grey.empty() + m_position.has_value();
   if (settled > 1) throw InputError("--one-lamp, --grey, --open-color: give one of them");

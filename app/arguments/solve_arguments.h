@@ -24,6 +24,7 @@ class SolveArguments {
 
  private:
   std::string m_model = "auto";
+  std::string m_highlights = "on";
   std::string m_align = "off";
   std::string m_denoise = "off";
   std::string m_noise;

@@ -101,6 +101,19 @@ void describeRange(const fs::path& file, const ImageFileInfo& info, Description&
   for (const LightRange& range : ranges) d.line("range", range.light + ": " + rangeWords(range));
 }
 
+/// Of which lights the file holds them; empty where it holds none.
+std::string highlightsText(const ImageSpec& spec, const Capture& capture,
+                           const std::optional<SolveReport>& report) {
+  std::vector<std::string> lights;
+  for (const Light& light : capture.lights)
+    if (std::count(spec.channels.begin(), spec.channels.end(), light.name + ".spec.R"))
+      lights.push_back(light.name);
+  if (lights.empty()) return {};
+  const double part = report ? report->highlights : 0;
+  return fmt::format("of {}{}", fmt::join(lights, ", "),
+                     part > 0 ? fmt::format(", in {:.2f} % of the picture", 100 * part) : "");
+}
+
 Description describeSolvedSet(const fs::path& file) {
   const auto [spec, info, capture, report] = readSolvedHeader(file);
   Description d;
@@ -109,6 +122,8 @@ Description describeSolvedSet(const fs::path& file) {
   d.line("lights", lightsText(capture));
   if (const auto leftOut = leftOutOf(capture); !leftOut.empty()) d.line("left out", leftOutWords(leftOut));
   d.line("channels", channelsText(spec));
+  if (const std::string highlights = highlightsText(spec, capture, report); !highlights.empty())
+    d.line("highlights", highlights);
   for (const std::string& warning : capture.warnings) d.line("warning", warning);
   if (report && !report->message.empty()) {
     d.line("solved", report->message);

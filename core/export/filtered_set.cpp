@@ -91,6 +91,7 @@ void filterLight(const ColorConfig& config, SolvedSet& set, size_t light, FrameF
   for (int c = 0; c < 3; ++c)
     for (size_t p = 0; p < seen.pixelCount(); ++p) seen.plane(c)[p] = std::max(seen.plane(c)[p], 0.0F);
   contribution = std::move(seen);
+  if (!set.highlights.empty()) set.highlights[light] = Image(contribution.spec(), 0);  // none is known now
   updateBeta(set);
 }
 

@@ -42,14 +42,17 @@ SolvedSet inColorSpace(const ColorConfig& config, SolvedSet set, const std::stri
     convert(config, contribution, colorSpace);
   }
   if (set.ambient) convert(config, *set.ambient, colorSpace);
+  for (Image& highlight : set.highlights) convert(config, highlight, colorSpace);
+  keepHighlightsInLights(set);
   return set;
 }
 
 SolvedSet copyInColorSpace(const ColorConfig& config, const SolvedSet& set, const std::string& colorSpace,
                            const Progress& progress) {
-  SolvedSet copy{set.capture, {}, set.beta.clone(), {}, set.quality.clone(), set.carried, set.report};
+  SolvedSet copy{set.capture, {}, {}, set.beta.clone(), {}, set.quality.clone(), set.carried, set.report};
   copy.contributions.reserve(set.contributions.size());
   for (const Image& contribution : set.contributions) copy.contributions.push_back(contribution.clone());
+  for (const Image& highlight : set.highlights) copy.highlights.push_back(highlight.clone());
   if (set.ambient) copy.ambient = set.ambient->clone();
   return inColorSpace(config, std::move(copy), colorSpace, progress);
 }

@@ -11,8 +11,11 @@ SolvedSet shrunkSet(const SolvedSet& set, int width, int height, const Progress&
     progress.update(0, "shrinking the set");
     small.contributions.push_back(shrunkImage(contribution, width, height));
   }
+  for (const Image& highlight : set.highlights)
+    small.highlights.push_back(shrunkImage(highlight, width, height));
   if (set.ambient) small.ambient = shrunkImage(*set.ambient, width, height);
   updateBeta(small);
+  keepHighlightsInLights(small);
   if (set.quality.empty()) return small;
   small.quality = shrunkImage(set.quality, width, height);
   // The mean of many pixels is surer than one of them.

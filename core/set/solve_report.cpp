@@ -174,6 +174,7 @@ Json jsonFromSolveReport(const SolveReport& report) {
                {"seconds", report.seconds},
                {"misfit_causes", jsonFromMisfitCauses(report.causes)},
                {"warnings", report.warnings}};
+  if (report.highlights > 0) json["highlights"] = report.highlights;
   if (report.tone) json["tone_correction"] = jsonFromTakenTone(*report.tone);
   if (!report.lampFields.empty()) json["lamp_fields"] = jsonFromLampFields(report.lampFields);
   if (!report.options.empty()) json["options"] = report.options.json();
@@ -225,6 +226,7 @@ SolveReport solveReportFromJson(const Json& json, const std::string& where) {
   report.notFinite = count(fields, "not_finite");
   report.filled = count(fields, "filled");
   report.seconds = finiteOrInfinity(fields, "seconds");
+  report.highlights = fields.number("highlights", 0, 1).value_or(0);
   if (const Json* causes = fields.find("misfit_causes")) report.causes = misfitCausesFromJson(*causes);
   if (const Json* tone = fields.find("tone_correction")) report.tone = takenToneFromJson(*tone);
   if (const Json* lamps = fields.find("lamp_fields")) report.lampFields = lampFieldsFromJson(*lamps);

@@ -36,6 +36,7 @@ struct SolveReport {
   double residualMedian = 0;  ///< in units of the expected noise
   double sigmaMedian = 0;     ///< relative to the sum of all lights
   size_t pixels = 0;
+  double highlights = 0;  ///< part of the picture in which some were found, 0..1
   size_t clipped = 0, tooDark = 0, moved = 0, notFinite = 0, filled = 0;  ///< counts of pixels
   double seconds = 0;
   MisfitCauses causes;                ///< why the photographs do not fit the colours as told

@@ -99,6 +99,10 @@ std::vector<std::string> lightNames(const Capture& capture) {
   return names;
 }
 
+std::string highlightLayer(const std::string& light) {
+  return light + ".spec";
+}
+
 /// The file as one part a layer.
 std::vector<PartToWrite> partsOf(const SolvedSet& set, const Image& sum, const SolvedFileOptions& options) {
   const PixelType pictures = options.floatPictures ? PixelType::Float : PixelType::Half;
@@ -108,6 +112,8 @@ std::vector<PartToWrite> partsOf(const SolvedSet& set, const Image& sum, const S
   std::vector<PartToWrite> parts = {partOf("rgb", sum, colors, sumType)};
   for (size_t i = 0; i < lights.size(); ++i)
     parts.push_back(partOf(lights[i], set.contributions[i], colors, pictures));
+  for (size_t i = 0; i < set.highlights.size(); ++i)
+    parts.push_back(partOf(highlightLayer(lights[i]), set.highlights[i], colors, pictures));
   if (set.ambient) parts.push_back(partOf("ambient", *set.ambient, colors, pictures));
   parts.push_back(partOf("beta", set.beta, lights, PixelType::Float));
   const std::vector<std::string> quality(kQuality, kQuality + set.quality.channelCount());
@@ -229,6 +235,20 @@ class PlaneFinder {
     }
     if (!names.empty()) carried.channels = want(names, names, "data");
   }
+  /// The lights' highlights; empty where the file has none. A light that has none of them has no light in
+  /// its.
+  std::vector<Image> wantHighlights(const std::vector<std::string>& lights) {
+    const auto known = [&](const std::string& light) { return has(highlightLayer(light) + ".R"); };
+    std::vector<Image> highlights;
+    if (std::none_of(lights.begin(), lights.end(), known)) return highlights;
+    for (const std::string& light : lights)
+      if (known(light))
+        highlights.push_back(wantColor(highlightLayer(light)));
+      else
+        highlights.emplace_back(ImageSpec{m_spec.width, m_spec.height, {"R", "G", "B"}, m_spec.colorSpace},
+                                0.0F);
+    return highlights;
+  }
   [[nodiscard]] const std::vector<float*>& planes() const { return m_planes; }
 
  private:
@@ -294,6 +314,7 @@ size_t mendBroken(Image& image) {
 void mendBroken(SolvedSet& set, const fs::path& file) {
   size_t broken = mendBroken(set.beta) + mendBroken(set.quality);
   for (Image& contribution : set.contributions) broken += mendBroken(contribution);
+  for (Image& highlight : set.highlights) broken += mendBroken(highlight);
   if (set.ambient) broken += mendBroken(*set.ambient);
   if (broken > 0)
     set.capture.warnings.push_back(
@@ -314,6 +335,7 @@ SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
     std::vector<std::string> quality(std::begin(kQuality), std::end(kQuality));
     if (!finder.has("quality.model")) quality.pop_back();
     for (const std::string& light : lights) set.contributions.push_back(finder.wantColor(light));
+    set.highlights = finder.wantHighlights(lights);
     if (finder.has("ambient.R")) set.ambient = finder.wantColor("ambient");
     set.beta = finder.want(inLayer("beta", lights), inLayer("beta", lights), "data");
     set.quality = finder.want(inLayer("quality", quality), quality, "data");
@@ -325,6 +347,7 @@ SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
   };
   readChannels(file, planes, progress);
   mendBroken(set, file);
+  keepHighlightsInLights(set);
   return set;
 }
 

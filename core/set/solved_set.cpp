@@ -7,6 +7,20 @@
 
 namespace swaplight {
 
+void keepHighlightsInLights(SolvedSet& set) {
+  parallelRows(set.highlights.empty() ? 0 : set.height(), 64, [&](int begin, int end) {
+    const ptrdiff_t first = ptrdiff_t{begin} * set.width();
+    const ptrdiff_t last = ptrdiff_t{end} * set.width();
+    for (size_t i = 0; i < set.highlights.size(); ++i)
+      for (int c = 0; c < 3; ++c) {
+        float* highlight = set.highlights[i].plane(c);
+        const float* light = set.contributions[i].plane(c);
+        for (ptrdiff_t p = first; p < last; ++p)
+          highlight[p] = std::max(0.0F, std::min(highlight[p], light[p]));
+      }
+  });
+}
+
 Image sumAtUnitWhite(const SolvedSet& set) {
   Image sum = set.contributions.front().clone();
   parallelRows(set.height(), 64, [&](int begin, int end) {

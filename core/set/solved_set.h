@@ -29,6 +29,8 @@ enum QualityChannel { kResidual = 0, kSigma = 1, kFlags = 2, kModel = 3 };
 struct SolvedSet {
   Capture capture;
   std::vector<Image> contributions;  ///< T[i], one a light in the capture's order; R G B, >= 0, finite
+  /// What of each contribution is highlight: R G B, one a light, 0 .. T[i]. Empty: none is known.
+  std::vector<Image> highlights;
   Image beta;  ///< a channel a light, 0..1; a pixel's sum is 1, or 0 where no light reaches it
   std::optional<Image> ambient;  ///< R G B; what no controlled light explains
   Image quality;  ///< residual, sigma, flags (a bit field stored as float), model (0: the matte model was
@@ -41,6 +43,9 @@ struct SolvedSet {
   [[nodiscard]] int height() const { return beta.height(); }
   [[nodiscard]] const std::string& colorSpace() const { return contributions.front().spec().colorSpace; }
 };
+
+/// Sets each highlight to what of it lies within 0 and its light's contribution.
+void keepHighlightsInLights(SolvedSet& set);
 
 /// The set under every light at unit white: sum of T, and ambient.
 [[nodiscard]] Image sumAtUnitWhite(const SolvedSet& set);

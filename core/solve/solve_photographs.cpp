@@ -2,15 +2,31 @@
 
 #include "core/solve/causes/tone_correction.h"
 #include "core/solve/even_lamps.h"
+#include "core/solve/highlights.h"
 
 namespace swaplight {
 
+namespace {
+
+/// Whether the model lets a light have another colour than the others.
+bool showsHighlights(const SolvedSet& set) {
+  const Model model = modelFromName(set.report->model);
+  return model != Model::Single && model != Model::Lambert;
+}
+
+}  // namespace
+
 SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, const FlatFields& fields,
                            const SolveOptions& options, const Progress& progress) {
-  if (!options.correctTone) return solveUneven(capture, photographs, fields, options, progress);
+  const auto solved = [&] {
+    SolvedSet set = solveUneven(capture, photographs, fields, options, progress);
+    if (options.highlights && showsHighlights(set)) findHighlights(set);
+    return set;
+  };
+  if (!options.correctTone) return solved();
   const std::optional<ToneCorrection> tone = findToneCorrection(capture, photographs, options.noise);
   if (tone) correctTone(*tone, photographs);
-  SolvedSet set = solveUneven(capture, photographs, fields, options, progress);
+  SolvedSet set = solved();
   if (tone)
     reportTone(*tone, *set.report);
   else

@@ -121,6 +121,7 @@ Json jsonFromSolveOptions(const SolveOptions& options) {
   json["ambient"] = options.solveAmbient;
   if (options.correctTone) json["correct_tone"] = true;
   json["align"] = options.align;
+  if (!options.highlights) json["highlights"] = false;
   if (options.field) json["field"] = true;
   if (options.openColor != OpenColorChoice{}) json["open_color"] = jsonFromChoice(options.openColor);
   json["denoise"] = denoiseName(options.denoise);
@@ -145,6 +146,7 @@ SolveOptions solveOptionsFromJson(const Json& json, const std::string& where) {
   options.solveAmbient = fields.boolean("ambient").value_or(options.solveAmbient);
   options.correctTone = fields.boolean("correct_tone").value_or(options.correctTone);
   options.align = fields.boolean("align").value_or(options.align);
+  options.highlights = fields.boolean("highlights").value_or(options.highlights);
   options.field = fields.boolean("field").value_or(options.field);
   if (const Json* open = fields.find("open_color"))
     options.openColor = choiceFromJson(*open, where + ": open_color");

@@ -55,6 +55,7 @@ struct SolveOptions {
   bool refineColors = false;  ///< estimate the light colours from the pictures, starting at the manifest's
   bool correctTone = false;   ///< take off a tone curve that nobody told of, where one is surely seen
   bool align = false;         ///< register the shots to the first (sub-pixel translation)
+  bool highlights = true;     ///< keep what of each light is highlight, where that is seen
   bool field = false;         ///< find how the lamps' colours drift over the picture, and even them
   OpenColorChoice openColor;
   Denoise denoise = Denoise::Off;

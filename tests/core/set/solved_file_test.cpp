@@ -90,6 +90,34 @@ TEST_P(SolvedFile, TheLayersAddUpToTheBeautyToTheLastBit) {
     }
 }
 
+TEST_P(SolvedFile, HighlightsComeBackWithinTheirLights) {
+  const TemporaryFolder folder;
+  SolvedSet set = threeLights();
+  for (const Image& light : set.contributions) {
+    Image& highlight = set.highlights.emplace_back(light.clone());
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < highlight.pixelCount(); ++p) highlight.plane(c)[p] *= float(p % 4) / 3;
+  }
+  writeSolvedSet(set, folder / "solved.exr", {GetParam()});
+  const SolvedSet back = readSolvedSet(folder / "solved.exr");
+  ASSERT_EQ(back.highlights.size(), 3U);
+  for (size_t i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < set.beta.pixelCount(); ++p) {
+        ASSERT_EQ(back.highlights[i].plane(c)[p], roundedToHalf(set.highlights[i].plane(c)[p]));
+        ASSERT_LE(back.highlights[i].plane(c)[p], back.contributions[i].plane(c)[p]);
+      }
+  EXPECT_TRUE(!back.carried || back.carried->channels.empty()) << "none is left over";
+}
+
+TEST_P(SolvedFile, WithoutHighlightsHasNoChannelsForThem) {
+  const TemporaryFolder folder;
+  writeSolvedSet(threeLights(), folder / "solved.exr", {GetParam()});
+  for (const std::string& channel : readImageSpec(folder / "solved.exr").channels)
+    EXPECT_EQ(channel.find(".spec"), std::string::npos) << channel;
+  EXPECT_TRUE(readSolvedSet(folder / "solved.exr").highlights.empty());
+}
+
 TEST(SolvedFileHeader, HoldsWhatTheContractSays) {
   const TemporaryFolder folder;
   writeSolvedSet(threeLights(), folder / "solved.exr");
