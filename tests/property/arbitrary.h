@@ -141,7 +141,7 @@ inline MaskShape anyShape(int deep = 1) {
 }
 
 inline Operation anyOperation() {
-  switch (anyInt(0, 8)) {
+  switch (anyInt(0, 9)) {
     case 0:
       return FillOperation{anyFloat(0, 100)};
     case 1:
@@ -154,6 +154,8 @@ inline Operation anyOperation() {
       return BlurOperation{anyInt(1, 256)};
     case 5:
       return SharpenOperation{anyInt(1, 256), anyFloat(0, 100)};
+    case 8:
+      return ShineOperation{anyFloat(0, 3)};
     case 7:
       return UnknownGelOperation{anyFloat(0, 1), UnknownGelOperation::Lamps(anyInt(0, 1))};
     case 6:

@@ -315,6 +315,7 @@ void drawEditParameters(EditingContext& studio, size_t index, bool all) {
   if (!actsOnAllLights(edit->operation)) lights(parameters);
   if (std::holds_alternative<RecolorOperation>(edit->operation)) hint("The same under all lights.");
   if (const auto* gel = std::get_if<UnknownGelOperation>(&edit->operation)) unknownGel(studio, *gel);
+  if (usesHighlights(edit->operation) && studio.set()->original->highlights.empty()) hint(kNoHighlights);
   if (actsOnBeta(edit->operation)) energyMode(parameters);
   std::visit([&](const auto& operation) { fields(parameters, operation); }, edit->operation);
   drawEditPlace(studio, index);

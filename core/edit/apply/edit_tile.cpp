@@ -5,26 +5,19 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/edit/apply/edit_rows.h"
+#include "core/edit/apply/highlight_row.h"
 #include "core/edit/apply/reflectance_row.h"
 #include "core/edit/pool/lamp_gain.h"
 
 namespace swaplight {
-namespace {
-
-size_t planesOf(int lights, bool ambient) {
-  return static_cast<size_t>(lights) * 3 + (ambient ? 7 : 4);
-}
-
-}  // namespace
-
 EditTile::EditTile(const SolvedSet& set, int lights, const PixelRect& area)
     : m_lights(lights),
       m_ambient(set.ambient.has_value()),
+      m_highlights(!set.highlights.empty()),
       m_area(area),
       m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)),
-      m_data(m_plane * planesOf(lights, m_ambient)) {
-  const auto planes = static_cast<size_t>(m_lights);
-  float* white = m_data.data() + planes * 3 * m_plane;
+      m_data(m_plane * planes()) {
+  float* white = m_data.data() + static_cast<size_t>(m_lights) * 3 * m_plane;
   for (int i = 0; i < set.lightCount(); ++i)
     for (int c = 0; c < 3; ++c)
       for (int y = 0; y < area.height; ++y) {
@@ -39,6 +32,22 @@ EditTile::EditTile(const SolvedSet& set, int lights, const PixelRect& area)
     inverse[p] = grey > 0 ? 1 / grey : 0;
   }
   if (m_ambient) copyAmbient(*set.ambient);
+  copyHighlights(set);
+}
+
+size_t EditTile::planes() const {
+  return static_cast<size_t>(m_lights) * (m_highlights ? 6 : 3) + (m_ambient ? 7 : 4);
+}
+
+void EditTile::copyHighlights(const SolvedSet& set) {
+  for (size_t i = 0; i < set.highlights.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      for (int y = m_area.y; y < m_area.bottom(); ++y) {
+        const float* light = set.contributions[i].view().row(c, y) + m_area.x;
+        const float* highlight = set.highlights[i].view().row(c, y) + m_area.x;
+        float* part = m_data.data() + (highlightRow(static_cast<int>(i), c, y) - m_data.data());
+        for (int x = 0; x < m_area.width; ++x) part[x] = light[x] > 0 ? highlight[x] / light[x] : 0;
+      }
 }
 
 void EditTile::copyAmbient(const Image& ambient) {
@@ -55,16 +64,18 @@ EditTile::EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRec
         std::copy_n(edited.contributions[static_cast<size_t>(i)].view().row(c, y) + area.x, area.width,
                     writableRow(i, c, y));
   if (m_ambient) copyAmbient(*edited.ambient);
+  copyHighlights(edited);
 }
 
 EditTile::EditTile(const EditTile& whole, const PixelRect& area)
     : m_lights(whole.m_lights),
       m_ambient(whole.m_ambient),
+      m_highlights(whole.m_highlights),
       m_area(area),
       m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)),
-      m_data(m_plane * planesOf(m_lights, m_ambient)) {
+      m_data(m_plane * planes()) {
   float* out = m_data.data();
-  for (int plane = 0; plane < static_cast<int>(planesOf(m_lights, m_ambient)); ++plane)
+  for (int plane = 0; plane < static_cast<int>(planes()); ++plane)
     for (int y = area.y; y < area.bottom(); ++y) {
       const float* in = whole.row(plane / 3, plane % 3, y) + (area.x - whole.m_area.x);
       out = std::copy_n(in, area.width, out);
@@ -78,6 +89,11 @@ const float* EditTile::row(int light, int channel, int y) const {
 
 const float* EditTile::ambientRow(int channel, int y) const {
   return m_ambient ? row(m_lights + 1, 1 + channel, y) : nullptr;
+}
+
+const float* EditTile::highlightRow(int light, int channel, int y) const {
+  const int first = m_lights * 3 + (m_ambient ? 7 : 4);
+  return m_highlights ? row(0, first + light * 3 + channel, y) : nullptr;
 }
 
 float* EditTile::writableRow(int light, int channel, int y) {
@@ -175,6 +191,20 @@ void EditTile::applyOperation(const T& /*operation*/, const PreparedEdit& edit, 
       }
       changeLampRow(lamp, span.x, span.y, span.count, span.mask, row);
     }
+  });
+}
+
+template <HighlightOperation T>
+void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area) {
+  if (!m_highlights) return;
+  forEachSpan(edit, area, [&](const Span& span) {
+    const int skip = span.x - m_area.x;
+    for (const int light : edit.lights)
+      for (int c = 0; c < 3; ++c) {
+        float* part = m_data.data() + (highlightRow(light, c, span.y) - m_data.data());
+        changeHighlightRow(operation.highlightTimes(), span.mask, span.count,
+                           {writableRow(light, c, span.y) + skip, part + skip});
+      }
   });
 }
 

@@ -33,12 +33,16 @@ class EditTile {
   [[nodiscard]] const float* row(int light, int channel, int y) const;
   /// The ambient light's, of a set that has it; else nullptr.
   [[nodiscard]] const float* ambientRow(int channel, int y) const;
+  /// What part of a contribution is highlight, 0..1, of a set that knows; else nullptr.
+  [[nodiscard]] const float* highlightRow(int light, int channel, int y) const;
 
  private:
   [[nodiscard]] float* writableRow(int light, int channel, int y);
   [[nodiscard]] const float* whiteRow(int channel, int y) const;
   [[nodiscard]] const float* inverseGreyRow(int y) const;
   void copyAmbient(const Image& ambient);
+  void copyHighlights(const SolvedSet& set);
+  [[nodiscard]] size_t planes() const;
   void betaRow(int light, int y, int x, int count, float* out) const;
   /// Beta of a light over the whole area, blurred.
   [[nodiscard]] std::vector<float> blurredBeta(int light, int radius) const;
@@ -55,6 +59,8 @@ class EditTile {
   void applyOperation(const UnknownGelOperation& operation, const PreparedEdit& edit, const PixelRect& area);
   template <LampOperation T>
   void applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area);
+  template <HighlightOperation T>
+  void applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area);
   template <BetaOperation T>
   void applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area);
   template <SurfaceOperation T>
@@ -62,9 +68,12 @@ class EditTile {
 
   int m_lights;
   bool m_ambient;
+  bool m_highlights;
   PixelRect m_area;
-  size_t m_plane;             // pixels of a plane
-  std::vector<float> m_data;  // light by light R G B, then white R G B, 1 / grey of white, ambient R G B
+  size_t m_plane;  // pixels of a plane
+  // Light by light R G B, then white R G B, 1 / grey of white, ambient R G B, and the part of each light's R
+  // G B that is highlight.
+  std::vector<float> m_data;
 };
 
 }  // namespace swaplight

@@ -29,6 +29,7 @@ SolvedSet emptyResult(const SolvedSet& set, const EditedLights& lights) {
   if (set.ambient) result.ambient = set.ambient->clone();
   for (size_t i = 0; i < lights.names.size(); ++i) {
     result.contributions.emplace_back(set.contributions.front().spec());
+    if (!set.highlights.empty()) result.highlights.emplace_back(set.contributions.front().spec());
     if (i >= result.capture.lights.size())
       result.capture.lights.push_back({lights.names[i], Role::Other, Json::object()});
   }
@@ -36,18 +37,24 @@ SolvedSet emptyResult(const SolvedSet& set, const EditedLights& lights) {
   return result;
 }
 
+// The pictures of lights that come and go: `known` is their old place, -1 of new ones.
+std::vector<Image> movedPictures(std::vector<Image>& pictures, const std::vector<int>& known,
+                                 const ImageSpec& spec) {
+  std::vector<Image> moved;
+  for (const int place : known)
+    if (place >= 0)
+      moved.push_back(std::move(pictures[static_cast<size_t>(place)]));
+    else
+      moved.emplace_back(spec, 0.F);
+  return moved;
+}
+
 // Lights come and go; those that stay keep their pixels, where they lie; new ones are dark.
 void changeLights(const SolvedSet& set, const EditedLights& lights, SolvedSet& result) {
-  std::vector<Image> contributions;
   std::vector<int> planes;  // of the old beta
   std::vector<Light> described = set.capture.lights;
   for (size_t i = 0; i < lights.names.size(); ++i) {
-    const int known = result.capture.lightIndex(lights.names[i]);
-    planes.push_back(known);
-    if (known >= 0)
-      contributions.push_back(std::move(result.contributions[static_cast<size_t>(known)]));
-    else
-      contributions.emplace_back(set.contributions.front().spec(), 0.F);
+    planes.push_back(result.capture.lightIndex(lights.names[i]));
     if (i >= described.size()) described.push_back({lights.names[i], Role::Other, Json::object()});
   }
   Image beta(betaSpec(lights));
@@ -60,7 +67,9 @@ void changeLights(const SolvedSet& set, const EditedLights& lights, SolvedSet& r
         std::fill_n(beta.plane(i), beta.pixelCount(), 0.F);
     }
   });
-  result.contributions = std::move(contributions);
+  const ImageSpec& spec = set.contributions.front().spec();
+  result.contributions = movedPictures(result.contributions, planes, spec);
+  if (!set.highlights.empty()) result.highlights = movedPictures(result.highlights, planes, spec);
   result.capture.lights = std::move(described);
   result.beta = std::move(beta);
 }
@@ -84,6 +93,13 @@ void writeBack(const EditTile& tile, const PixelRect& part, SolvedSet& result) {
       }
       for (int x = 0; x < part.width; ++x) total[static_cast<size_t>(x)] += grey[x];
     }
+    for (int i = 0; i < lights && !result.highlights.empty(); ++i)
+      for (int c = 0; c < 3; ++c) {
+        const float* in = tile.row(i, c, y) + skip;
+        const float* of = tile.highlightRow(i, c, y) + skip;
+        float* out = result.highlights[static_cast<size_t>(i)].span().row(c, y) + part.x;
+        for (int x = 0; x < part.width; ++x) out[x] = of[x] * in[x];
+      }
     for (float& t : total) t = t > 0 ? 1 / t : 0;
     for (int i = 0; i < lights; ++i) {
       float* grey = result.beta.span().row(i, y) + part.x;
@@ -123,6 +139,8 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
     picture.apply(prepared, all);
     for (const std::string& warning : lampWarnings(prepared, lights))
       result.capture.warnings.push_back(warningOf(*edit, warning));
+    if (prepared.isActive() && usesHighlights(edit->operation) && set.highlights.empty())
+      result.capture.warnings.push_back(warningOf(*edit, kNoHighlights));
   }
   writeBack(picture, all, result);
   return result;

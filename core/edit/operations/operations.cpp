@@ -52,6 +52,10 @@ bool usesShadows(const Operation& operation) {
       operation);
 }
 
+bool usesHighlights(const Operation& operation) {
+  return std::visit([]<typename T>(const T&) { return HighlightOperation<T>; }, operation);
+}
+
 bool swapsTwoLights(const Operation& operation) {
   return std::visit(
       [](const auto& o) {

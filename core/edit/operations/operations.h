@@ -14,6 +14,7 @@
 #include "core/edit/operations/recolor_operation.h"
 #include "core/edit/operations/shadow_operation.h"
 #include "core/edit/operations/sharpen_operation.h"
+#include "core/edit/operations/shine_operation.h"
 #include "core/edit/operations/size_operation.h"
 #include "core/edit/operations/spread_operation.h"
 #include "core/edit/operations/turn_operation.h"
@@ -28,6 +29,7 @@ namespace swaplight {
 //   static constexpr auto fields()                its values: files, checks and the studio's controls
 //   void targetRow(const BetaRow&, float*) const  what it wants beta to be; what is below 0 becomes 0
 //   or LampChange lampChange() const              what it does to the light's lamp
+//   or float highlightTimes() const               what it multiplies the light's highlights by
 //   or Rgb recolored(const Rgb&) const            what it makes of a surface's colour, under all lights
 //
 // and, where it needs them,
@@ -54,9 +56,10 @@ namespace swaplight {
 using Operation =
     std::variant<FillOperation, GainOperation, CurveOperation, InvertOperation, BlurOperation,
                  SharpenOperation, BetaMapOperation, ShadowOperation, MoveOperation, TurnOperation,
-                 SpreadOperation, SizeOperation, RecolorOperation, UnknownGelOperation>;
+                 SpreadOperation, SizeOperation, ShineOperation, RecolorOperation, UnknownGelOperation>;
 
-/// Says what it wants beta to be. All edits but those of shadows, lamps, surfaces and unknown gels.
+/// Says what it wants beta to be. All edits but those of shadows, lamps, highlights, surfaces and unknown
+/// gels.
 template <typename T>
 concept BetaOperation = requires(const T& operation, const BetaRow& row, float* target) {
   operation.targetRow(row, target);
@@ -66,6 +69,12 @@ concept BetaOperation = requires(const T& operation, const BetaRow& row, float* 
 template <typename T>
 concept LampOperation = requires(const T& operation) {
   { operation.lampChange() } -> std::same_as<LampChange>;
+};
+
+/// Says what becomes of the light's highlights: acts on the contribution, and always adds.
+template <typename T>
+concept HighlightOperation = requires(const T& operation) {
+  { operation.highlightTimes() } -> std::same_as<float>;
 };
 
 /// Its lamp can be dragged in the picture.
@@ -119,7 +128,7 @@ void forEachOperation(const Visit& visit) {
 [[nodiscard]] std::string operationSummary(const Operation& operation);
 /// How many pixels around it a pixel looks; 0 for most.
 [[nodiscard]] int operationReach(const Operation& operation);
-/// Whether it acts on beta, so that other lights may share: all but those of shadows, lamps,
+/// Whether it acts on beta, so that other lights may share: all but those of shadows, lamps, highlights,
 /// surfaces and unknown gels.
 [[nodiscard]] bool actsOnBeta(const Operation& operation);
 /// Whether it acts on all lights: there is none to choose. Those of surfaces and unknown gels, which also
@@ -127,6 +136,8 @@ void forEachOperation(const Visit& visit) {
 [[nodiscard]] bool actsOnAllLights(const Operation& operation);
 /// Whether it needs to know the lights' shadows.
 [[nodiscard]] bool usesShadows(const Operation& operation);
+/// Whether it needs to know the lights' highlights.
+[[nodiscard]] bool usesHighlights(const Operation& operation);
 /// Whether two lights with it change places.
 [[nodiscard]] bool swapsTwoLights(const Operation& operation);
 
