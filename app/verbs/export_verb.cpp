@@ -91,6 +91,8 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   options.seenThrough = displayOver(session, arguments.display).withoutGrade();
   options.frameNumber = arguments.cameraLook.frame();
   exportLayers(*config, set, rig, arguments.file, options, progress.part(0.6F, 1));
+  if (options.highlights && set.highlights.empty())
+    sayWarnings({"this set knows no highlights: no layers LIGHT.spec are written"}, terminal);
   const std::vector<std::string> layers = exportedLayers(set, options);
   terminal.say("wrote {}, {} x {} pixels; the layers {} add up to the picture", arguments.file, set.width(),
                set.height(), fmt::join(layers, ", "));
@@ -134,6 +136,8 @@ void addExportVerb(Program& program) {
                   "Of the colour layers: lin_rec709, acescg, aces2065_1 ... (default: the set's)")
       ->type_name("NAME");
   verb.add_flag("--beta", a->options.beta, "Include the lights' beta maps (beta.LIGHT)");
+  verb.add_flag("--spec", a->options.highlights,
+                "Include LIGHT.spec: what of each light is highlight, where the set knows it");
   verb.add_flag("--quality", a->options.quality, "Include the solver's residual, sigma and flags");
   verb.add_option("--data-type", a->data, "half or float: beta and quality")
       ->type_name("TYPE")

@@ -24,6 +24,7 @@ constexpr std::array<const char*, 3> kColors = {"R", "G", "B"};
 /// Every layer as it will be read, and their sum.
 struct Layers {
   std::vector<Image> pictures;
+  std::vector<Image> highlights;  ///< of each light; empty: none are written
   Image sum;
   Image seen;  ///< the sum under the camera look; empty where there is none
 };
@@ -42,10 +43,17 @@ std::vector<Source> sourcesOf(const ColorConfig& config, const SolvedSet& set, c
   return sources;
 }
 
-/// Each light as it shines, in the colour space that is asked for.
-std::vector<Image> shining(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
-                           const std::string& colorSpace) {
-  const std::vector<Source> sources = sourcesOf(config, set, rig);
+/// Each light's highlights, where the set knows them.
+std::vector<Source> highlightSources(const ColorConfig& config, const SolvedSet& set, const Rig& rig) {
+  const std::vector<Rgb> factors = rigFactors(config, rig, set.colorSpace());
+  std::vector<Source> sources;
+  for (size_t i = 0; i < set.highlights.size(); ++i) sources.push_back({&set.highlights[i], factors.at(i)});
+  return sources;
+}
+
+/// Light as it shines, in the colour space that is asked for.
+std::vector<Image> shining(const ColorConfig& config, const SolvedSet& set,
+                           const std::vector<Source>& sources, const std::string& colorSpace) {
   std::vector<Image> pictures;
   for (const Source& source : sources) {
     Image& picture = pictures.emplace_back(ImageSpec::rgb(set.width(), set.height()));
@@ -72,7 +80,7 @@ bool allFitHalf(std::span<const Image> pictures) {
 
 Layers layersOf(std::vector<Image> pictures, PixelType type) {
   const ImageSpec spec = pictures.front().spec();
-  Layers layers{std::move(pictures), Image(spec, 0), {}};
+  Layers layers{std::move(pictures), {}, Image(spec, 0), {}};
   const int width = layers.sum.width();
   parallelRows(layers.sum.height(), kGrain, [&](int begin, int end) {
     const ptrdiff_t first = ptrdiff_t{begin} * width;
@@ -133,6 +141,9 @@ std::vector<PartToWrite> partsOf(const SolvedSet& set, const Layers& layers, con
       colorPart(blender ? std::string(kViewLayer) + ".Combined" : "rgb", layers.sum, options.pictures)};
   for (size_t i = 0; i < names.size(); ++i)
     parts.push_back(colorPart(names[i], layers.pictures[i], options.pictures));
+  for (size_t i = 0; i < layers.highlights.size(); ++i)
+    parts.push_back(
+        colorPart(names[i] + (blender ? "_spec" : ".spec"), layers.highlights[i], options.pictures));
   const std::string prefix = blender ? std::string(kViewLayer) + "." : "";
   if (!layers.seen.empty()) {
     const bool fits = allFitHalf({&layers.seen, 1});
@@ -189,11 +200,13 @@ void exportLayers(const ColorConfig& config, const SolvedSet& set, const Rig& ri
   check(options, file, options.dataWindow.value_or(PixelRect{0, 0, set.width(), set.height()}), set);
   progress.update(0, "relighting");
   const std::string& colorSpace = options.colorSpace.empty() ? set.colorSpace() : options.colorSpace;
-  std::vector<Image> pictures = shining(config, set, rig, colorSpace);
+  std::vector<Image> pictures = shining(config, set, sourcesOf(config, set, rig), colorSpace);
   LayerOptions written = options;
   if (!allFitHalf(pictures)) written.pictures = PixelType::Float;
   Layers layers = layersOf(std::move(pictures), written.pictures);
   layers.sum.setColorSpace(colorSpace);
+  if (options.highlights)
+    layers.highlights = shining(config, set, highlightSources(config, set, rig), colorSpace);
   if (options.cameraLook) {
     progress.update(0.2F, "filtering");
     layers.seen = seenThroughLook(config, layers.sum, colorSpace, options, progress.part(0.2F, 0.4F));

@@ -32,8 +32,9 @@ struct LayerOptions {
   /// Primaries of the colour layers, white adapted (Bradford): lin_rec709, acescg, aces2065_1 ... Empty: the
   /// set's.
   std::string colorSpace = {};
-  bool beta = false;     ///< beta.<light> too
-  bool quality = false;  ///< quality.residual, .sigma, .flags too
+  bool beta = false;        ///< beta.<light> too
+  bool highlights = false;  ///< <light>.spec too, a part of <light>, of a set that knows its highlights
+  bool quality = false;     ///< quality.residual, .sigma, .flags too
   /// The part of the picture that is written; nothing: that of the photographs.
   std::optional<PixelRect> dataWindow;
   std::map<std::string, std::string> text;  ///< for the header: see provenanceOf

@@ -54,6 +54,15 @@ Image betaImage(const SolvedSet& set, int light) {
   return image;
 }
 
+Image diffuseImage(const SolvedSet& set, size_t light) {
+  Image diffuse = set.contributions.at(light).clone();
+  const Image& highlight = set.highlights.at(light);
+  for (int c = 0; c < 3; ++c)
+    std::transform(diffuse.plane(c), diffuse.plane(c) + diffuse.pixelCount(), highlight.plane(c),
+                   diffuse.plane(c), std::minus<>());
+  return diffuse;
+}
+
 Image reflectanceImage(const SolvedSet& set) {
   Image sum = set.contributions.front().clone();
   parallelRows(sum.height(), 16, [&](int begin, int end) {
@@ -82,6 +91,10 @@ Image subjectImage(const SolvedSet& set, const ViewSubject& subject) {
       return mapped(set.quality.view(), kSigma, kSigmaShown);
     case ViewSubject::Kind::Flags:
       return flagImage(set.quality.view());
+    case ViewSubject::Kind::Highlight:
+      return set.highlights.at(static_cast<size_t>(subject.index)).clone();
+    case ViewSubject::Kind::Diffuse:
+      return diffuseImage(set, static_cast<size_t>(subject.index));
     case ViewSubject::Kind::Relit:
     case ViewSubject::Kind::Contribution:
     case ViewSubject::Kind::Photograph:
@@ -93,8 +106,13 @@ Image subjectImage(const SolvedSet& set, const ViewSubject& subject) {
   throw std::logic_error("this subject is made from other pictures");
 }
 
+bool ofHighlights(const ViewSubject& subject) {
+  return subject.kind == ViewSubject::Kind::Highlight || subject.kind == ViewSubject::Kind::Diffuse;
+}
+
 ViewSubject subjectWithin(const SolvedSet& set, ViewSubject subject) {
   const bool shots = subject.kind == ViewSubject::Kind::Photograph;
+  if (ofHighlights(subject) && set.highlights.empty()) return {};
   const int count = shots ? set.capture.shotCount() : set.lightCount();
   if (shots && count == 0) return {};
   subject.index = std::clamp(subject.index, 0, std::max(0, count - 1));

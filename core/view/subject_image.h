@@ -11,12 +11,16 @@ namespace swaplight {
 
 /// The picture of a subject that is not a sum of contributions. Beta is one channel, 0..1. Reflectance is
 /// what the lights at unit white show of the set together (T = beta x reflectance, shares adding up to 1), in
-/// the set's colour space. Residual, sigma and flags are three channels of display codes 0..1, without a
-/// colour space: viridis up to the value below; a colour a bit. Throws std::logic_error for the other
-/// subjects.
+/// the set's colour space. Highlights and what is left without them are light in it. Residual, sigma and
+/// flags are three channels of display codes 0..1, without a colour space: viridis up to the value below; a
+/// colour a bit. Throws std::logic_error for the other subjects.
 [[nodiscard]] Image subjectImage(const SolvedSet& set, const ViewSubject& subject);
 
-/// The subject as this set has it: an index that it lacks becomes the last.
+/// Whether only a set that knows its highlights has it.
+[[nodiscard]] bool ofHighlights(const ViewSubject& subject);
+
+/// The subject as this set has it: an index that it lacks becomes the last, of highlights that it lacks the
+/// lit picture.
 [[nodiscard]] ViewSubject subjectWithin(const SolvedSet& set, ViewSubject subject);
 
 inline constexpr float kResidualShown = 4;  ///< the residual that is brightest

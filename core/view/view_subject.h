@@ -16,6 +16,8 @@ struct ViewSubject {
     Visibility,    ///< how much of a light each pixel sees, 0..1 as grey
     Illumination,  ///< one light's on the set, without texture, at unit white
     Lighting,      ///< that of all lights under the rig
+    Highlight,     ///< one light's highlights, at unit white
+    Diffuse,       ///< one light without its highlights, at unit white
   };
   Kind kind = Kind::Relit;
   int index = 0;  ///< light or shot

@@ -11,6 +11,11 @@ namespace {
 
 constexpr size_t kKeptPictures = 2;
 
+bool followsEdits(const ViewSubject& subject) {
+  return subject.kind == ViewSubject::Kind::Beta || subject.kind == ViewSubject::Kind::Reflectance ||
+         ofHighlights(subject);
+}
+
 Image readPhotograph(const ColorConfig& config, Capture capture, int shot, const Image& like,
                      const Progress& progress) {
   capture.shots = {capture.shots.at(static_cast<size_t>(shot))};
@@ -34,10 +39,8 @@ const SubjectPictures::Shown* SubjectPictures::picture(const std::shared_ptr<con
     return &m_shown.back();
   }
   // The quality is that of the solve: edits have none.
-  const bool edited =
-      subject.kind == ViewSubject::Kind::Beta || subject.kind == ViewSubject::Kind::Reflectance;
   if (subject.kind != ViewSubject::Kind::Photograph)
-    return &keep(subject, subjectImage(edited ? set.solved() : *set.original, subject));
+    return &keep(subject, subjectImage(followsEdits(subject) ? set.solved() : *set.original, subject));
   const bool failed = std::find(m_failed.begin(), m_failed.end(), subject) != m_failed.end();
   if (failed || m_job.running()) return nullptr;
   m_reading = subject;
@@ -61,10 +64,7 @@ void SubjectPictures::update(Messages& messages) {
 bool SubjectPictures::editsChanged() {
   m_illumination.editsChanged();
   const size_t before = m_shown.size();
-  m_shown.remove_if([](const Shown& shown) {
-    return shown.subject.kind == ViewSubject::Kind::Beta ||
-           shown.subject.kind == ViewSubject::Kind::Reflectance;
-  });
+  m_shown.remove_if([](const Shown& shown) { return followsEdits(shown.subject); });
   return m_shown.size() != before;
 }
 

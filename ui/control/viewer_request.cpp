@@ -124,6 +124,10 @@ std::string subjectWords(const ViewerContext& studio, const ViewSubject& subject
       return "Illumination by " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Lighting:
       return "Illumination";
+    case ViewSubject::Kind::Highlight:
+      return "Highlights of " + lightTitle(studio, subject.index);
+    case ViewSubject::Kind::Diffuse:
+      return lightTitle(studio, subject.index) + " without highlights";
     case ViewSubject::Kind::Reflectance:
       return "Reflectance";
     case ViewSubject::Kind::Residual:

@@ -265,6 +265,8 @@ void ExportDialog::drawLayers() {
   check("32-bit float", "float_layers", &m_choices.floatLayers,
         "Layers then add up to the frame exactly; in half float, to within rounding.");
   check("Include beta maps", "beta", &m_choices.beta, "Each light's share of the pixel, as 32-bit float.");
+  check("Include highlights", "highlights", &m_choices.highlights,
+        "What of each light is highlight, as a layer LIGHT.spec, where the set knows it.");
   check("Include quality", "quality", &m_choices.quality, "The solver's residual, standard error and flags.");
 }
 

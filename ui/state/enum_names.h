@@ -21,8 +21,8 @@ template <typename Enum, size_t N>
 }
 
 /// Of ViewSubject::Kind.
-inline constexpr std::array<const char*, 11> kSubjectNames = {
-    "relit", "contribution", "beta",       "reflectance",  "residual", "sigma",
-    "flags", "photograph",   "visibility", "illumination", "lighting"};
+inline constexpr std::array<const char*, 13> kSubjectNames = {
+    "relit",      "contribution", "beta",         "reflectance", "residual",  "sigma",  "flags",
+    "photograph", "visibility",   "illumination", "lighting",    "highlight", "diffuse"};
 
 }  // namespace swaplight

@@ -50,6 +50,7 @@ ExportRequest requestOf(const ExportChoices& choices, const std::filesystem::pat
   request.layers.pictures = choices.floatLayers ? PixelType::Float : PixelType::Half;
   request.layers.colorSpace = choices.colorSpace;
   request.layers.beta = choices.beta;
+  request.layers.highlights = choices.highlights;
   request.layers.quality = choices.quality;
   request.seesLook = choices.cameraLook;
   request.seesGrade = choices.grade;
@@ -75,6 +76,7 @@ ExportChoices readExportChoices(const std::filesystem::path& file) {
     choices.floatLayers = json.value("float_layers", choices.floatLayers);
     take(choices.compression, json.value("compression", ""), {"none", "zip", "zips", "piz", "dwaa", "dwab"});
     choices.beta = json.value("beta", choices.beta);
+    choices.highlights = json.value("highlights", choices.highlights);
     choices.quality = json.value("quality", choices.quality);
     choices.cameraLook = json.value("camera_look", choices.cameraLook);
     choices.grade = json.value("grade", choices.grade);
@@ -102,6 +104,7 @@ void writeExportChoices(const ExportChoices& choices, const std::filesystem::pat
                    {"float_layers", choices.floatLayers},
                    {"compression", choices.compression},
                    {"beta", choices.beta},
+                   {"highlights", choices.highlights},
                    {"quality", choices.quality},
                    {"camera_look", choices.cameraLook},
                    {"grade", choices.grade},

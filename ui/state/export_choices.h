@@ -22,7 +22,7 @@ struct ExportChoices {
   std::string naming = "one";  ///< layers: one, multi, blender
   bool floatLayers = false;
   std::string compression = "zip";
-  bool beta = false, quality = false;
+  bool beta = false, highlights = false, quality = false;
   float framesPerSecond = 24;    ///< sequence
   float holdSeconds = 1;         ///< sequence: of cues that nothing follows
   bool grade = true;             ///< frame, sequence: with the session's grade, where it has one

@@ -9,6 +9,7 @@
 
 #include "core/ocio/color_config.h"
 #include "core/set/set_color_space.h"
+#include "core/view/subject_image.h"
 #include "ui/control/viewer_request.h"
 #include "ui/kit/action_widgets.h"
 #include "ui/viewer/bar_tools.h"
@@ -125,7 +126,8 @@ void drawSubjectMenu(ViewerContext& studio, bool sideB) {
     if (subjectLine(studio, {Kind::Photograph, shot}, current == ViewSubject{Kind::Photograph, shot}))
       choose({Kind::Photograph, shot});
   ImGui::Separator();
-  for (const Kind kind : {Kind::Contribution, Kind::Beta, Kind::Visibility}) {
+  for (const Kind kind : {Kind::Contribution, Kind::Highlight, Kind::Diffuse, Kind::Beta, Kind::Visibility}) {
+    if (ofHighlights({kind, 0}) && set->solved().highlights.empty()) continue;
     const SolvedSet& of = kind == Kind::Visibility ? *set->original : set->solved();
     for (int light = 0; light < of.lightCount(); ++light)
       if (subjectLine(studio, {kind, light}, current == ViewSubject{kind, light})) choose({kind, light});

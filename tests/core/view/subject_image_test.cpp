@@ -68,6 +68,20 @@ TEST(SubjectImage, AnIndexBeyondTheSetBecomesTheLast) {
   EXPECT_EQ(subjectWithin(set, {ViewSubject::Kind::Photograph, 0}), ViewSubject{}) << "there are no shots";
 }
 
+TEST(SubjectImage, ALightIsItsHighlightAndWhatIsLeft) {
+  SolvedSet set = smallSet();
+  EXPECT_EQ(subjectWithin(set, {ViewSubject::Kind::Highlight, 1}), ViewSubject{}) << "none is known";
+  for (const Image& light : set.contributions) set.highlights.emplace_back(light.spec(), 0.0F);
+  set.highlights[0].plane(1)[0] = 0.125F;
+  EXPECT_EQ(subjectWithin(set, {ViewSubject::Kind::Highlight, 9}),
+            (ViewSubject{ViewSubject::Kind::Highlight, 1}));
+  EXPECT_EQ(subjectImage(set, {ViewSubject::Kind::Highlight, 0}).plane(1)[0], 0.125F);
+  const Image diffuse = subjectImage(set, {ViewSubject::Kind::Diffuse, 0});
+  EXPECT_EQ(diffuse.plane(1)[0], 0.3F - 0.125F);
+  EXPECT_EQ(diffuse.plane(0)[0], 0.3F);
+  EXPECT_EQ(diffuse.spec().colorSpace, "lin_rec709");
+}
+
 TEST(Probe, TellsAPixelUnderTheRig) {
   const SolvedSet set = smallSet();
   Rig rig = defaultRig(set.capture);
