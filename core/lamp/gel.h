@@ -34,7 +34,7 @@ struct Gel {
   Source source = Source::Table;
 };
 
-/// For people: "by eye", "maker's figures", "published", "own table", "measured".
+/// For people: "by eye", "maker", "published", "own table", "measured".
 [[nodiscard]] const char* sourceName(Gel::Source source);
 
 /// The built-in table: correction gels by their mired shift, neutral densities, and a few colours of our own

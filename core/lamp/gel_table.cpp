@@ -40,7 +40,7 @@ const char* sourceName(Gel::Source source) {
     case Gel::Source::ByEye:
       return "by eye";
     case Gel::Source::Maker:
-      return "maker's figures";
+      return "maker";
     case Gel::Source::Published:
       return "published";
     case Gel::Source::Table:
