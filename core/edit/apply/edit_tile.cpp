@@ -45,7 +45,7 @@ void EditTile::copyHighlights(const SolvedSet& set) {
       for (int y = m_area.y; y < m_area.bottom(); ++y) {
         const float* light = set.contributions[i].view().row(c, y) + m_area.x;
         const float* highlight = set.highlights[i].view().row(c, y) + m_area.x;
-        float* part = m_data.data() + (highlightRow(static_cast<int>(i), c, y) - m_data.data());
+        float* part = lightRow(static_cast<int>(i), c, y, m_area.x).part;
         for (int x = 0; x < m_area.width; ++x) part[x] = light[x] > 0 ? highlight[x] / light[x] : 0;
       }
 }
@@ -100,6 +100,13 @@ float* EditTile::writableRow(int light, int channel, int y) {
   return m_data.data() + (row(light, channel, y) - m_data.data());
 }
 
+HighlightRow EditTile::lightRow(int light, int channel, int y, int x) {
+  const int skip = x - m_area.x;
+  const float* part = highlightRow(light, channel, y);
+  return {writableRow(light, channel, y) + skip,
+          part ? m_data.data() + (part - m_data.data()) + skip : nullptr};
+}
+
 const float* EditTile::whiteRow(int channel, int y) const {
   return row(m_lights, channel, y);
 }
@@ -150,15 +157,9 @@ void EditTile::forEachSpan(const PreparedEdit& edit, const PixelRect& area, cons
 
 void EditTile::swapLights(const PreparedEdit& edit, const PixelRect& area) {
   forEachSpan(edit, area, [&](const Span& span) {
-    for (int c = 0; c < 3; ++c) {
-      float* a = writableRow(edit.lights[0], c, span.y) + (span.x - m_area.x);
-      float* b = writableRow(edit.lights[1], c, span.y) + (span.x - m_area.x);
-      for (int i = 0; i < span.count; ++i) {
-        const float step = span.mask[i] * (b[i] - a[i]);
-        a[i] += step;
-        b[i] -= step;
-      }
-    }
+    for (int c = 0; c < 3; ++c)
+      mixTwoLightsRow({{0, 1}, {1, 0}}, span.mask, span.count, lightRow(edit.lights[0], c, span.y, span.x),
+                      lightRow(edit.lights[1], c, span.y, span.x));
   });
 }
 
@@ -198,13 +199,10 @@ template <HighlightOperation T>
 void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area) {
   if (!m_highlights) return;
   forEachSpan(edit, area, [&](const Span& span) {
-    const int skip = span.x - m_area.x;
     for (const int light : edit.lights)
-      for (int c = 0; c < 3; ++c) {
-        float* part = m_data.data() + (highlightRow(light, c, span.y) - m_data.data());
+      for (int c = 0; c < 3; ++c)
         changeHighlightRow(operation.highlightTimes(), span.mask, span.count,
-                           {writableRow(light, c, span.y) + skip, part + skip});
-      }
+                           lightRow(light, c, span.y, span.x));
   });
 }
 
@@ -258,7 +256,7 @@ void EditTile::applyOperation(const UnknownGelOperation& /*operation*/, const Pr
     GelRows rows{};
     const auto rowOf = [&](int light, int c) { return writableRow(light, c, span.y) + (span.x - m_area.x); };
     for (int c = 0; c < 3; ++c) {
-      for (int j = 0; j < 2; ++j) rows.light[j][c] = rowOf(edit.gel.lights[j], c);
+      for (int j = 0; j < 2; ++j) rows.light[j][c] = lightRow(edit.gel.lights[j], c, span.y, span.x);
       rows.white[c] = rowOf(m_lights, c);
     }
     rows.inverseGrey = rowOf(m_lights + 1, 0);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/edit/apply/highlight_row.h"
 #include "core/edit/apply/prepared_edit.h"
 #include "core/edit/operations/operations.h"
 #include "core/set/solved_set.h"
@@ -38,6 +39,8 @@ class EditTile {
 
  private:
   [[nodiscard]] float* writableRow(int light, int channel, int y);
+  /// A contribution's row from x on.
+  [[nodiscard]] HighlightRow lightRow(int light, int channel, int y, int x);
   [[nodiscard]] const float* whiteRow(int channel, int y) const;
   [[nodiscard]] const float* inverseGreyRow(int y) const;
   void copyAmbient(const Image& ambient);

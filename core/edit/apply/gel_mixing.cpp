@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/exponential.hpp>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/solve/model/unknown_color.h"
@@ -56,10 +58,10 @@ GelMixing gelMixing(const SolvedSet& set, const UnknownGelOperation& operation) 
   for (int c = 0; c < 3; ++c) {
     const float sum = (line.known[c] + before[c]) / (line.known[c] + mixing.color[c]) / 2;
     const float own = sum * (1 + difference), other = sum * (1 - difference);
-    mixing.factor[0][c][0] = own;
-    mixing.factor[0][c][1] = other / lamps[c];
-    mixing.factor[1][c][0] = other * lamps[c];
-    mixing.factor[1][c][1] = own;
+    mixing.factor[c][0][0] = own;
+    mixing.factor[c][0][1] = other / lamps[c];
+    mixing.factor[c][1][0] = other * lamps[c];
+    mixing.factor[c][1][1] = own;
   }
   return mixing;
 }
@@ -70,17 +72,14 @@ std::optional<UnknownGelOperation> solvedGel(const SolvedSet& set) {
 }
 
 void changeGelRow(const GelMixing& mixing, const float* mask, int count, const GelRows& rows) {
+  std::vector<float> before(static_cast<size_t>(count));
   for (int c = 0; c < 3; ++c) {
-    const auto& of = mixing.factor;
-    float *a = rows.light[0][c], *b = rows.light[1][c], *white = rows.white[c];
-    for (int p = 0; p < count; ++p) {
-      const float before = a[p] + b[p];
-      const float nextA = std::max(of[0][c][0] * a[p] + of[0][c][1] * b[p], 0.0F);
-      const float nextB = std::max(of[1][c][0] * a[p] + of[1][c][1] * b[p], 0.0F);
-      a[p] += mask[p] * (nextA - a[p]);
-      b[p] += mask[p] * (nextB - b[p]);
-      if (before > 0) white[p] *= (a[p] + b[p]) / before;
-    }
+    const float *a = rows.light[0][c].light, *b = rows.light[1][c].light;
+    std::transform(a, a + count, b, before.begin(), std::plus());
+    mixTwoLightsRow(mixing.factor[c], mask, count, rows.light[0][c], rows.light[1][c]);
+    float* white = rows.white[c];
+    for (int p = 0; p < count; ++p)
+      if (const float sum = before[static_cast<size_t>(p)]; sum > 0) white[p] *= (a[p] + b[p]) / sum;
   }
   for (int p = 0; p < count; ++p) {
     const float grey = rows.white[0][p] + rows.white[1][p] + rows.white[2][p];

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/color/rgb.h"
+#include "core/edit/apply/highlight_row.h"
 #include "core/edit/operations/unknown_gel_operation.h"
 #include "core/set/solved_set.h"
 
@@ -14,7 +15,7 @@ namespace swaplight {
 /// (docs/theory.md, Unknown colours; where the lamps differ, of A times the root of their ratio).
 struct GelMixing {
   int lights[2] = {0, 1};
-  float factor[2][3][2] = {};  ///< [of A' or B'][channel][times A, times B]
+  float factor[3][2][2] = {};  ///< [channel][of A' or B'][times A, times B]
   Rgb color{1};                ///< m'
 };
 
@@ -26,7 +27,7 @@ struct GelMixing {
 
 /// Rows of both lights, R G B apart, and of the set at unit white, which follows their sum. mask: 0..1.
 struct GelRows {
-  float* light[2][3];
+  HighlightRow light[2][3];
   float* white[3];
   float* inverseGrey;  ///< 1 / (r + g + b) of `white`
 };

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/edit/apply/edited_set.h"
 #include "core/edit/apply/gel_mixing.h"
 #include "tests/support/small_set.h"
@@ -100,6 +102,25 @@ TEST(UnknownGel, IsTheSetAsSolvedWhereItStands) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(color[c], set.report->openColor->taken[c], 1e-5);
   const Rgb exchanged = gelMixing(set, {.25F, Lamps::Exchanged}).color;
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(exchanged[c], set.report->openColor->exchanged[c], 1e-4);
+}
+
+TEST(UnknownGel, TakesTheHighlightsAlong) {
+  SolvedSet set = swappedSet();
+  for (const float part : {.5F, 0.F}) {
+    Image& highlight = set.highlights.emplace_back(set.contributions[set.highlights.size()].clone());
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < set.beta.pixelCount(); ++p) highlight.plane(c)[p] *= part;
+  }
+  const UnknownGelOperation operation{.4F, Lamps::Exchanged};
+  const GelMixing mixing = gelMixing(set, operation);
+  const SolvedSet other = edited(set, operation);
+  for (size_t i = 0; i < 2; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < set.beta.pixelCount(); ++p) {
+        const float light = other.contributions[i].plane(c)[p];
+        const float mixed = mixing.factor[c][i][0] * set.highlights[0].plane(c)[p];
+        ASSERT_NEAR(other.highlights[i].plane(c)[p], std::clamp(mixed, 0.F, light), 1e-6) << i;
+      }
 }
 
 TEST(UnknownGel, IsRefusedWhereNothingIsOpen) {
