@@ -64,7 +64,6 @@ EditTile::EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRec
         std::copy_n(edited.contributions[static_cast<size_t>(i)].view().row(c, y) + area.x, area.width,
                     writableRow(i, c, y));
   if (m_ambient) copyAmbient(*edited.ambient);
-  copyHighlights(edited);
 }
 
 EditTile::EditTile(const EditTile& whole, const PixelRect& area)

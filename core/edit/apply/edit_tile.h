@@ -19,6 +19,7 @@ class EditTile {
   EditTile(const SolvedSet& set, int lights, const PixelRect& area);
 
   /// The same with contributions that have been edited already, and the set at unit white as it was solved.
+  /// Of a set without highlights.
   EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRect& area);
 
   /// A part of another.

@@ -269,7 +269,9 @@ EditTile EditedSet::belowCheckpoint(const PixelRect& band) const {
       std::any_of(m_prepared.begin(), m_prepared.begin() + static_cast<ptrdiff_t>(m_checkpoint.editsBelow()),
                   [](const Prepared& p) { return p->isActive() && actsOnAllLights(p->edit->operation); });
   // Nothing has been computed here since: the result is what is below, if the set at unit white is as solved.
-  if (!otherWhite && m_checkpoint.startedAtTheEnd() && m_staleBelow[static_cast<size_t>(tile)].empty())
+  // It holds highlights, not what part of a light they are: where an edit took the light away that is lost.
+  if (!otherWhite && m_set->highlights.empty() && m_checkpoint.startedAtTheEnd() &&
+      m_staleBelow[static_cast<size_t>(tile)].empty())
     return {*m_set, m_result, band};
   return {evaluate(band, m_checkpoint.editsBelow()), band};
 }

@@ -154,6 +154,30 @@ TEST(Shine, OfTilesIsThatOfThePicture) {
   expectSame(edited.result(), whole);
 }
 
+TEST(Shine, OfWhatIsPaintedAboveALightThatIsGoneIsThatOfThePicture) {
+  const auto set = std::make_shared<const SolvedSet>(glossySet());
+  EditedSet edited(set);
+  EditStack stack;
+  Edit fill;
+  fill.lights = {"light1"};
+  fill.operation = FillOperation{0};
+  fill.energy = EnergyMode::Add;
+  stack.append(fill);
+  edited.setStack(stack);
+  edited.update();
+  Painting painting(kWidth, kHeight);
+  Stroke stroke;
+  stroke.radius = 30;
+  stroke.points = {{100, 130, 1}, {200, 130, 1}};
+  painting.begin(stroke);
+  fill.operation = FillOperation{0.5F};
+  fill.mask = {{PaintShape{std::make_shared<const Painting>(painting)}, false}};
+  stack.append(fill);
+  edited.setStack(stack);
+  edited.update();
+  expectSame(edited.result(), applyEdits(*set, stack));
+}
+
 TEST(Shine, ComesBackFromItsFile) {
   EditStack stack;
   stack.append(shine(2.5F, "light1"));
