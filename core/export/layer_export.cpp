@@ -141,9 +141,9 @@ std::vector<PartToWrite> partsOf(const SolvedSet& set, const Layers& layers, con
       colorPart(blender ? std::string(kViewLayer) + ".Combined" : "rgb", layers.sum, options.pictures)};
   for (size_t i = 0; i < names.size(); ++i)
     parts.push_back(colorPart(names[i], layers.pictures[i], options.pictures));
+  const std::vector<std::string> highlights = highlightLayerNames(names, blender ? '_' : '.');
   for (size_t i = 0; i < layers.highlights.size(); ++i)
-    parts.push_back(
-        colorPart(names[i] + (blender ? "_spec" : ".spec"), layers.highlights[i], options.pictures));
+    parts.push_back(colorPart(highlights[i], layers.highlights[i], options.pictures));
   const std::string prefix = blender ? std::string(kViewLayer) + "." : "";
   if (!layers.seen.empty()) {
     const bool fits = allFitHalf({&layers.seen, 1});

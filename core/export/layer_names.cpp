@@ -26,6 +26,14 @@ bool isReserved(const std::string& name) {
   return std::find(kReserved.begin(), kReserved.end(), lowerCase(name)) != kReserved.end();
 }
 
+/// The name, or with the first number from 2 on that makes it another than those taken; it is taken then.
+std::string untaken(const std::string& plain, std::set<std::string>& taken) {
+  std::string name = plain;
+  for (int number = 2; !taken.insert(lowerCase(nukeName(name))).second; ++number)
+    name = plain + "_" + std::to_string(number);
+  return name;
+}
+
 }  // namespace
 
 std::string nukeName(const std::string& name) {
@@ -42,11 +50,16 @@ std::vector<std::string> layerNames(std::span<const std::string> lights) {
     std::string name = nukeName(light);
     if (name.empty() || std::isalpha(static_cast<unsigned char>(name.front())) == 0 || isReserved(name))
       name.insert(0, "light_");
-    const std::string plain = name;
-    for (int number = 2; !taken.insert(lowerCase(name)).second; ++number)
-      name = plain + "_" + std::to_string(number);
-    names.push_back(name);
+    names.push_back(untaken(name, taken));
   }
+  return names;
+}
+
+std::vector<std::string> highlightLayerNames(std::span<const std::string> layers, char separator) {
+  std::set<std::string> taken;
+  for (const std::string& layer : layers) taken.insert(lowerCase(nukeName(layer)));
+  std::vector<std::string> names;
+  for (const std::string& layer : layers) names.push_back(untaken(layer + separator + "spec", taken));
   return names;
 }
 

@@ -15,4 +15,9 @@ namespace swaplight {
 /// depth, motion, mask, beta, quality, ambient ...): those are called light_<name>.
 [[nodiscard]] std::vector<std::string> layerNames(std::span<const std::string> lights);
 
+/// A layer's name for what of each of these layers is highlight: <layer>.spec, or another separator; with a
+/// number (<layer>.spec_2) where Nuke would take it for one of the others.
+[[nodiscard]] std::vector<std::string> highlightLayerNames(std::span<const std::string> layers,
+                                                           char separator);
+
 }  // namespace swaplight
