@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/base/parallel.h"
@@ -22,6 +23,7 @@ constexpr double kWorthwhile = 1e-4;       // part of the picture that has to sh
 constexpr int kReach = 2;                  // pixels around one
 constexpr int kSupport = 12;               // of the 25 there that have to show highlights, too
 constexpr int kRows = 16;                  // at once
+constexpr const char* kWhat = "Finding highlights";
 constexpr int kUnusable = kTooDark | kMoved | kNotFinite;
 
 /// What is asked of a highlight.
@@ -110,7 +112,9 @@ bool worthwhile(const SolvedSet& set, const HighlightSurroundings& around) {
 enum Mark : uint8_t { None, Weak, Strong, Seen, Kept };
 
 /// Highlights of all pixels into the set, and how they are told.
-void fillIn(SolvedSet& set, const HighlightSurroundings& around, std::vector<uint8_t>& marks) {
+void fillIn(SolvedSet& set, const HighlightSurroundings& around, std::vector<uint8_t>& marks,
+            const Progress& progress) {
+  std::atomic<int> done = 0;
   parallelRows(set.height(), kRows, [&](int begin, int end) {
     Values values, strong;
     for (int y = begin; y < end; ++y)
@@ -123,6 +127,7 @@ void fillIn(SolvedSet& set, const HighlightSurroundings& around, std::vector<uin
         for (size_t i = 0; i < set.highlights.size(); ++i)
           for (int c = 0; c < 3; ++c) set.highlights[i].plane(c)[p] = values[i];
       }
+    progress.update(float(done += end - begin) / float(set.height()), kWhat);
   });
 }
 
@@ -203,13 +208,14 @@ void dropOthers(const std::vector<uint8_t>& marks, SolvedSet& set) {
 
 }  // namespace
 
-void findHighlights(SolvedSet& set) {
+void findHighlights(SolvedSet& set, const Progress& progress) {
+  progress.update(0, kWhat);
   if (set.lightCount() < 2 || set.quality.empty()) return;
   const HighlightSurroundings around(set);
   if (!(around.leastError() > 0) || !worthwhile(set, around)) return;
   for (const Image& light : set.contributions) set.highlights.emplace_back(light.spec(), 0.0F);
   std::vector<uint8_t> marks(set.beta.pixelCount(), None);
-  fillIn(set, around, marks);
+  fillIn(set, around, marks, progress);
   const double part = static_cast<double>(keepRegions(set, marks)) / static_cast<double>(marks.size());
   if (part < kWorthwhile) return set.highlights.clear();
   dropOthers(marks, set);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/set/solved_set.h"
 
 namespace swaplight {
@@ -15,7 +16,7 @@ namespace swaplight {
 /// lower bound: what is white in all lights is taken for a surface. Significant ones only (3 standard errors
 /// by quality.sigma), less what of them may be noise. Grey surfaces show none.
 ///
-/// Looks at some 30,000 pixels first; at all of them only where these show highlights.
-void findHighlights(SolvedSet& set);
+/// Looks at some 30,000 pixels first; at all of them only where these show highlights. Throws Stopped.
+void findHighlights(SolvedSet& set, const Progress& progress = {});
 
 }  // namespace swaplight

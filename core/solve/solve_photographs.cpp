@@ -1,5 +1,7 @@
 #include "core/solve/solve_photographs.h"
 
+#include <chrono>
+
 #include "core/solve/causes/tone_correction.h"
 #include "core/solve/even_lamps.h"
 #include "core/solve/highlights.h"
@@ -7,6 +9,8 @@
 namespace swaplight {
 
 namespace {
+
+constexpr float kSolving = 0.9F;  // of the work; the rest finds highlights
 
 /// Whether the model lets a light have another colour than the others.
 bool showsHighlights(const SolvedSet& set) {
@@ -19,8 +23,11 @@ bool showsHighlights(const SolvedSet& set) {
 SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, const FlatFields& fields,
                            const SolveOptions& options, const Progress& progress) {
   const auto solved = [&] {
-    SolvedSet set = solveUneven(capture, photographs, fields, options, progress);
-    if (options.highlights && showsHighlights(set)) findHighlights(set);
+    if (!options.highlights) return solveUneven(capture, photographs, fields, options, progress);
+    SolvedSet set = solveUneven(capture, photographs, fields, options, progress.part(0, kSolving));
+    const auto started = std::chrono::steady_clock::now();
+    if (showsHighlights(set)) findHighlights(set, progress.part(kSolving, 1));
+    set.report->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return set;
   };
   if (!options.correctTone) return solved();

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <random>
+#include <string_view>
 #include <utility>
 
 #include "core/solve/solve_photographs.h"
@@ -73,6 +75,13 @@ TEST(Highlights, OfAColouredSurfaceAreFound) {
     EXPECT_LT(plate.error(1), height < 1 ? 0.2 : 0.1) << height;
     EXPECT_GT(plate.set.report->highlights, 0.005);
   }
+}
+
+TEST(Highlights, AreNoLongerLookedForWhenTheWorkIsStopped) {
+  Plate plate({0.5F, 0.15F, 0.1F}, 1);
+  std::atomic<bool> stop = false;
+  const Progress progress{[&](float fraction, std::string_view) { stop = fraction > 0.5F; }, &stop};
+  EXPECT_THROW(findHighlights(plate.set, progress), Stopped);
 }
 
 TEST(Highlights, LieWithinTheirLightInEveryChannel) {
