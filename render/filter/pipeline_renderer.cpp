@@ -88,13 +88,23 @@ auto ofStage(size_t stage, const Work& work) {
   }
 }
 
-void checkFitsWhole(const Filter& filter, const Image& frame) {
+/// The driver takes textures of the group's parts and their halo.
+void checkFits(std::span<const PlannedStage> stages, const PartGroup& group, const Image& frame) {
   const int most = glInfo().maxTextureSize;
-  if (std::max(frame.width(), frame.height()) > most)
-    throw BrokenStage(
-        0, fmt::format("{}: sees the whole frame at once, which is {} x {}; the graphics driver takes {} a "
-                       "side. Give its file a HALO, or a smaller frame",
-                       filter.name, frame.width(), frame.height(), most));
+  const FilterWindow input = largestInput(group, frame.width(), frame.height());
+  if (std::max(input.width, input.height) <= most) return;
+  size_t widest = group.begin;
+  for (size_t i = group.begin; i < group.end; ++i)
+    if (stages[i].halo > stages[widest].halo) widest = i;
+  const FilterProgram& program = *stages[widest].program;
+  throw BrokenStage(
+      widest,
+      fmt::format("{}: {}, which is {} x {}; the graphics driver takes {} a side. {}, or a smaller frame",
+                  program.filter().name,
+                  program.tiles() ? fmt::format("looks {} pixels far in the frame", stages[widest].halo)
+                                  : "sees the whole frame at once",
+                  frame.width(), frame.height(), most,
+                  program.tiles() ? "Give it parameters that look less far" : "Give its file a HALO"));
 }
 
 }  // namespace
@@ -181,8 +191,7 @@ void PipelineRenderer::drawParts(const Image& from, Image& to, const Run& run, c
   const std::vector<FilterWindow> parts = partsOf(from, group.side);
   for (size_t p = 0; p < parts.size(); ++p) {
     progress.update(static_cast<float>(p) / static_cast<float>(parts.size()), "Filtering");
-    int halo = 0;
-    for (size_t i = group.begin; i < group.end; ++i) halo += run.planned[i].halo;
+    int halo = group.halo;
     FilterTexture texture(parts[p].grown(halo), run.kind);
     texture.upload(from.view());
     for (size_t i = group.begin; i < group.end; ++i) {
@@ -211,12 +220,11 @@ void PipelineRenderer::drawRun(Image& image, std::span<const ResolvedStage> stag
     run.pictures.push_back(ofStage(i, [&] { return picturesOf(stages[i], image); }));
   }
   const int longest = std::max(image.width(), image.height());
-  std::vector<PartGroup> groups{{0, stages.size(), longest}};
+  std::vector<PartGroup> groups{{0, stages.size(), 0, longest}};  // a filter that sees all is drawn alone
   if (run.planned[0].program->tiles())
-    groups =
-        planParts(run.planned, image.width(), image.height(), options.tileSide, options.mostTextureBytes);
-  else
-    checkFitsWhole(*stages[0].filter, image);  // such a filter is drawn alone
+    groups = planParts(run.planned, image.width(), image.height(),
+                       {options.tileSide, glInfo().maxTextureSize, options.mostTextureBytes});
+  for (const PartGroup& group : groups) checkFits(run.planned, group, image);
   if (groups.size() == 1 && groups[0].side >= longest) {
     drawParts(image, image, run, groups[0], progress);
     return;

@@ -48,9 +48,21 @@ class SameBytes(LargeFrameTest):
         cli.write_image(self.frame, np.random.default_rng(6).uniform(0, 1, (48, 1990, 3)))
         self.assert_parts_are_the_whole(['bloom,radius=2'], '--type', 'float')
 
+    def test_of_parts_whose_halo_is_more_than_a_texture(self):
+        """A frame that a part of the usual side and its halo would make a texture wider than Mesa's 16384."""
+        cli.write_image(self.frame, np.random.default_rng(7).uniform(0, 1, (8, 30000, 3)), 'half')
+        self.assert_parts_are_the_whole(['lens-distortion,k1=0.5'], sides=(997,))
+
     def test_of_light_that_half_float_cannot_hold(self):
         cli.write_image(self.frame, np.full((150, 230, 3), 6e4))
         self.assert_parts_are_the_whole(['exposure,stops=2', 'gaussian-blur'])
+
+
+class Refused(LargeFrameTest):
+    def test_a_filter_that_looks_further_than_a_texture(self):
+        cli.write_image(self.frame, np.full((8, 70000, 3), .5), 'half')
+        self.deny('look', 'apply', self.frame, '--filter', 'lens-distortion,k1=0.5,k2=0.5', '-o', self.path('o.exr'),
+                  naming=['lens-distortion: looks 35003 pixels far in the frame', '70000 x 8'])
 
 
 class Memory(LargeFrameTest):
