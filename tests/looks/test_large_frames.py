@@ -48,6 +48,12 @@ class SameBytes(LargeFrameTest):
         cli.write_image(self.frame, np.random.default_rng(6).uniform(0, 1, (48, 1990, 3)))
         self.assert_parts_are_the_whole(['bloom,radius=2'], '--type', 'float')
 
+    def test_of_targets_much_smaller_than_a_wide_frame(self):
+        """Highlights, so that what is missing at the end of a wide glow is more than a rounding."""
+        highlights = np.random.default_rng(6).uniform(0, 1, (16, 16384, 1)) < .01
+        cli.write_image(self.frame, np.where(highlights, 6e4, 0) * np.ones(3))
+        self.assert_parts_are_the_whole(['bloom,radius=2,amount=1,spread=1'], '--type', 'float', sides=(613,))
+
     def test_of_parts_whose_halo_is_more_than_a_texture(self):
         """A frame that a part of the usual side and its halo would make a texture wider than Mesa's 16384."""
         cli.write_image(self.frame, np.random.default_rng(7).uniform(0, 1, (8, 30000, 3)), 'half')

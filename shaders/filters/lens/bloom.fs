@@ -19,7 +19,7 @@
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
     "WHERE": ["shot", "light", "frame"],
-    "HALO": "ceil(16 * $radius * $WIDTH / 1920) + 32",
+    "HALO": "ceil((16 * $radius + 12) * $WIDTH / 1920) + 32",
     "UNIT": {"radius": "px of 1920"},
     "TOOLTIP": {"amount": "The part of all light that is spread", "radius": "Standard deviation of the inner glow; the outer one is four times as wide", "spread": "How much of it lies in the outer glow"}
   }
