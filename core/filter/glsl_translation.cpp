@@ -204,7 +204,8 @@ std::string declarations(const Filter& filter, const std::vector<std::string>& i
       "#version 410 core\nuniform vec2 RENDERSIZE;\nuniform float TIME;\nuniform float TIMEDELTA;\n"
       "uniform vec4 DATE;\nuniform int FRAMEINDEX;\nuniform vec2 isf_origin;\nuniform vec4 isf_target;\n"
       "uniform vec2 isf_bounds;\nuniform float isf_notANumber;\n";
-  text += fmt::format("const int PASSINDEX = {};\n", options.pass);
+  text += options.pass ? fmt::format("const int PASSINDEX = {};\n", *options.pass)
+                       : std::string("uniform int PASSINDEX;\n");
   for (const FilterInput& input : filter.inputs)
     if (std::string(glslType(input.type)) != "sampler2D")
       text += fmt::format("uniform {} {};\n", glslType(input.type), glslName(input.name));

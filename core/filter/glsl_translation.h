@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,9 @@ struct TranslationOptions {
   /// inputImage and targets are samplers of the kind sampler2DRect, which is right where the source reads
   /// images by IMG_ functions alone.
   bool rectangles = false;
-  int pass = 0;  ///< PASSINDEX, a constant: a processor that draws would go through the code of all passes
+  /// PASSINDEX as a constant: a processor that draws would go through the code of all passes. Without it a
+  /// uniform, which some filters need: a constant may not index beyond an array, run or not.
+  std::optional<int> pass = {};
 };
 [[nodiscard]] GlslTranslation translateFilter(const Filter& filter, const TranslationOptions& options = {});
 

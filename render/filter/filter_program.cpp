@@ -75,15 +75,27 @@ struct FilterProgram::Drawing {
 FilterProgram::FilterProgram(std::shared_ptr<const Filter> filter, TextureKind kind)
     : m_filter(std::move(filter)), m_vertexArray(GlVertexArray::make()) {
   for (size_t pass = 0; pass < m_filter->passes.size(); ++pass) {
-    GlslTranslation translation =
-        translateFilter(*m_filter, {m_filter->builtIn, kind == TextureKind::Pixels, static_cast<int>(pass)});
     try {
-      m_programs.push_back(ShaderProgram::fromSources(translation.vertex, translation.fragment));
-    } catch (const std::runtime_error& error) {
-      throw InputError("{}", compileErrorLine(error.what(), m_filter->file.string()));
+      compile(kind, static_cast<int>(pass));
+    } catch (const std::runtime_error&) {
+      compileForAnyPass(kind);
     }
-    m_images = std::move(translation.images);
-    m_looksElsewhere = translation.looksElsewhere;
+  }
+}
+
+void FilterProgram::compile(TextureKind kind, std::optional<int> pass) {
+  GlslTranslation translation =
+      translateFilter(*m_filter, {m_filter->builtIn, kind == TextureKind::Pixels, pass});
+  m_programs.push_back(ShaderProgram::fromSources(translation.vertex, translation.fragment));
+  m_images = std::move(translation.images);
+  m_looksElsewhere = translation.looksElsewhere;
+}
+
+void FilterProgram::compileForAnyPass(TextureKind kind) {
+  try {
+    compile(kind, {});
+  } catch (const std::runtime_error& error) {
+    throw InputError("{}", compileErrorLine(error.what(), m_filter->file.string()));
   }
 }
 
@@ -164,6 +176,7 @@ void FilterProgram::drawPass(int index, const FilterTexture& target, Drawing& dr
   set("TIMEDELTA", static_cast<float>(1 / drawing.time.framesPerSecond));
   set("DATE", glm::vec4(1970, 1, 1, static_cast<float>(seconds)));  // no clock: every run draws the same
   set("FRAMEINDEX", drawing.time.frame);
+  set("PASSINDEX", index);
   set("isf_origin", glm::vec2(window.x, window.y));
   set("isf_target", glm::vec4(window.x, window.y, window.width, window.height));
   set("isf_notANumber", drawing.limits.notANumber);

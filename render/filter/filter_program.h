@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/filter/filter_library.h"
@@ -53,6 +54,8 @@ class FilterProgram {
 
  private:
   struct Drawing;
+  void compile(TextureKind kind, std::optional<int> pass);
+  void compileForAnyPass(TextureKind kind);  ///< what does not compile for one
   [[nodiscard]] FilterWindow windowOf(const FilterPass& pass, std::span<const FilterValue> values,
                                       const FilterWindow& input) const;
   void drawPass(int index, const FilterTexture& target, Drawing& drawing) const;

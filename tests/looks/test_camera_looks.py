@@ -211,6 +211,19 @@ class Apply(CameraLookTest):
         np.testing.assert_allclose(out[0, :, :2], np.tile([.16, .09], (64, 1)), atol=1 / 255)
         np.testing.assert_allclose(out[0, :, 2], (np.arange(64) + .5) / 64, atol=1 / 255)
 
+    def test_isf_that_indexes_an_array_by_its_pass(self):
+        """Within it where it is run; as a constant, the last pass would lie beyond it."""
+        passes = self.write('passes.fs', '''/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}],
+          "PASSES": [{"TARGET": "a"}, {"TARGET": "b"}, {}]}*/
+          void main() {
+            float level[2];
+            level[0] = 0.2;
+            level[1] = 0.4;
+            if (PASSINDEX < 2) gl_FragColor = vec4(vec3(level[PASSINDEX]), 1.0);
+            else gl_FragColor = IMG_THIS_PIXEL(a) + IMG_THIS_PIXEL(b);
+          }''')
+        np.testing.assert_allclose(self.apply(passes, output='o.png'), .6, atol=1 / 255)
+
 
 class Refused(CameraLookTest):
     def refuse(self, *filters, naming, options=()):
