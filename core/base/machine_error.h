@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cerrno>
+
 #include "core/base/error.h"
 
 namespace swaplight {
@@ -10,5 +12,10 @@ class MachineError : public InputError {
  public:
   using InputError::InputError;
 };
+
+/// Whether an errno says that there is no room: on the disk, or in one's share of it.
+[[nodiscard]] inline bool isFull(int error) {
+  return error == ENOSPC || error == EDQUOT;
+}
 
 }  // namespace swaplight

@@ -61,10 +61,6 @@ bool diskIsFull(const fs::path& folder) {
   return !error && space.available < kFull;
 }
 
-bool isFull(int error) {
-  return error == ENOSPC || error == EDQUOT;
-}
-
 /// Nothing that another name or another folder would mend.
 bool isOfTheMachine(int error) {
   return isFull(error) || error == EIO || error == EMFILE || error == ENFILE || error == ENOMEM ||

@@ -40,19 +40,34 @@ std::atomic<size_t> largestInMemory = kNever;
 std::atomic<size_t> mappedCount = 0;
 
 [[noreturn]] void fail(const std::filesystem::path& folder, int error) {
-  throw MachineError(
-      "{}: no temporary file for a large picture: {}. Free some space, or write to another disk.",
-      folder.string(), std::generic_category().message(error));
+  throw MachineError("{}: no temporary file for a large picture: {}. {}.", folder.string(),
+                     std::generic_category().message(error),
+                     isFull(error) ? "Free some space, or write to another disk" : "Write to another folder");
+}
+
+/// Never has a name where the file system can do that, so that nothing stays whenever the program ends.
+int openNameless(const std::filesystem::path& folder) {
+  const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (file >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != ENOENT)) return file;
+  std::string name = (folder / ".swaplight-picture-XXXXXX").string();
+  const int named = ::mkostemp(name.data(), O_CLOEXEC);
+  if (named >= 0) ::unlink(name.c_str());
+  return named;
+}
+
+/// A signal ends it on some file systems, without any room made.
+int makeRoom(int file, size_t bytes) {
+  int error = EINTR;
+  while (error == EINTR) error = ::posix_fallocate(file, 0, static_cast<off_t>(bytes));
+  return error;
 }
 
 /// A file without a name, with room for all its bytes: a mapped one that grows on a full disk would end the
 /// program.
 int namelessFile(const std::filesystem::path& folder, size_t bytes) {
-  std::string name = (folder / ".swaplight-picture-XXXXXX").string();
-  const int file = ::mkostemp(name.data(), O_CLOEXEC);
+  const int file = openNameless(folder);
   if (file < 0) fail(folder, errno);
-  ::unlink(name.c_str());
-  const int error = ::posix_fallocate(file, 0, static_cast<off_t>(bytes));
+  const int error = makeRoom(file, bytes);
   if (error == 0) return file;
   ::close(file);
   fail(folder, error);
@@ -79,17 +94,15 @@ void handBack() {
 }  // namespace
 
 ImagesInFiles::ImagesInFiles(const std::filesystem::path& folder, size_t largerThan) {
-  {
-    const std::lock_guard lock(files().mutex);
-    files().folder = folder.empty() ? std::filesystem::path(".") : folder;
-  }
-  largestInMemory = largerThan;
   m_handingBack = std::jthread([](const std::stop_token& end) {
     std::mutex mutex;
     std::condition_variable_any wait;
     std::unique_lock lock(mutex);
     while (!wait.wait_for(lock, end, kHandBackEvery, [&] { return end.stop_requested(); })) handBack();
   });
+  const std::lock_guard lock(files().mutex);
+  files().folder = folder.empty() ? std::filesystem::path(".") : folder;
+  largestInMemory = largerThan;  // last: what throws before leaves images where they were
 }
 
 ImagesInFiles::~ImagesInFiles() {

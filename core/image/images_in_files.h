@@ -10,7 +10,8 @@ namespace swaplight {
 /// instead of memory: for pictures larger than that. They are mapped, so that all that works on images works
 /// on these; what of them has been touched is handed back to the system's file cache many times a second,
 /// which writes it out when something else wants the memory. The files have no name: they are gone with their
-/// image, and with the program however it ends. One at a time; images may outlive it.
+/// image, and with the program however it ends. One at a time; images may outlive it. That it changes what
+/// all of the program does is on purpose: images are made in too many places to hand it to each.
 ///
 /// Making such an image throws MachineError that names the folder: the disk is full, it cannot be written.
 class ImagesInFiles {

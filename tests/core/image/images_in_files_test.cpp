@@ -1,8 +1,13 @@
 #include "core/image/images_in_files.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -14,6 +19,8 @@
 namespace swaplight::test {
 namespace {
 
+using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr size_t kBytes = size_t{3} * 4 * 100 * 100;
@@ -53,10 +60,44 @@ TEST(ImagesInFiles, LeavesNoFileBehind) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+/// A program that is killed meanwhile leaves nothing either.
+TEST(ImagesInFiles, FilesNeverHaveAName) {
+  const TemporaryFolder folder;
+  const int canDo = ::open(folder.path().c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (canDo < 0) GTEST_SKIP() << "SKIPPED: " << folder.path() << " has no files without names";
+  ::close(canDo);
+  const ImagesInFiles files(folder.path(), kBytes);
+  const int changes = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  ASSERT_GE(::inotify_add_watch(changes, folder.path().c_str(), IN_CREATE | IN_DELETE), 0);
+  const Image image(ImageSpec::rgb(640, 480));
+  std::array<char, 4096> seen{};
+  EXPECT_LT(::read(changes, seen.data(), seen.size()), 0);
+  ::close(changes);
+}
+
+/// Files in memory make no room while a signal waits: Ctrl-C, which the program then hears of elsewhere.
+TEST(ImagesInFiles, SignalsWhileRoomIsMadeAreNoFault) {
+  const std::filesystem::path inMemory = "/dev/shm";
+  if (!std::filesystem::exists(inMemory)) GTEST_SKIP() << "SKIPPED: no " << inMemory;
+  const ImagesInFiles files(inMemory, kBytes);
+  const auto before = ::signal(SIGUSR1, [](int) {});
+  {
+    const std::jthread signals([here = ::pthread_self()] {
+      for (int i = 0; i < 8; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(3));
+        ::pthread_kill(here, SIGUSR1);
+      }
+    });
+    EXPECT_NO_THROW(Image(ImageSpec::rgb(4096, 4096)));
+  }
+  ::signal(SIGUSR1, before);
+}
+
 TEST(ImagesInFiles, SaysWhereTheyCannotLie) {
   const ImagesInFiles files("/nowhere/at/all", kBytes);
-  EXPECT_THAT(inputError([] { const Image image(ImageSpec::rgb(640, 480)); }),
-              StartsWith("/nowhere/at/all: "));
+  const std::string message = inputError([] { const Image image(ImageSpec::rgb(640, 480)); });
+  EXPECT_THAT(message, StartsWith("/nowhere/at/all: "));
+  EXPECT_THAT(message, Not(HasSubstr("space")));
 }
 
 }  // namespace
