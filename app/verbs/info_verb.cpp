@@ -106,8 +106,7 @@ std::string highlightsText(const ImageSpec& spec, const Capture& capture,
                            const std::optional<SolveReport>& report) {
   std::vector<std::string> lights;
   for (const Light& light : capture.lights)
-    if (std::count(spec.channels.begin(), spec.channels.end(), light.name + ".spec.R"))
-      lights.push_back(light.name);
+    if (holdsHighlights(spec, light.name)) lights.push_back(light.name);
   if (lights.empty()) return {};
   const double part = report ? report->highlights : 0;
   return fmt::format("of {}{}", fmt::join(lights, ", "),

@@ -235,10 +235,10 @@ class PlaneFinder {
     }
     if (!names.empty()) carried.channels = want(names, names, "data");
   }
-  /// The lights' highlights; empty where the file has none. A light that has none of them has no light in
-  /// its.
+  /// The lights' highlights; empty where the file has none. A light that has none of them, or not in all
+  /// three channels, has no light in its.
   std::vector<Image> wantHighlights(const std::vector<std::string>& lights) {
-    const auto known = [&](const std::string& light) { return has(highlightLayer(light) + ".R"); };
+    const auto known = [&](const std::string& light) { return holdsHighlights(m_spec, light); };
     std::vector<Image> highlights;
     if (std::none_of(lights.begin(), lights.end(), known)) return highlights;
     for (const std::string& light : lights)
@@ -270,6 +270,12 @@ std::vector<std::string> inLayer(const std::string& layer, const std::vector<std
 }
 
 }  // namespace
+
+bool holdsHighlights(const ImageSpec& spec, const std::string& light) {
+  return std::all_of(std::begin(kColors), std::end(kColors), [&](const std::string& color) {
+    return std::count(spec.channels.begin(), spec.channels.end(), highlightLayer(light) + "." + color) > 0;
+  });
+}
 
 void checkSolvedFile(const fs::path& file) {
   if (file.extension() != ".exr")

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/base/progress.h"
 #include "core/image/io/image_io.h"
@@ -29,6 +30,9 @@ void writeSolvedSet(const SolvedSet& set, const std::filesystem::path& file,
 /// Reads single-part and multi-part files. Throws InputError where a channel that docs/formats.md demands is
 /// missing.
 [[nodiscard]] SolvedSet readSolvedSet(const std::filesystem::path& file, const Progress& progress = {});
+
+/// Whether a solved set's file of these channels holds the light's highlights: all three channels of them.
+[[nodiscard]] bool holdsHighlights(const ImageSpec& spec, const std::string& light);
 
 /// What a solved set says of itself, without its pixels.
 struct SolvedHeader {

@@ -118,6 +118,21 @@ TEST_P(SolvedFile, WithoutHighlightsHasNoChannelsForThem) {
   EXPECT_TRUE(readSolvedSet(folder / "solved.exr").highlights.empty());
 }
 
+TEST(SolvedFileHeader, IncompleteHighlightsAreOnlyCarriedAlong) {
+  const TemporaryFolder folder;
+  const Image image({4,
+                     4,
+                     {"R", "G", "B", "key.R", "key.G", "key.B", "key.spec.R", "beta.key", "quality.residual",
+                      "quality.sigma", "quality.flags"},
+                     "lin_rec709"},
+                    0.5F);
+  writeImage(image, folder / "shuffled.exr");
+  EXPECT_FALSE(holdsHighlights(readImageSpec(folder / "shuffled.exr"), "key"));
+  const SolvedSet set = readSolvedSet(folder / "shuffled.exr");
+  EXPECT_TRUE(set.highlights.empty());
+  EXPECT_THAT(set.carried->channels.spec().channels, ElementsAre("key.spec.R"));
+}
+
 TEST(SolvedFileHeader, HoldsWhatTheContractSays) {
   const TemporaryFolder folder;
   writeSolvedSet(threeLights(), folder / "solved.exr");
