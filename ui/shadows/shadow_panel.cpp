@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/view/subject_image.h"
 #include "ui/control/light_edit.h"
 #include "ui/control/shadow_edit.h"
 #include "ui/kit/action_widgets.h"
@@ -41,7 +42,7 @@ void lightCombo(EditingContext& studio) {
       studio.view.selectedLights.clear();
       ViewSubject& subject = studio.view.subject;  // a map of one light becomes that of the other
       if (subject.kind == SubjectKind::Contribution || subject.kind == SubjectKind::Beta ||
-          subject.kind == SubjectKind::Visibility)
+          subject.kind == SubjectKind::Visibility || ofHighlights(subject))
         subject.index = static_cast<int>(i);
     }
     markItem({"shadows.light.", lights[i].light});
