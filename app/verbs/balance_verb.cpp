@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <sstream>
 
@@ -28,6 +29,8 @@
 
 namespace swaplight {
 namespace {
+
+constexpr float kLeastOfWhite = 1e-3F;  // of a channel, that a camera's matrix is put on
 
 struct BalanceCommand {
   std::string photograph;
@@ -156,6 +159,21 @@ void correctCamera(const BalanceCommand& arguments, const CameraFile& camera, Wo
   work.json["camera"] = arguments.camera;
 }
 
+/// The matrix, where one is told. The white must have something of every channel, which is divided by it.
+std::optional<CameraFile> cameraOf(const BalanceCommand& arguments, const ColorConfig& config) {
+  if (arguments.camera.empty()) return std::nullopt;
+  const CameraFile camera = readCamera(arguments.camera);
+  const Rgb white =
+      convertColor(config, colorOfWhite(whitePointFromText(arguments.white)), "lin_rec709", camera.from);
+  if (std::min({white.r, white.g, white.b}) < kLeastOfWhite)
+    throw InputError(
+        "--white {}: has nothing of one of the camera's channels, which --camera divides by: name one that "
+        "is "
+        "less far from D65",
+        arguments.white);
+  return camera;
+}
+
 bool isRig(const BalanceCommand& arguments) {
   return std::filesystem::path(arguments.photograph).extension() == ".json";
 }
@@ -208,15 +226,11 @@ int run(const BalanceCommand& arguments, Terminal& terminal) {
   checkFrame(*work.config, arguments.output, arguments.frame);
   std::vector<std::filesystem::path> inputs{arguments.photograph};
   if (!arguments.set.empty()) inputs.emplace_back(arguments.set);
+  if (!arguments.camera.empty()) inputs.emplace_back(arguments.camera);
   checkOutput(arguments.output, inputs);
   if (!arguments.map.empty()) checkOutput(arguments.map, inputs);
   (void)whitePointFromText(arguments.white);
-  std::optional<CameraFile> camera;
-  if (!arguments.camera.empty()) {
-    inputs.emplace_back(arguments.camera);
-    checkOutput(arguments.output, inputs);
-    camera = readCamera(arguments.camera);
-  }
+  const std::optional<CameraFile> camera = cameraOf(arguments, *work.config);
 
   const Progress progress = terminal.progress();
   work.json = {{"photograph", arguments.photograph}, {"output", arguments.output}};

@@ -73,6 +73,16 @@ class BalanceTest(cli.CliTest):
         np.testing.assert_allclose(out[20, 30], np.array([.3, .4, .2]) @ WEIGHTS, rtol=1e-3)
         self.balance('--method', 'grey-world', '--grey', '30,20')
 
+    def test_a_cameras_matrix_keeps_pixels_finite_at_every_white(self):
+        camera = self.path('camera.json')
+        with open(camera, 'w') as file:
+            json.dump({'format': 'swaplight-camera', 'camera_matrix': [[.9, .1, 0], [.1, .8, .1], [0, .2, .8]]}, file)
+        how = ['--grey', '30,20', '--camera', camera]
+        self.assertTrue(np.isfinite(self.balance(*how, '--white', '2000K')).all())
+        self.deny('balance', self.photo, *how, '--white', '1500K', '-o', self.path('x.exr'), naming=['1500K', '--white'])
+        colors = ['--colors', '.7/.2/.1,.1/.2/.9', '--camera', camera, '--map', camera]
+        self.deny('balance', self.photo, *colors, '-o', self.path('x.exr'), naming='camera.json')
+
     def test_every_method_is_there(self):
         for method in ('grey-world', 'max-rgb', 'shades-of-grey', 'grey-edge', 'grey-edge-2', 'ebner', 'xphoto-simple',
                        'xphoto-grey-world', 'xphoto-learning'):
