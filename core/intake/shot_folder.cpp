@@ -88,15 +88,28 @@ bool looksLikePicture(const fs::path& file) {
 }
 
 /// Of a raw file and the camera's own JPEG of it, the raw file.
-void dropTwins(ShotFolder& found) {
+void dropTwins(std::vector<FoundShot>& shots, std::vector<std::string>& notes) {
   std::set<std::string> raws;
-  for (const FoundShot& shot : found.shots)
+  for (const FoundShot& shot : shots)
     if (shot.format == "raw") raws.insert(lower(fs::path(shot.file).stem().string()));
-  std::erase_if(found.shots, [&](const FoundShot& shot) {
+  std::erase_if(shots, [&](const FoundShot& shot) {
     const bool twin = shot.format == "jpeg" && raws.count(lower(fs::path(shot.file).stem().string())) > 0;
-    if (twin) found.notes.push_back(shot.file + " is left out: its raw file is there");
+    if (twin) notes.push_back(shot.file + " is left out: its raw file is there");
     return twin;
   });
+}
+
+/// Pictures that are called so are of charts, unless all photographs are.
+void placeCharts(std::vector<FoundShot> charts, ShotFolder& found) {
+  dropTwins(charts, found.notes);
+  if (found.shots.empty()) {
+    found.shots = std::move(charts);
+    return;
+  }
+  for (const FoundShot& chart : charts) {
+    found.charts.push_back(chart.file);
+    found.notes.push_back(chart.file + " shows a colour chart, by its name, and is no photograph of the set");
+  }
 }
 
 /// A picture that lies there by chance seldom has the size of the photographs. Without a size that most have,
@@ -153,6 +166,7 @@ ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (looksLikePicture(entry.path())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
+  std::vector<FoundShot> charts;
   for (const fs::path& file : files) {
     const std::string name = file.filename().string();
     try {
@@ -171,7 +185,7 @@ ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
       else if (lower(name).starts_with(kFlatPrefix))
         found.flats[file.stem().string().substr(kFlatPrefix.size())] = name;
       else if (lower(name).starts_with(kChartPrefix))
-        found.charts.push_back(name);
+        charts.push_back(std::move(shot));
       else
         found.shots.push_back(std::move(shot));
     } catch (const InputError&) {
@@ -179,7 +193,8 @@ ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
     }
   }
   if (fs::is_regular_file(found.folder / kResponse)) found.response = kResponse;
-  dropTwins(found);
+  dropTwins(found.shots, found.notes);
+  placeCharts(std::move(charts), found);
   dropOtherSizes(found);
   if (found.shots.empty())
     throw InputError("{}: has no photographs (EXR, PNG, TIFF, JPEG, HDR or camera raw)", folder.string());

@@ -34,9 +34,9 @@ struct ShotFolder {
   std::optional<std::string> ambient;        ///< a picture whose name begins with "ambient"
   std::optional<std::string> dark;           ///< one whose name begins with "dark"
   std::map<std::string, std::string> flats;  ///< of "flat_key.jpg" and the like: light, picture
-  std::vector<std::string> charts;           ///< "chart_key.jpg" and the like: of a colour chart
-  std::optional<std::string> response;       ///< "response.csv", where it is: the camera's curve
-  std::optional<std::string> vignetting;     ///< one whose name begins with "vignetting"
+  std::vector<std::string> charts;        ///< "chart_key.jpg" and the like, beside others: of colour charts
+  std::optional<std::string> response;    ///< "response.csv", where it is: the camera's curve
+  std::optional<std::string> vignetting;  ///< one whose name begins with "vignetting"
   bool timed = false;              ///< in the order of the time they were taken at; else of their names
   std::vector<std::string> notes;  ///< what was left out and why, in words
 };

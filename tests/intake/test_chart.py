@@ -4,7 +4,14 @@ import json
 
 import numpy as np
 import cli
+from camera_raw import write_dng
 from made_chart import CORNERS, photograph
+
+
+def to_srgb(light):
+    light = np.clip(light, 0, 1)
+    return np.where(light > .0031308, 1.055 * light ** (1 / 2.4) - .055, 12.92 * light)
+
 
 LAMP, GEL = np.array([.8, .7, .6]), np.array([.75, .35, .2])
 
@@ -76,12 +83,45 @@ class Chart(cli.CliTest):
         self.deny('new', self.path('shots'), '--lights', 'key,fill', '--colors', 'chart:none.exr,1/1/1', '--force',
                   naming='none.exr')
 
+    def photographs(self, suffix, coded=lambda shot: shot, pixel_type='float', **attributes):
+        """Photographs of a set under two lamps, and the lamps' colours."""
+        colors = np.array([[.8, .2, .15], [.12, .3, .75]])
+        capture = cli.Capture(self.path('made'), height=60, width=80,
+                              light_colors=[colors.tolist(), colors[::-1].tolist()])
+        for k, shot in enumerate(capture.shots):
+            cli.write_image(self.path('shots', f'{k}.{suffix}'), coded(shot), pixel_type, **attributes)
+        return colors
+
+    def new(self, *charts):
+        told = ','.join('chart:' + chart for chart in charts)
+        return self.succeed_json('new', self.path('shots'), '--lights', 'key,fill', '--colors', told, '--force')
+
+    def told(self):
+        with open(self.path('shots', 'capture.json')) as file:
+            return json.load(file)['shots'][0]['light_colors']
+
+    def test_charts_that_are_no_shots_are_named(self):
+        self.photographs('exr')
+        for name in ('red', 'blue'):
+            self.photo(f'shots/chart_{name}.exr', LAMP)
+        write_dng(self.path('shots', 'chart_white.dng'), photograph(LAMP))
+        cli.write_image(self.path('shots', 'chart_white.jpg'), to_srgb(photograph(LAMP)), 'uint8')
+        said = self.new('chart_red.exr', 'chart_blue.exr')
+        for name, why in (('red.exr', 'colour chart'), ('white.dng', 'colour chart'), ('white.jpg', 'its raw file')):
+            self.assertTrue(any(f'chart_{name}' in text and why in text for text in said['warnings']), said['warnings'])
+        for suffix in ('dng', 'jpg'):
+            cli.os.remove(self.path('shots', f'chart_white.{suffix}'))
+        for k in range(2):
+            cli.os.remove(self.path('shots', f'{k}.exr'))
+        said = self.succeed_json('new', self.path('shots'), '--lights', 'key,fill', '--one-at-a-time', '--force')
+        self.assertEqual(len(said['shots']), 2, 'a set may be called so')
+
     def test_what_cannot_be_done_is_said_in_one_line(self):
         wall = self.path('wall.exr')
         cli.write_image(wall, np.full((300, 400, 3), .3))
-        self.deny('chart', wall, naming=['wall.exr', 'no chart found', '--corners'])
+        self.deny('chart', wall, '-q', naming=['wall.exr', 'no chart found', '--corners'])
         self.deny('chart', wall, '--corners', '1,2,3', naming=['--corners', 'X,Y,X,Y'])
-        self.deny('chart', wall, '--corners', '10,10,90,10,90,70,10,70', naming=['wall.exr', 'does not look like'])
+        self.deny('chart', wall, '--corners', '10,10,90,10,90,70,10,70', '-q', naming=['wall.exr', 'does not look like'])
         self.deny('chart', self.path('none.exr'), naming='none.exr')
         photo = self.photo('bright.exr', LAMP * 4)
         corners = ','.join(f'{x},{y}' for x, y in CORNERS)
