@@ -66,6 +66,12 @@ std::string colorText(const Rgb& color) {
   return fmt::format("{:.4f}/{:.4f}/{:.4f}", color.r, color.g, color.b);
 }
 
+/// How it is known where the chart is, where it was not found.
+std::string placeText(const ChartShot& shot) {
+  if (!shot.asIn.empty()) return "as in " + shot.asIn.filename().string();
+  return shot.found ? "" : "told";
+}
+
 std::vector<std::string> rowOf(const ChartShot& shot) {
   const ChartFit& fit = shot.fit;
   return {shot.file.filename().string(),
@@ -73,7 +79,7 @@ std::vector<std::string> rowOf(const ChartShot& shot) {
           colorText(fit.lightError),
           fmt::format("{:.1f}", fit.meanBalanced),
           fit.matrix ? fmt::format("{:.1f}, {:.1f}", fit.meanDeltaE, fit.mostDeltaE) : "none",
-          shot.found ? "" : "told"};
+          placeText(shot)};
 }
 
 Json jsonOf(const ChartShot& shot) {
@@ -120,7 +126,7 @@ void writeGels(const ChartCommand& arguments, const std::vector<ChartShot>& shot
 int run(const ChartCommand& arguments, Terminal& terminal) {
   checkArguments(arguments);
   ChartReadingOptions options;
-  options.colorSpace = arguments.colorSpace;
+  options.colorSpaceOf = [&](const std::filesystem::path&) { return arguments.colorSpace; };
   if (!arguments.corners.empty()) options.corners = cornersFromText(arguments.corners);
   std::vector<std::filesystem::path> files(arguments.photographs.begin(), arguments.photographs.end());
   if (!arguments.without.empty()) files.insert(files.begin(), arguments.without);

@@ -1,15 +1,45 @@
 #include "core/chart/chart_colors.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
+#include "core/balance/photograph.h"
 #include "core/capture/response_curve.h"
-#include "core/chart/chart_shot.h"
+#include "core/chart/measured_gel.h"
+#include "core/image/io/image_io.h"
+#include "core/ocio/convert_color.h"
 
 namespace swaplight {
+namespace {
+
+/// A file of the shots' format is in their colour space; another one in what it says, or, with codes, in what
+/// they are coded in.
+std::string colorSpaceOfChart(const ColorConfig& config, const ShotFolder& folder,
+                              const std::string& colorSpace, const std::filesystem::path& file) {
+  ImageFileInfo info;
+  static_cast<void>(readImageSpec(file, &info));
+  Capture shots;
+  shots.folder = folder.folder;
+  shots.colorSpace = colorSpace;
+  if (info.format != folder.shots.front().format) return colorSpaceOfPhotograph(config, shots, file);
+  return isResponseFile(colorSpace) ? (folder.folder / colorSpace).string() : colorSpace;
+}
+
+/// What all charts' exposures are taken over: nothing where none says its.
+std::optional<double> commonExposure(const ShotFolder& folder, const std::vector<ChartShot>& charts) {
+  for (const ChartShot& chart : charts) static_cast<void>(exposureOver(chart, charts.front()));
+  if (charts.empty() || !charts.front().exposureStops) return std::nullopt;
+  const auto& shots = folder.shots.front().exposureStops;
+  return shots ? shots : charts.front().exposureStops;
+}
+
+}  // namespace
 
 std::vector<ChartColor> chartColors(const ColorConfig& config, const ShotFolder& folder,
                                     const std::string& colorSpace, const std::vector<std::string>& names,
-                                    const Progress& progress) {
+                                    const Progress& progress,
+                                    const std::function<void(const InputError&)>& leftOut) {
   if (names.empty()) return {};
   std::vector<std::filesystem::path> files;
   for (const std::string& name : names) {
@@ -17,14 +47,19 @@ std::vector<ChartColor> chartColors(const ColorConfig& config, const ShotFolder&
     files.push_back(inFolder ? folder.folder / name : std::filesystem::path(name));
   }
   ChartReadingOptions options;
-  options.colorSpace = isResponseFile(colorSpace) ? (folder.folder / colorSpace).string() : colorSpace;
-  const std::vector<ChartShot> shots = readChartShots(config, files, options, progress);
-  const auto& first = folder.shots.front().exposureStops;
+  options.colorSpaceOf = [&](const std::filesystem::path& file) {
+    return colorSpaceOfChart(config, folder, colorSpace, file);
+  };
+  options.leftOut = leftOut;
+  const std::vector<ChartShot> charts = readChartShots(config, files, options, progress);
+  const std::optional<double> common = commonExposure(folder, charts);
   std::vector<ChartColor> colors;
-  for (size_t k = 0; k < shots.size(); ++k) {
-    const auto& own = shots[k].exposureStops;
-    const auto over = float(first && own ? std::exp2(*first - *own) : 1);
-    colors.push_back({names[k], shotColorFromRgb(shots[k].fit.light * over), shots[k].fit.warnings});
+  for (const ChartShot& chart : charts) {
+    const auto over = float(common ? std::exp2(*common - *chart.exposureStops) : 1);
+    const Rgb light = convertColor(config, chart.fit.light, chart.colorSpace, linearSpaceOf(colorSpace));
+    const auto k = std::find(files.begin(), files.end(), chart.file) - files.begin();
+    colors.push_back(
+        {names[size_t(k)], shotColorFromRgb(glm::max(light * over, Rgb(0))), chart.fit.warnings});
   }
   return colors;
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/balance/photograph.h"
-#include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/machine_error.h"
 #include "core/capture/capture_pixels.h"
 #include "core/chart/chart_finder.h"
 #include "core/file/json_file.h"
@@ -27,6 +27,11 @@ struct Tried {
   bool done = false;
 };
 
+CapturePixels load(const ColorConfig& config, const std::filesystem::path& file,
+                   const ChartReadingOptions& options, const Progress& progress) {
+  return loadPhotograph(config, file, options.colorSpaceOf ? options.colorSpaceOf(file) : "", progress);
+}
+
 ChartShot fitted(ChartShot shot, const CapturePixels& photograph) {
   shot.fit = fitChart(readChart(photograph.shots.front(), photograph.clipLevel.front(), shot.corners));
   return shot;
@@ -35,16 +40,16 @@ ChartShot fitted(ChartShot shot, const CapturePixels& photograph) {
 /// Looks for the chart, or at the corners told.
 Tried tried(const ColorConfig& config, const std::filesystem::path& file, const ChartReadingOptions& options,
             const Progress& progress) {
-  const CapturePixels photograph = loadPhotograph(config, file, options.colorSpace, progress.part(0, .4F));
+  const CapturePixels photograph = load(config, file, options, progress.part(0, .4F));
   const Image& picture = photograph.shots.front();
   const float clip = photograph.clipLevel.front();
   Tried one{
-      {file, picture.spec().colorSpace, {}, !options.corners, {}, {}}, picture.width(), picture.height()};
+      {file, picture.spec().colorSpace, {}, !options.corners, {}, {}, {}}, picture.width(), picture.height()};
   ImageFileInfo info;
   static_cast<void>(readImageSpec(file, &info));
   one.shot.exposureStops = statedExposure(info);
-  const auto corners =
-      options.corners ? orientedCorners(picture, clip, *options.corners) : findChart(picture, clip, progress);
+  const auto corners = options.corners ? orientedCorners(picture, clip, *options.corners)
+                                       : findChart(picture, clip, progress.part(.4F, 1));
   if (!corners) return one;
   one.shot.corners = *corners;
   one.shot = fitted(std::move(one.shot), photograph);
@@ -63,14 +68,33 @@ ChartShot readAt(const ColorConfig& config, const Tried& missing, const std::vec
       "pixels "
       "wide; or tell its four corners (swaplight chart --corners X,Y,X,Y,X,Y,X,Y)");
   if (other == all.end()) throw none;
-  const CapturePixels photograph = loadPhotograph(config, missing.shot.file, options.colorSpace, progress);
+  const CapturePixels photograph = load(config, missing.shot.file, options, progress);
   ChartShot shot = missing.shot;
   shot.found = false;
   shot.corners = other->shot.corners;
+  shot.asIn = other->shot.file;
   const ChartReading reading =
       readChart(photograph.shots.front(), photograph.clipLevel.front(), shot.corners);
   if (chartLikeness(reading) < kLeastAtPlace) throw none;
-  return fitted(std::move(shot), photograph);
+  shot = fitted(std::move(shot), photograph);
+  shot.fit.warnings.push_back("no chart found: taken to be where it is in " + shot.asIn.filename().string());
+  return shot;
+}
+
+/// Does the work of a file. What is wrong names it, and is thrown or left to `options`.
+template <typename Work>
+void naming(const std::filesystem::path& file, const ChartReadingOptions& options, const Work& work) {
+  try {
+    work();
+  } catch (const MachineError&) {
+    throw;
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    const bool named = what.find(file.string()) != std::string::npos;
+    const InputError wrong("{}", named ? what : file.string() + ": " + what);
+    if (!options.leftOut) throw wrong;
+    options.leftOut(wrong);
+  }
 }
 
 }  // namespace
@@ -79,26 +103,16 @@ std::vector<ChartShot> readChartShots(const ColorConfig& config,
                                       const std::vector<std::filesystem::path>& files,
                                       const ChartReadingOptions& options, const Progress& progress) {
   std::vector<Tried> all;
-  const auto naming = [](const std::filesystem::path& file, const auto& work) {
-    try {
-      return work();
-    } catch (const InputError& error) {
-      const std::string what = error.what();
-      if (what.find(file.string()) != std::string::npos) throw;
-      throw InputError("{}: {}", file.string(), what);
-    }
-  };
   const auto each = 1 / float(files.size());
-  for (const std::filesystem::path& file : files) {
-    const float from = float(all.size()) * each;
-    all.push_back(
-        naming(file, [&] { return tried(config, file, options, progress.part(from, from + each)); }));
+  for (size_t k = 0; k < files.size(); ++k) {
+    const Progress part = progress.part(float(k) * each, float(k + 1) * each);
+    naming(files[k], options, [&] { all.push_back(tried(config, files[k], options, part)); });
   }
   std::vector<ChartShot> shots;
   for (const Tried& one : all)
-    shots.push_back(one.done ? one.shot : naming(one.shot.file, [&] {
-      return readAt(config, one, all, options, Progress{{}, progress.stop});
-    }));
+    naming(one.shot.file, options, [&] {
+      shots.push_back(one.done ? one.shot : readAt(config, one, all, options, Progress{{}, progress.stop}));
+    });
   return shots;
 }
 

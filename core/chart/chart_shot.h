@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/chart/chart_corners.h"
 #include "core/chart/chart_fit.h"
@@ -17,20 +19,24 @@ struct ChartShot {
   std::filesystem::path file;
   std::string colorSpace;  ///< linear: of its light and matrix
   ChartCorners corners{};
-  bool found = true;  ///< by itself; else where it was told, or where it is in another photograph
+  bool found = true;           ///< by itself; else where it was told, or as in another photograph
+  std::filesystem::path asIn;  ///< that one, where it is not found in this one; else empty
   ChartFit fit;
   /// log2 of exposure time x ISO / f-number squared; nothing where the file does not say all three.
   std::optional<double> exposureStops;
 };
 
 struct ChartReadingOptions {
-  std::string colorSpace;               ///< of the files; empty: see colorSpaceOfPhotograph
+  /// Of a file; none, or "": see colorSpaceOfPhotograph. May throw InputError.
+  std::function<std::string(const std::filesystem::path&)> colorSpaceOf;
   std::optional<ChartCorners> corners;  ///< of the chart, in any order around it; nothing: it is looked for
+  /// Takes what is wrong with a photograph, which is then left out. None: it is thrown.
+  std::function<void(const InputError&)> leftOut;
 };
 
 /// The charts in photographs of one camera. Where a chart is not found in one of them (under a deep gel), it
-/// is taken to be where it was found in another one of that size, the first of them. Throws InputError that
-/// names the file: cannot be read, no chart found, saturated; Stopped.
+/// is taken to be where it was found in another one of that size, the first of them, with a warning. Throws
+/// InputError that names the file: cannot be read, no chart found, saturated; Stopped.
 [[nodiscard]] std::vector<ChartShot> readChartShots(const ColorConfig& config,
                                                     const std::vector<std::filesystem::path>& files,
                                                     const ChartReadingOptions& options = {},
@@ -44,8 +50,8 @@ struct CameraFile {
   CameraMatrix matrix{};
   std::string from;  ///< linear primaries of what it is for
 
-  /// A picture in linear light in which `white` (of those primaries) is white: in place to linear Rec.709, in
-  /// which `to` is.
+  /// A picture in linear light in which `white` (of those primaries, no channel 0) is white: in place to
+  /// linear Rec.709, in which `to` is.
   void apply(Image& picture, const Rgb& white, const Rgb& to) const;
 };
 /// As a file that readCamera reads. `shot` has a matrix.

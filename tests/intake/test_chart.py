@@ -100,6 +100,33 @@ class Chart(cli.CliTest):
         with open(self.path('shots', 'capture.json')) as file:
             return json.load(file)['shots'][0]['light_colors']
 
+    def test_charts_are_decoded_as_what_they_are(self):
+        """Whatever kind of file the photographs of the set are."""
+        colors = self.photographs('exr')
+        for name, color in zip(('red', 'blue'), colors):
+            cli.write_image(self.path('shots', f'chart_{name}.png'), to_srgb(photograph(color)), 'uint16')
+        self.new('chart_red.png', 'chart_blue.png')
+        np.testing.assert_allclose(self.told(), colors, rtol=.05, atol=.01)
+        for k in range(2):
+            shot = cli.read_rgb(self.path('shots', f'{k}.exr'))
+            cli.os.remove(self.path('shots', f'{k}.exr'))
+            cli.write_image(self.path('shots', f'{k}.png'), to_srgb(shot), 'uint16')
+        for name, color in zip(('red', 'blue'), colors):
+            self.photo(f'shots/chart_{name}.exr', color)
+        self.new('chart_red.exr', 'chart_blue.exr')
+        np.testing.assert_allclose(self.told(), colors, rtol=.05, atol=.01)
+
+    def test_exposures_that_charts_state_are_taken_off(self):
+        colors = self.photographs('exr')
+        exposed = lambda seconds: {'ExposureTime': seconds, 'FNumber': 4., 'Exif:ISOSpeedRatings': 100}
+        cli.write_image(self.path('shots', 'chart_red.exr'), photograph(colors[0]), **exposed(1 / 8))
+        cli.write_image(self.path('shots', 'chart_blue.exr'), photograph(colors[1]), **exposed(1 / 32))
+        self.new('chart_red.exr', 'chart_blue.exr')
+        np.testing.assert_allclose(self.told(), colors * [[1], [4]], rtol=.05, atol=.01)
+        self.photo('shots/chart_mute.exr', colors[1])
+        self.deny('new', self.path('shots'), '--lights', 'key,fill', '--colors',
+                  'chart:chart_red.exr,chart:chart_mute.exr', '--force', '-q', naming=['chart_red.exr', 'chart_mute.exr'])
+
     def test_charts_that_are_no_shots_are_named(self):
         self.photographs('exr')
         for name in ('red', 'blue'):
@@ -115,6 +142,16 @@ class Chart(cli.CliTest):
             cli.os.remove(self.path('shots', f'{k}.exr'))
         said = self.succeed_json('new', self.path('shots'), '--lights', 'key,fill', '--one-at-a-time', '--force')
         self.assertEqual(len(said['shots']), 2, 'a set may be called so')
+
+    def test_a_chart_that_is_not_found_is_where_another_has_it(self):
+        lamp, hidden = self.photo('lamp.exr', LAMP), self.path('hidden.exr')
+        pixels = photograph(LAMP)
+        pixels[:, 250:420] = .3  # someone stands before it
+        cli.write_image(hidden, pixels)
+        said = self.succeed_json('chart', lamp, hidden)['shots'][1]
+        self.assertFalse(said['found'])
+        self.assertTrue(any('lamp.exr' in text for text in said['warnings']), said['warnings'])
+        self.assertIn('as in lamp.exr', self.succeed('chart', lamp, hidden).stdout)
 
     def test_what_cannot_be_done_is_said_in_one_line(self):
         wall = self.path('wall.exr')

@@ -44,13 +44,14 @@ float footerHeight(const std::string& words) {
 
 }  // namespace
 
-/// The charts of the folder; that one cannot be read is said.
+/// The charts of the folder; of those that cannot be read it is said.
 void CaptureWizard::readCharts(const ColorConfig& config, const CaptureDraft& draft, const Progress& progress,
                                Photographs& found) {
+  const auto say = [&](const InputError& error) { found.warnings.emplace_back(error.what()); };
   try {
-    found.charts = chartColors(config, found.folder, draft.colorSpace, found.folder.charts, progress);
+    found.charts = chartColors(config, found.folder, draft.colorSpace, found.folder.charts, progress, say);
   } catch (const InputError& error) {
-    found.warnings.emplace_back(error.what());
+    say(error);  // their exposures cannot be compared
   }
   for (const ChartColor& chart : found.charts)
     for (const std::string& warning : chart.warnings) found.warnings.push_back(chart.file + ": " + warning);
