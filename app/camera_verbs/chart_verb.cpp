@@ -50,6 +50,27 @@ ChartCorners cornersFromText(const std::string& text) {
       text);
 }
 
+/// The same for all names of a file, there or not.
+std::filesystem::path wholePath(const std::string& file) {
+  std::error_code error;  // of what has no such path something else is said
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
+}
+
+/// What is told of gels, all of it.
+void checkGels(const ChartCommand& arguments) {
+  const std::vector<std::string>&photographs = arguments.photographs, &labels = arguments.labels;
+  if (labels.size() != photographs.size())
+    throw InputError("--gel: {} of them for {} photographs: give each its own", labels.size(),
+                     photographs.size());
+  for (const std::string& photograph : photographs)
+    if (wholePath(photograph) == wholePath(arguments.without))
+      throw InputError("--without {}: is PHOTO, too: give the photograph of the lamp without a gel",
+                       arguments.without);
+  if (!arguments.output.empty() && wholePath(arguments.output) == wholePath(arguments.gels))
+    throw InputError("--output {}: is the table of --gels: name another file for the camera's matrix",
+                     arguments.output);
+}
+
 void checkArguments(const ChartCommand& arguments) {
   const bool gels = !arguments.gels.empty();
   if (gels != !arguments.without.empty() || gels != !arguments.labels.empty())
@@ -57,9 +78,7 @@ void checkArguments(const ChartCommand& arguments) {
         "to measure gels give all three: --without PHOTO, of the lamp without a gel, --gel BRAND,NUMBER,NAME "
         "for "
         "each photograph, and --gels TABLE.csv");
-  if (gels && arguments.labels.size() != arguments.photographs.size())
-    throw InputError("--gel: {} of them for {} photographs: give each its own", arguments.labels.size(),
-                     arguments.photographs.size());
+  if (gels) checkGels(arguments);
 }
 
 std::string colorText(const Rgb& color) {
@@ -130,8 +149,12 @@ int run(const ChartCommand& arguments, Terminal& terminal) {
   if (!arguments.corners.empty()) options.corners = cornersFromText(arguments.corners);
   std::vector<std::filesystem::path> files(arguments.photographs.begin(), arguments.photographs.end());
   if (!arguments.without.empty()) files.insert(files.begin(), arguments.without);
-  if (!arguments.output.empty()) checkOutput(arguments.output, files);
   if (!arguments.gels.empty()) checkOutput(arguments.gels, files);
+  if (!arguments.output.empty()) {
+    std::vector<std::filesystem::path> inputs = files;
+    inputs.emplace_back(arguments.gels);
+    checkOutput(arguments.output, inputs);
+  }
 
   const std::vector<ChartShot> shots = readChartShots(*programConfig(), files, options, terminal.progress());
   std::vector<std::vector<std::string>> rows{
@@ -146,12 +169,10 @@ int run(const ChartCommand& arguments, Terminal& terminal) {
   d.text = tableText(std::move(rows));
   const ChartShot* best = bestChartShot(shots);
   describeMatrix(best, d);
+  if (!arguments.output.empty() && !best)
+    throw InputError("--output {}: no camera matrix can be told of these photographs", arguments.output);
   if (!arguments.gels.empty()) writeGels(arguments, {shots.begin() + 1, shots.end()}, shots.front(), d);
-  if (!arguments.output.empty()) {
-    if (!best)
-      throw InputError("--output {}: no camera matrix can be told of these photographs", arguments.output);
-    writeJson(jsonFromCamera(*best), arguments.output);
-  }
+  if (!arguments.output.empty()) writeJson(jsonFromCamera(*best), arguments.output);
   for (const std::string& written : {arguments.gels, arguments.output})
     if (!written.empty()) terminal.say("wrote {}", written);
   terminal.result(d.text, d.json);

@@ -69,7 +69,8 @@ struct GelLabel {
 
 /// A table (see gelsFromCsv; "" is none yet) with one gel more, a measured one: `filter` is what it lets
 /// through of each linear Rec.709 channel of white. The table keeps its columns and their order. Throws
-/// InputError as gelsFromCsv does, where the table has the gel already, and where nothing passes the filter.
+/// InputError as gelsFromCsv does, where the table has the gel already, where nothing passes the filter,
+/// or more than all.
 [[nodiscard]] std::string withMeasuredGel(const std::string& table, const std::string& fileName,
                                           const GelLabel& label, const Rgb& filter);
 

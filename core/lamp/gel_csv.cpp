@@ -18,6 +18,7 @@ namespace {
 enum Column { kBrand, kNumber, kName, kX, kY, kT, kColumns };
 constexpr std::array<const char*, kColumns> kColumnNames{"brand", "number", "name", "x", "y", "t"};
 constexpr const char* kSource = "source";  // a column that may be there
+constexpr float kMostPassed = 1.05F;       // noise and a lamp that wanders let a clear gel pass more than all
 constexpr const char* kNewTable = "brand,number,name,x,y,T,source\n";
 
 std::string trimmed(const std::string& text) {
@@ -134,9 +135,9 @@ Table tableFromText(const std::string& text) {
   return table;
 }
 
-/// As a table has it: in quotes where it has commas or quotes.
+/// As a table has it: in quotes where it has commas or quotes, or what would begin a comment.
 std::string quoted(const std::string& field) {
-  if (field.find_first_of(",\"") == std::string::npos) return field;
+  if (field.find_first_of(",\"#") == std::string::npos) return field;
   std::string text = "\"";
   for (const char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);
   return text + "\"";
@@ -183,6 +184,11 @@ std::string withMeasuredGel(const std::string& table, const std::string& fileNam
   const float transmission = luminance(filter);
   if (!(transmission > 0))
     throw InputError("the gel {} lets nothing through: its photograph is black where the other is lit", id);
+  if (transmission > kMostPassed)
+    throw InputError(
+        "the gel {} lets more through than there was ({:.0f} %): are --without and PHOTO swapped, or exposed "
+        "differently?",
+        id, 100 * transmission);
   const Chromaticity xy = xyFromRec709(filter);
   std::string text = table.find_first_not_of(" \t\r\n") == std::string::npos ? kNewTable : table;
   if (text.back() != '\n') text += '\n';

@@ -52,10 +52,10 @@ class Chart(cli.CliTest):
         with open(table, newline='') as file:
             row = list(csv.DictReader(file))[0]
         self.assertEqual((row['name'], row['source']), ('Dusk, warm', 'measured'))
-        self.deny('chart', gel, *arguments, naming=['gels.csv', 'H7'])
+        self.deny('chart', gel, *arguments, '-q', naming=['gels.csv', 'H7'])
         self.deny('chart', gel, '--gels', table, naming='--without')
         self.deny('chart', gel, gel, *arguments, naming='2 photographs')
-        self.deny('chart', gel, '--without', lamp, '--gel', 'House', '--gels', table, naming='House')
+        self.deny('chart', gel, '--without', lamp, '--gel', 'House', '--gels', table, '-q', naming='House')
         # It is one of the gels from then on.
         data = self.path('data')
         with open(table) as file:
@@ -142,6 +142,21 @@ class Chart(cli.CliTest):
             cli.os.remove(self.path('shots', f'{k}.exr'))
         said = self.succeed_json('new', self.path('shots'), '--lights', 'key,fill', '--one-at-a-time', '--force')
         self.assertEqual(len(said['shots']), 2, 'a set may be called so')
+
+    def test_what_would_spoil_the_table_is_refused(self):
+        lamp, gel = self.photo('lamp.exr', LAMP), self.photo('gel.exr', LAMP * GEL)
+        table = self.path('gels.csv')
+        into = ['--gel', 'House,7', '--gels', table]
+        self.deny('chart', gel, '--without', lamp, *into, '-o', table, naming=['gels.csv', '--output'])
+        self.deny('chart', lamp, '--without', gel, *into, '-q', naming=['H7', '--without'])
+        self.deny('chart', lamp, '--without', lamp, *into, naming=['lamp.exr', '--without'])
+        self.succeed('chart', gel, '--without', lamp, *into)
+        self.deny('chart', gel, '--without', lamp, '--gel', 'House,8', '--gels', table, '-o',
+                  cli.os.path.join(self.path('.'), 'gels.csv'), naming='gels.csv')
+        # Deep red light, of which no matrix can be told: the table stays as it is.
+        red = [self.photo(f'red{k}.exr', np.array([.8, .05, .004]) * share, noise=0) for k, share in enumerate((1, .5))]
+        into = ['--gel', 'House,9', '--gels', table, '-o', self.path('camera.json')]
+        self.deny('chart', red[1], '--without', red[0], *into, '-q', naming='no camera matrix')
 
     def test_a_chart_that_is_not_found_is_where_another_has_it(self):
         lamp, hidden = self.photo('lamp.exr', LAMP), self.path('hidden.exr')

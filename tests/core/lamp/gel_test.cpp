@@ -136,6 +136,15 @@ TEST(GelCsv, TakesInMeasuredGels) {
   EXPECT_EQ(gelsFromCsv(more, "gels.csv").at(1).id, "L2");
   EXPECT_NEAR(gelsFromCsv(more, "gels.csv").at(1).filter.r, filter.r, 1e-4);
   EXPECT_THROW((void)withMeasuredGel(own, "gels.csv", label, Rgb(0)), InputError);
+  EXPECT_THAT(test::inputError([&] { (void)withMeasuredGel(own, "gels.csv", label, Rgb(1.3F)); }),
+              testing::HasSubstr("more through than there was"));
+  EXPECT_EQ(gelsFromCsv(withMeasuredGel("", "gels.csv", label, Rgb(1.02F)), "gels.csv").at(0).transmission, 1)
+      << "noise";
+  // What begins with # is no comment.
+  const std::string byName = "name,brand,number,x,y,T\n";
+  const std::string numbered =
+      withMeasuredGel(byName, "gels.csv", GelLabel::fromText("Lee,3,#3 Red"), filter);
+  EXPECT_EQ(gelsFromCsv(numbered, "gels.csv").at(0).name, "#3 Red");
   for (const char* wrong : {"", "Lee", "Lee,", ",1", "Lee,1,a,b", "#Lee,1", "Lee,1,a\nb"})
     EXPECT_THROW((void)GelLabel::fromText(wrong), InputError) << wrong;
 }
