@@ -75,9 +75,21 @@ cv::Mat coded(const cv::Mat& linear, double q, bool grey) {
   return codes;
 }
 
+/// OpenCV fills its tables of Lab at their first use, without a lock, and its detector uses them in several
+/// threads at once: they are filled here, in one.
+void fillTablesOfLab() {
+  static const bool filled = [] {
+    cv::Mat one(1, 1, CV_32FC3, cv::Scalar::all(.5));
+    cv::cvtColor(one, one, cv::COLOR_BGR2Lab);
+    return true;
+  }();
+  static_cast<void>(filled);
+}
+
 /// The box of OpenCV's best chart, brought to the patches' outer corners and the picture's own size.
 std::optional<ChartCorners> detected(const cv::Mat& codes, double scale) {
   const cv::Ptr<cv::mcc::CCheckerDetector> detector = cv::mcc::CCheckerDetector::create();
+  fillTablesOfLab();
   std::vector<cv::Point2f> box;
   try {
     if (!detector->process(codes, cv::mcc::MCC24)) return std::nullopt;
