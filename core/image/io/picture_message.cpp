@@ -65,20 +65,21 @@ Json jsonFrom(const HeaderValues& values) {
 }
 
 HeaderValues headerFrom(const Json& json) {
-  using Kind = HeaderValue::Kind;
+  using enum HeaderValue::Kind;
   HeaderValues values;
   for (const Json& one : json) {
     HeaderValue& value = values[one.at(0).get<std::string>()];
-    value.kind = static_cast<Kind>(std::clamp(integerOf(one.at(1)), 0, static_cast<int>(Kind::Keycode)));
+    value.kind =
+        static_cast<HeaderValue::Kind>(std::clamp(integerOf(one.at(1)), 0, static_cast<int>(Keycode)));
     value.text = one.at(2).get<std::string>();
     value.integers = integersOf(one.at(3));
     value.floats = one.at(4).get<std::vector<float>>();
     const size_t integers = value.integers.size(), floats = value.floats.size();
-    const bool suits = value.kind == Kind::Text       ? integers + floats == 0
-                       : value.kind == Kind::Integers ? integers >= 1 && integers <= 3
-                       : value.kind == Kind::Floats   ? floats >= 1 && floats <= 16
-                       : value.kind == Kind::Keycode  ? integers == 7
-                                                      : integers == 2;
+    const bool suits = value.kind == Text       ? integers + floats == 0
+                       : value.kind == Integers ? integers >= 1 && integers <= 3
+                       : value.kind == Floats   ? floats >= 1 && floats <= 16
+                       : value.kind == Keycode  ? integers == 7
+                                                : integers == 2;
     if (!suits) throw std::runtime_error("no header");
   }
   return values;

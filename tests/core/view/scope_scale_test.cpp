@@ -34,7 +34,9 @@ TEST(ScopeScale, OfNitsLiesWhereTheDisplayShowsThem) {
     for (size_t i = 0; i < ticks.size(); ++i) {
       EXPECT_NEAR(shown.nits(ticks[i].place), std::stof(ticks[i].text),
                   .01F + 1e-3F * std::stof(ticks[i].text));
-      if (i > 0) EXPECT_GT(ticks[i].place, ticks[i - 1].place + .05F);
+      if (i > 0) {
+        EXPECT_GT(ticks[i].place, ticks[i - 1].place + .05F);
+      }
     }
   }
 }
