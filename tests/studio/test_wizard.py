@@ -117,6 +117,22 @@ class Wizard(StudioTest):
             told = [float(x) for x in studio.state(f'wizard.cell.0.{light}.text').split('/')]
             np.testing.assert_allclose(told, colors[light], rtol=.05, atol=.01)
 
+    def test_a_chart_that_cannot_be_read_is_said_whichever_photographs_are_used(self):
+        self.photographs('three_point')
+        wall = oiio.ImageBuf(oiio.ImageSpec(400, 300, 3, 'float'))
+        oiio.ImageBufAlgo.fill(wall, (.3, .3, .3))
+        wall.write(os.path.join(self.shots, 'chart_wall.exr'))
+        studio = self.start()
+        studio.item('welcome.open')
+        self.drop()
+        before = int(studio.state('wizard.warnings'))
+        self.assertGreater(before, 0)
+        studio.click('wizard.use.1', 0.05)
+        studio.wait(lambda layout: layout.get('wizard.use.1.on') == 'no', 'it is left out')
+        studio.settle()
+        self.assertGreaterEqual(int(studio.state('wizard.warnings')), before)
+        studio.screenshot('wizard_no_chart')
+
     def test_a_chosen_folder_with_an_unknown_colour(self):
         manifest = self.photographs('two_swapped')
         studio = self.start()

@@ -44,17 +44,18 @@ float footerHeight(const std::string& words) {
 
 }  // namespace
 
-/// The charts of the folder; of those that cannot be read it is said.
+/// The charts of the folder; of those that cannot be read it is said, whichever photographs are ticked.
 void CaptureWizard::readCharts(const ColorConfig& config, const CaptureDraft& draft, const Progress& progress,
                                Photographs& found) {
-  const auto say = [&](const InputError& error) { found.warnings.emplace_back(error.what()); };
+  const auto say = [&](const InputError& error) { found.folder.notes.emplace_back(error.what()); };
   try {
     found.charts = chartColors(config, found.folder, draft.colorSpace, found.folder.charts, progress, say);
   } catch (const InputError& error) {
     say(error);  // their exposures cannot be compared
   }
   for (const ChartColor& chart : found.charts)
-    for (const std::string& warning : chart.warnings) found.warnings.push_back(chart.file + ": " + warning);
+    for (const std::string& warning : chart.warnings)
+      found.folder.notes.push_back(chart.file + ": " + warning);
 }
 
 void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::path& folder) {
@@ -72,16 +73,16 @@ void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::p
         found.brackets = findBrackets(found.folder, *found.pixels);
         setBrackets(draft, found.brackets);
         found.thumbnails = shotThumbnails(*found.pixels, kThumbnailWidth, kThumbnailHeight);
-        found.warnings = found.folder.notes;
-        for (std::string& warning : pictureWarnings(draft, *found.pixels))
-          found.warnings.push_back(std::move(warning));
         readCharts(*config, draft, progress.part(0.8F, 1), found);
         try {
           if (const fs::path file = found.folder.folder / "capture.json"; fs::exists(file))
             found.told = readCapture(*config, file);
         } catch (const InputError& error) {
-          found.warnings.emplace_back(error.what());  // what is in it cannot be filled in
+          found.folder.notes.emplace_back(error.what());  // what is in it cannot be filled in
         }
+        found.warnings = found.folder.notes;
+        for (std::string& warning : pictureWarnings(draft, *found.pixels))
+          found.warnings.push_back(std::move(warning));
         return found;
       },
       m_wake);

@@ -182,9 +182,10 @@ void CaptureWizard::restoreTold(const Capture& capture) {
                    [](const ToldPhotograph& one) { return one.used && !one.colors.empty(); }))
     return;  // it is about other photographs
   if (capture.lights.size() > kMostLights) {
-    m_found->warnings.push_back(
+    m_found->folder.notes.push_back(
         fmt::format("capture.json has {} lights, {} can be entered here: not filled in",
                     capture.lights.size(), kMostLights));
+    m_found->warnings.push_back(m_found->folder.notes.back());
     return;
   }
   m_lights.clear();
