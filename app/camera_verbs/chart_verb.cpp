@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,6 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kLargestTable = size_t{16} << 20;
-
 struct ChartCommand {
   std::vector<std::string> photographs;
   std::string output, corners, colorSpace, without, gels;
@@ -30,24 +30,23 @@ struct ChartCommand {
 
 /// "X,Y,X,Y,X,Y,X,Y".
 ChartCorners cornersFromText(const std::string& text) {
+  std::istringstream parts(text);
   std::vector<double> numbers;
-  for (size_t from = 0; from <= text.size();) {
-    const size_t comma = std::min(text.find(',', from), text.size());
-    const std::optional<float> number = numberFromText(std::string_view(text).substr(from, comma - from));
-    if (!number) break;
-    numbers.push_back(double(*number));
-    from = comma + 1;
-    if (comma == text.size() && numbers.size() == 8) {
-      ChartCorners corners;
-      for (size_t j = 0; j < 4; ++j) corners[j] = {numbers[2 * j], numbers[2 * j + 1]};
-      return corners;
-    }
-  }
-  throw InputError(
-      "--corners {}: write X,Y,X,Y,X,Y,X,Y: the outer corners of the chart's four corner patches, one after "
-      "the "
-      "other around it",
-      text);
+  for (std::string part; std::getline(parts, part, ',');)
+    if (const auto number = numberFromText(part)) numbers.push_back(double(*number));
+  if (numbers.size() != 8 || std::count(text.begin(), text.end(), ',') != 7)
+    throw InputError(
+        "--corners {}: write X,Y,X,Y,X,Y,X,Y: the outer corners of the chart's four corner patches, one "
+        "after the other around it",
+        text);
+  ChartCorners corners;
+  for (size_t j = 0; j < 4; ++j) corners[j] = {numbers[2 * j], numbers[2 * j + 1]};
+  return corners;
+}
+
+/// The text of the gels' table; none yet where there is none.
+std::string tableBefore(const ChartCommand& arguments) {
+  return std::filesystem::exists(arguments.gels) ? readGelTable(arguments.gels) : std::string();
 }
 
 /// The same for all names of a file, there or not.
@@ -56,7 +55,7 @@ std::filesystem::path wholePath(const std::string& file) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
 }
 
-/// What is told of gels, all of it.
+/// What is told of gels, all of it, before charts are looked for.
 void checkGels(const ChartCommand& arguments) {
   const std::vector<std::string>&photographs = arguments.photographs, &labels = arguments.labels;
   if (labels.size() != photographs.size())
@@ -66,6 +65,10 @@ void checkGels(const ChartCommand& arguments) {
     if (wholePath(photograph) == wholePath(arguments.without))
       throw InputError("--without {}: is PHOTO, too: give the photograph of the lamp without a gel",
                        arguments.without);
+  std::string table = tableBefore(arguments);
+  constexpr Rgb kAny(.5F);
+  for (const std::string& label : labels)
+    table = withMeasuredGel(table, arguments.gels, GelLabel::fromText(label), kAny);
   if (!arguments.output.empty() && wholePath(arguments.output) == wholePath(arguments.gels))
     throw InputError("--output {}: is the table of --gels: name another file for the camera's matrix",
                      arguments.output);
@@ -122,11 +125,10 @@ void describeMatrix(const ChartShot* best, Description& d) {
   }
 }
 
-/// The photographs' gels, into the table.
-void writeGels(const ChartCommand& arguments, const std::vector<ChartShot>& shots, const ChartShot& without,
-               Description& d) {
-  std::string table =
-      std::filesystem::exists(arguments.gels) ? readFile(arguments.gels, kLargestTable) : std::string();
+/// The table with the photographs' gels.
+std::string tableWithGels(const ChartCommand& arguments, const std::vector<ChartShot>& shots,
+                          const ChartShot& without, Description& d) {
+  std::string table = tableBefore(arguments);
   for (size_t k = 0; k < shots.size(); ++k) {
     const GelLabel label = GelLabel::fromText(arguments.labels[k]);
     const Rgb filter = measuredGel(shots[k], without);
@@ -139,7 +141,7 @@ void writeGels(const ChartCommand& arguments, const std::vector<ChartShot>& shot
                               {"filter", {filter.r, filter.g, filter.b}},
                               {"transmission", gel.transmission}});
   }
-  writeFile(arguments.gels, table);
+  return table;
 }
 
 int run(const ChartCommand& arguments, Terminal& terminal) {
@@ -171,8 +173,12 @@ int run(const ChartCommand& arguments, Terminal& terminal) {
   describeMatrix(best, d);
   if (!arguments.output.empty() && !best)
     throw InputError("--output {}: no camera matrix can be told of these photographs", arguments.output);
-  if (!arguments.gels.empty()) writeGels(arguments, {shots.begin() + 1, shots.end()}, shots.front(), d);
+  std::string table;
+  if (!arguments.gels.empty())
+    table = tableWithGels(arguments, {shots.begin() + 1, shots.end()}, shots.front(), d);
   if (!arguments.output.empty()) writeJson(jsonFromCamera(*best), arguments.output);
+  // Last: with the gels in it the same command would be refused.
+  if (!arguments.gels.empty()) writeFile(arguments.gels, table);
   for (const std::string& written : {arguments.gels, arguments.output})
     if (!written.empty()) terminal.say("wrote {}", written);
   terminal.result(d.text, d.json);

@@ -12,7 +12,7 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kLargestTable = size_t{16} << 20;
+constexpr size_t kLargestTable = size_t{16} << 20;  // bytes: no table of gels is
 
 /// Every list that was ever given out; the last one is in use.
 struct GelLists {
@@ -38,7 +38,7 @@ std::vector<std::filesystem::path> personsTables() {
 std::vector<Gel> readGels() {
   std::vector<Gel> all;
   for (const std::filesystem::path& file : personsTables()) {
-    const std::vector<Gel> own = gelsFromCsv(readFile(file, kLargestTable), file.string());
+    const std::vector<Gel> own = gelsFromCsv(readGelTable(file), file.string());
     all.insert(all.end(), own.begin(), own.end());
   }
   all.insert(all.end(), builtInGels().begin(), builtInGels().end());
@@ -54,8 +54,12 @@ const std::vector<Gel>& allGels() {
   return gels.lists.back();
 }
 
+std::string readGelTable(const std::filesystem::path& csv) {
+  return readFile(csv, kLargestTable);
+}
+
 size_t importGels(const std::filesystem::path& csv) {
-  const std::string text = readFile(csv, kLargestTable);
+  const std::string text = readGelTable(csv);
   const size_t count = gelsFromCsv(text, csv.string()).size();
   std::error_code ignored;
   std::filesystem::create_directories(dataFolder() / "gels", ignored);

@@ -59,6 +59,9 @@ size_t importGels(const std::filesystem::path& csv);
 /// Throws InputError with the line.
 [[nodiscard]] std::vector<Gel> gelsFromCsv(const std::string& text, const std::string& fileName);
 
+/// A table's text. Throws InputError that names the file: missing, unreadable, larger than any table is.
+[[nodiscard]] std::string readGelTable(const std::filesystem::path& csv);
+
 /// What a gel is called in a table.
 struct GelLabel {
   std::string brand, number, name;

@@ -169,8 +169,8 @@ GelLabel GelLabel::fromText(const std::string& text) {
       std::none_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; });
   if (!plain || fields.size() < 2 || fields.size() > 3 || fields[0].empty() || fields[1].empty() ||
       fields[0].front() == '#')
-    throw InputError("'{}' names no gel: write the brand, the number and, if you like, the name, as {}", text,
-                     "Rosco,4660,60 Red");
+    throw InputError("--gel {}: names no gel: write the brand, the number and, if you like, the name, as {}",
+                     text, "Rosco,4660,60 Red");
   return {fields[0], fields[1], fields.size() > 2 ? fields[2] : ""};
 }
 

@@ -17,8 +17,6 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kLargestTable = size_t{16} << 20;  // bytes: no table of gels is
-
 std::vector<std::string> partsOf(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c == ',' || std::isspace(c); }, ' ');
@@ -78,7 +76,7 @@ std::vector<PlanColor> planGelsFromText(const std::string& text) {
     for (const Gel& gel : allGels())
       if (gel.kind == Gel::Kind::Color) colors.push_back(colorOfGel(gel));
   } else if (std::filesystem::path(text).has_extension() || std::filesystem::exists(text)) {
-    for (const Gel& gel : gelsFromCsv(readFile(text, kLargestTable), text)) colors.push_back(colorOfGel(gel));
+    for (const Gel& gel : gelsFromCsv(readGelTable(text), text)) colors.push_back(colorOfGel(gel));
   } else {
     for (const std::string& id : partsOf(text)) colors.push_back(colorOfGel(findGel(id)));
   }
