@@ -8,6 +8,7 @@
 #include "core/base/machine_error.h"
 #include "core/capture/capture_pixels.h"
 #include "core/chart/chart_finder.h"
+#include "core/color/chromaticities.h"
 #include "core/file/json_file.h"
 #include "core/image/io/image_io.h"
 #include "core/intake/shot_folder.h"
@@ -16,6 +17,8 @@ namespace swaplight {
 namespace {
 
 constexpr const char* kFormat = "swaplight-camera";
+constexpr int kVersion = 1;
+constexpr const char* kMatrixTo = "lin_rec709";
 constexpr double kLeastAtPlace =
     .5;  // of a chart where it must be: under a gel that lets one channel through
 constexpr double kWhiteKept = 1e-3;
@@ -125,10 +128,10 @@ const ChartShot* bestChartShot(const std::vector<ChartShot>& shots) {
 
 Json jsonFromCamera(const ChartShot& shot) {
   return {{"format", kFormat},
-          {"version", 1},
+          {"version", kVersion},
           {"camera_matrix", *shot.fit.matrix},
           {"from", shot.colorSpace},
-          {"to", "lin_rec709"},
+          {"to", kMatrixTo},
           {"photograph", shot.file.filename().string()},
           {"light", {shot.fit.light.r, shot.fit.light.g, shot.fit.light.b}},
           {"delta_e", {{"mean", shot.fit.meanDeltaE}, {"most", shot.fit.mostDeltaE}}}};
@@ -141,7 +144,7 @@ void CameraFile::apply(Image& picture, const Rgb& white, const Rgb& to) const {
     const Rgb out = to * throughCamera(matrix, Rgb(red[p], green[p], blue[p]) / white);
     red[p] = out.r, green[p] = out.g, blue[p] = out.b;
   }
-  picture.setColorSpace("lin_rec709");
+  picture.setColorSpace(kMatrixTo);
 }
 
 CameraFile readCamera(const std::filesystem::path& file) {
@@ -149,6 +152,10 @@ CameraFile readCamera(const std::filesystem::path& file) {
   if (!json.is_object() || json.value("format", Json()) != kFormat)
     throw InputError("{}: is no camera matrix: make one with swaplight chart PHOTO -o FILE.json",
                      file.string());
+  const Json version = json.value("version", Json());
+  if (!version.is_number_integer() || version.get<int64_t>() < 1 || version.get<int64_t>() > kVersion)
+    throw InputError("{}: has version {}, and this program reads versions up to {}", file.string(),
+                     version.dump(), kVersion);
   const Json rows = json.value("camera_matrix", Json());
   CameraFile camera;
   bool good = rows.is_array() && rows.size() == 3;
@@ -165,8 +172,11 @@ CameraFile readCamera(const std::filesystem::path& file) {
     throw InputError(
         "{}: camera_matrix must be three rows of three numbers, each row of sum 1, so that white stays white",
         file.string());
-  const Json from = json.value("from", Json("lin_rec709"));
-  camera.from = from.is_string() ? linearSpaceOf(from.get<std::string>()) : "lin_rec709";
+  const Json from = json.value("from", Json()), to = json.value("to", Json());
+  if (!from.is_string() || !chromaticitiesOf(from.get<std::string>()) || to != kMatrixTo)
+    throw InputError("{}: \"from\" and \"to\" must be linear light of primaries that are known, and {}",
+                     file.string(), kMatrixTo);
+  camera.from = from.get<std::string>();
   return camera;
 }
 

@@ -76,9 +76,11 @@ class BalanceTest(cli.CliTest):
     def test_a_cameras_matrix_keeps_pixels_finite_at_every_white(self):
         camera = self.path('camera.json')
         with open(camera, 'w') as file:
-            json.dump({'format': 'swaplight-camera', 'camera_matrix': [[.9, .1, 0], [.1, .8, .1], [0, .2, .8]]}, file)
+            json.dump({'format': 'swaplight-camera', 'version': 1, 'from': 'lin_rec709', 'to': 'lin_rec709',
+                       'camera_matrix': [[.9, .1, 0], [.1, .8, .1], [0, .2, .8]]}, file)
         how = ['--grey', '30,20', '--camera', camera]
-        self.assertTrue(np.isfinite(self.balance(*how, '--white', '2000K')).all())
+        for white in ('2000K', 'A', 'D50', 'D65', '25000K'):
+            self.assertTrue(np.isfinite(self.balance(*how, '--white', white)).all(), white)
         self.deny('balance', self.photo, *how, '--white', '1500K', '-o', self.path('x.exr'), naming=['1500K', '--white'])
         colors = ['--colors', '.7/.2/.1,.1/.2/.9', '--camera', camera, '--map', camera]
         self.deny('balance', self.photo, *colors, '-o', self.path('x.exr'), naming='camera.json')

@@ -181,7 +181,7 @@ class Chart(cli.CliTest):
         self.deny('chart', photo, '-o', photo, naming='bright.exr')
         self.deny('balance', photo, '--camera', photo, '-o', self.path('x.exr'), naming='bright.exr')
         with open(self.path('camera.json'), 'w') as file:
-            json.dump({'format': 'swaplight-camera', 'camera_matrix': [[1, 0, 0], [0, 2, 0], [0, 0, 1]]}, file)
+            json.dump({'format': 'swaplight-camera', 'version': 1, 'camera_matrix': [[1, 0, 0], [0, 2, 0], [0, 0, 1]]}, file)
         self.deny('balance', photo, '--camera', self.path('camera.json'), '-o', self.path('x.exr'), naming=['camera.json', 'white'])
 
 
