@@ -110,7 +110,8 @@ ViewSettings viewerSettings(const ViewerContext& studio) {
   return settings;
 }
 
-std::string subjectWords(const ViewerContext& studio, const ViewSubject& subject) {
+std::string subjectWords(const ViewerContext& studio, const ViewSubject& told) {
+  const ViewSubject subject = studio.set() ? subjectWithin(studio.set()->solved(), told) : told;
   switch (subject.kind) {
     case ViewSubject::Kind::Relit:
       return "Relit";
