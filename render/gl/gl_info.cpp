@@ -38,7 +38,10 @@ void APIENTRY onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsiz
 
 GlInfo glInfo() {
   GlInfo info{text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION)};
+  GLint rectangle = 0;  // of the targets of filters
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.maxTextureSize);
+  glGetIntegerv(GL_MAX_RECTANGLE_TEXTURE_SIZE, &rectangle);
+  info.maxTextureSize = std::min(info.maxTextureSize, rectangle);
   info.software = isSoftwareRenderer(info.renderer);
   return info;
 }
