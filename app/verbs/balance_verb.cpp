@@ -86,7 +86,9 @@ void setWhite(const BalanceCommand& arguments, Work& work) {
 }
 
 void balanceWithSet(const BalanceCommand& arguments, Work& work, const Progress& progress) {
-  const SolvedSet set = openSource(*work.config, arguments.set, {}, progress.part(0, 0.4F));
+  SolveOptions solving;
+  solving.highlights = false;  // nothing here looks at them
+  const SolvedSet set = openSource(*work.config, arguments.set, solving, progress.part(0, 0.4F));
   const CapturePixels photograph = loadPhotographOf(*work.config, set, arguments.photograph,
                                                     arguments.colorSpace, progress.part(0.4F, 0.6F));
   work.warnings = photograph.warnings;

@@ -78,7 +78,9 @@ int run(const LightsCommand& arguments, Terminal& terminal) {
 
   const Progress progress = terminal.progress();
   const std::shared_ptr<const ColorConfig> config = programConfig();
-  const SolvedSet set = openSource(*config, arguments.source, {}, progress.part(0, 0.5F));
+  SolveOptions solving;
+  solving.highlights = false;  // nothing here looks at them
+  const SolvedSet set = openSource(*config, arguments.source, solving, progress.part(0, 0.5F));
   if (options.ambient && !set.ambient)
     throw InputError("--ambient: {} has no ambient light: leave it out", arguments.source);
   const CapturePixels photograph =

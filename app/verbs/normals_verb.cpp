@@ -157,7 +157,8 @@ void sayResult(const NormalsCommand& arguments, const SurfaceNormals& found, Ter
 
 int run(const NormalsCommand& arguments, Terminal& terminal) {
   const std::vector<NamedPlace> places = placesOf(arguments);
-  const SolveOptions solving = arguments.solve.resolve();
+  SolveOptions solving = arguments.solve.resolve();
+  solving.highlights = false;  // nothing here looks at them
   if (std::filesystem::path(arguments.file).extension() != ".exr")
     throw InputError("{}: normals are written as OpenEXR. Name it {}.", arguments.file,
                      std::filesystem::path(arguments.file).replace_extension(".exr").string());
