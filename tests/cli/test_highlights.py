@@ -77,7 +77,7 @@ class HighlightsTest(cli.CliTest):
         plain = cli.read_rgb(solved)
         same, said = self.shone(solved, 1)
         self.assertTrue((same == self.shone(solved, 3, on=False)[0]).all(), 'neutral to the bit')
-        self.assertNotIn('knows no highlights', said)
+        self.assertNotIn('has no highlights', said)
         matte, more = self.shone(solved, 0)[0], self.shone(solved, 3, lights=['key'])[0]
         spec = [cli.read_rgb(solved, name + '.spec') for name in ('key', 'fill')]
         self.assertLess(abs(plain - matte - spec[0] - spec[1]).max(), 2e-3)
@@ -85,7 +85,7 @@ class HighlightsTest(cli.CliTest):
 
     def test_shine_says_where_there_are_none(self):
         frame, said = self.shone(self.solved(plate(0)[0]), 0)
-        self.assertEqual(said.count('knows no highlights'), 1)
+        self.assertEqual(said.count('has no highlights'), 1)
 
     def test_they_are_layers_on_request(self):
         solved = self.solved(plate(1)[0])

@@ -11,10 +11,13 @@
 #include "core/base/json.h"
 #include "core/relight/relight.h"
 #include "tests/support/builtin_colors.h"
+#include "tests/support/rgb_near.h"
 #include "tests/support/small_set.h"
 
 namespace swaplight {
 namespace {
+
+using test::expectNear;
 
 const std::vector<Rgb> kLamps{{.9F, .5F, .2F}, {.1F, .3F, .8F}, {.4F, .4F, .3F}};
 
@@ -41,10 +44,6 @@ LampReadingOptions told(const SensorNoise& noise) {
   LampReadingOptions options;
   options.noise = noise;
   return options;
-}
-
-void expectNear(const Rgb& found, const Rgb& expected, float tolerance) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], tolerance) << "channel " << c;
 }
 
 TEST(LampReading, WithoutNoiseEveryLampIsExact) {

@@ -15,16 +15,15 @@
 #include "core/ocio/luminance.h"
 #include "core/relight/relight.h"
 #include "core/relight/setting.h"
+#include "tests/support/rgb_near.h"
 #include "tests/support/small_set.h"
 
 namespace swaplight {
 namespace {
 
-constexpr float kNoClip = std::numeric_limits<float>::infinity();
+using test::expectNear;
 
-void expectNear(const Rgb& found, const Rgb& expected, float tolerance) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], tolerance) << "channel " << c;
-}
+constexpr float kNoClip = std::numeric_limits<float>::infinity();
 
 Rgb pixelOf(const Image& image, size_t p) {
   return {image.plane(0)[p], image.plane(1)[p], image.plane(2)[p]};

@@ -13,7 +13,7 @@ using test::inputError;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-Json manifest() {
+Json manifestWithFlats() {
   return {
       {"format", "swaplight-capture"},
       {"version", 1},
@@ -28,7 +28,7 @@ Json manifest() {
 }
 
 TEST(FlatNames, AreReadAndWrittenAgain) {
-  const Capture capture = captureFromJson(manifest(), "/set");
+  const Capture capture = captureFromJson(manifestWithFlats(), "/set");
   EXPECT_THAT(capture.warnings, IsEmpty());
   const FlatNames names = flatNamesOf(capture);
   EXPECT_EQ(names.lamps.at("fill"), "fill.exr");
@@ -37,14 +37,14 @@ TEST(FlatNames, AreReadAndWrittenAgain) {
   EXPECT_EQ(names.shots[1].at("key"), "key2.exr");
   EXPECT_EQ(names.lens, "lens.exr");
   const Json written = jsonFromCapture(capture);
-  EXPECT_EQ(written["flats"], manifest()["flats"]);
+  EXPECT_EQ(written["flats"], manifestWithFlats()["flats"]);
   EXPECT_EQ(written["vignetting"], "lens.exr");
-  EXPECT_EQ(written["shots"][1]["flats"], manifest()["shots"][1]["flats"]);
+  EXPECT_EQ(written["shots"][1]["flats"], manifestWithFlats()["shots"][1]["flats"]);
   EXPECT_FALSE(written["shots"][0].contains("flats"));
 }
 
 TEST(FlatNames, AreAddedToThoseThatAreThere) {
-  const Capture capture = withFlats(captureFromJson(manifest(), "/set"), {{"key", "new.exr"}}, "");
+  const Capture capture = withFlats(captureFromJson(manifestWithFlats(), "/set"), {{"key", "new.exr"}}, "");
   const FlatNames names = flatNamesOf(capture);
   EXPECT_EQ(names.lamps.at("key"), "new.exr");
   EXPECT_EQ(names.lamps.at("fill"), "fill.exr");
@@ -57,7 +57,7 @@ TEST(FlatNames, AreAddedToThoseThatAreThere) {
 
 TEST(FlatNames, WrongOnesAreSaid) {
   const auto complaint = [](const char* key, const Json& value) {
-    Json json = manifest();
+    Json json = manifestWithFlats();
     json[key] = value;
     return inputError([&] { (void)captureFromJson(json, "/set"); });
   };

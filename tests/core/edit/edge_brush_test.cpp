@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/base/json.h"
 #include "core/edit/apply/edited_set.h"
 #include "core/edit/guide/edge_guide.h"
 #include "core/edit/shapes/paint.h"

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
 #include "core/base/json.h"
 #include "core/color/srgb.h"
 #include "core/edit/mask/mask.h"

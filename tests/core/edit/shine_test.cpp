@@ -191,7 +191,7 @@ TEST(Shine, OfASetWithoutHighlightsChangesNothingAndSaysSo) {
   set.highlights.clear();
   const SolvedSet edited = shone(set, {shine(3)});
   EXPECT_EQ(edited.contributions[0].plane(1)[5000], set.contributions[0].plane(1)[5000]);
-  EXPECT_THAT(edited.capture.warnings, Contains(HasSubstr("knows no highlights")));
+  EXPECT_THAT(edited.capture.warnings, Contains(HasSubstr("has no highlights")));
   EXPECT_TRUE(edited.highlights.empty());
   EXPECT_TRUE(shone(glossySet(), {shine(3)}).capture.warnings.empty());
 }

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include "core/edit/apply/edited_set.h"
 #include "core/edit/apply/gel_mixing.h"

@@ -29,12 +29,12 @@ std::string times(size_t count, const std::string& what) {
   return text;
 }
 
-Filter filterOf(const std::string& header, const std::string& body = "void main() {}") {
+Filter hostileFilter(const std::string& header, const std::string& body = "void main() {}") {
   return filterFromText("/*" + header + "*/\n" + body, "soft.fs");
 }
 
 std::string fragmentOf(const std::string& header, const std::string& body) {
-  return translateFilter(filterOf(header, body)).fragment;
+  return translateFilter(hostileFilter(header, body)).fragment;
 }
 
 double processorSeconds(const std::function<void()>& work) {
@@ -104,7 +104,7 @@ TEST(HostileFilter, NamesOfImagesCostWhatTheTextIsLong) {
 
 TEST(HostileFilter, AHeaderKeepsToTheLimitsOfJson) {
   const auto said = [](const std::string& header) {
-    return test::inputError([&] { (void)filterOf(header); });
+    return test::inputError([&] { (void)hostileFilter(header); });
   };
   std::string keys;
   for (int i = 0; i < 100'000; ++i) keys += ", \"k" + std::to_string(i) + "\": 0";
@@ -119,7 +119,7 @@ TEST(HostileFilter, AHeaderKeepsToTheLimitsOfJson) {
 
 TEST(HostileFilter, AnExpressionIsQuotedNoLongerThanItCanBeRead) {
   const std::string header = R"({"PASSES": [{"WIDTH": ")" + times(kMany, "(") + "\"}]}";
-  const std::string line = test::inputError([&] { (void)filterOf(header); });
+  const std::string line = test::inputError([&] { (void)hostileFilter(header); });
   EXPECT_THAT(line, AllOf(HasSubstr("the expression \"(((("), HasSubstr("fewer brackets")));
   EXPECT_THAT(line.size(), Lt(400U));
 }

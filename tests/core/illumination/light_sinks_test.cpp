@@ -13,13 +13,13 @@
 namespace swaplight::test {
 namespace {
 
-constexpr int kWidth = 256;
-constexpr int kHeight = 144;
+constexpr int kMapWidth = 256;
+constexpr int kMapHeight = 144;
 
 Image mapOf(const std::function<double(int, int)>& light) {
-  Image map(ImageSpec{kWidth, kHeight, {"Y"}, "lin_rec709"});
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) map.span().at(0, x, y) = static_cast<float>(light(x, y));
+  Image map(ImageSpec{kMapWidth, kMapHeight, {"Y"}, "lin_rec709"});
+  for (int y = 0; y < kMapHeight; ++y)
+    for (int x = 0; x < kMapWidth; ++x) map.span().at(0, x, y) = static_cast<float>(light(x, y));
   return map;
 }
 
@@ -66,21 +66,21 @@ TEST(LightSinks, TextureAndNoiseMakeNone) {
 TEST(LightSinks, AnArrowPointsAtALampOutOfFrame) {
   const LampPlace lamp{.75, .1, .3};  // widths of the picture from its middle; the border is at .5
   const auto sinks = findSinks(mapOf([&](int x, int y) {
-    return wallLight(lamp, (x + .5) / kWidth - .5, (.5 * kHeight - y - .5) / kWidth);
+    return wallLight(lamp, (x + .5) / kMapWidth - .5, (.5 * kMapHeight - y - .5) / kMapWidth);
   }));
   ASSERT_EQ(sinks.size(), 1U);
   ASSERT_TRUE(sinks[0].outside);
-  EXPECT_GT(sinks[0].x, kWidth - 4);
+  EXPECT_GT(sinks[0].x, kMapWidth - 4);
   EXPECT_GT(sinks[0].outside->x, .9);
   EXPECT_NEAR(std::hypot(sinks[0].outside->x, sinks[0].outside->y), 1, 1e-9);
 }
 
 TEST(LightSinks, OfALampAtAWallLieWhereTheLampStands) {
-  const SolvedSet set = lampSet(kWidth, kHeight, {-.15, .08, .3});
+  const SolvedSet set = lampSet(kMapWidth, kMapHeight, {-.15, .08, .3});
   const auto sinks = findSinks(illuminationMaps(set)[0]);
   ASSERT_EQ(sinks.size(), 1U);
-  EXPECT_NEAR(sinks[0].x / kWidth - .5, -.15, .03);
-  EXPECT_NEAR((.5 * kHeight - sinks[0].y) / kWidth, .08, .03);
+  EXPECT_NEAR(sinks[0].x / kMapWidth - .5, -.15, .03);
+  EXPECT_NEAR((.5 * kMapHeight - sinks[0].y) / kMapWidth, .08, .03);
 }
 
 TEST(LightSinks, DarkAndEvenMapsHaveNone) {

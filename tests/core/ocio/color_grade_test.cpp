@@ -20,7 +20,7 @@ using test::TemporaryFolder;
 using test::writeBytes;
 using ::testing::HasSubstr;
 
-constexpr const char* kHandMade = SWAPLIGHT_TEST_DATA "/color/config.ocio";
+constexpr const char* kHandMadeConfig = SWAPLIGHT_TEST_DATA "/color/config.ocio";
 
 ColorGrade teal() {
   ColorGrade grade = withLiftGammaGain({}, {{.02, .01, -.015}, {1.05, .98, 1.1}, {1.08, 1, .94}});
@@ -65,7 +65,7 @@ Image gradedByFile(Image image, const ColorConfig& config, const std::filesystem
 
 TEST(ColorGrade, TheFileAppliedByOpenColorIOIsOurGrade) {
   const TemporaryFolder folder;
-  for (const char* ocio : {"", kHandMade}) {
+  for (const char* ocio : {"", kHandMadeConfig}) {
     const ColorConfig config(ocio);
     for (const char* name : {"grade.cc", "grade.ccc", "grade.cdl"}) {
       writeGrade(teal(), folder / name, "a grade");
@@ -81,7 +81,7 @@ TEST(ColorGrade, TheFileAppliedByOpenColorIOIsOurGrade) {
 
 TEST(ColorGrade, WorksWhereTheConfigurationSays) {
   EXPECT_EQ(ColorConfig("").gradingSpace(), "acescct");
-  EXPECT_EQ(ColorConfig(kHandMade).gradingSpace(), "log_camera");
+  EXPECT_EQ(ColorConfig(kHandMadeConfig).gradingSpace(), "log_camera");
 }
 
 TEST(ColorGrade, GoesThroughFilesUnchanged) {
@@ -99,7 +99,7 @@ TEST(ColorGrade, GoesThroughFilesUnchanged) {
 }
 
 TEST(ColorGrade, IsSeenThroughAViewAsTheGradedLightIs) {
-  for (const char* ocio : {"", kHandMade}) {
+  for (const char* ocio : {"", kHandMadeConfig}) {
     const ColorConfig config(ocio);
     DisplayChoice choice = namedDisplay(config, {});
     Image graded = light();
@@ -128,7 +128,7 @@ TEST(ColorGrade, NothingChangesWhileItIsOffOrNeutral) {
 }
 
 TEST(ColorGrade, NoLightBecomesInfinite) {
-  for (const char* ocio : {"", kHandMade}) {
+  for (const char* ocio : {"", kHandMadeConfig}) {
     const ColorConfig config(ocio);
     for (const double saturation : {0.0, kMostGrade})
       for (const double most : {-kMostGrade, kMostGrade}) {
