@@ -91,7 +91,7 @@ std::string colorText(const Rgb& color) {
 /// How it is known where the chart is, where it was not found.
 std::string placeText(const ChartShot& shot) {
   if (!shot.asIn.empty()) return "as in " + shot.asIn.filename().string();
-  return shot.found ? "" : "told";
+  return shot.found ? "" : "--corners";
 }
 
 std::vector<std::string> rowOf(const ChartShot& shot) {

@@ -92,7 +92,7 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   options.frameNumber = arguments.cameraLook.frame();
   exportLayers(*config, set, rig, arguments.file, options, progress.part(0.6F, 1));
   if (options.highlights && set.highlights.empty())
-    sayWarnings({"this set knows no highlights: no layers LIGHT.spec are written"}, terminal);
+    sayWarnings({"this set has no highlights: no layers LIGHT.spec are written"}, terminal);
   const std::vector<std::string> layers = exportedLayers(set, options);
   terminal.say("wrote {}, {} x {} pixels; the layers {} add up to the picture", arguments.file, set.width(),
                set.height(), fmt::join(layers, ", "));

@@ -14,10 +14,10 @@ namespace swaplight {
 /// The set's lights and those that the edits add. Throws InputError where a new one has the name of another.
 [[nodiscard]] EditedLights editedLights(const SolvedSet& set, const EditStack& stack);
 
-/// Of an edit of highlights, where a set knows none.
+/// Of an edit of highlights, where a set has none.
 inline constexpr const char* kNoHighlights =
-    "nothing changes: this set knows no highlights. A solve of glossy things under two lights or more keeps "
-    "them";
+    "nothing changes: this set has no highlights. A solve keeps them of glossy things under two lights or "
+    "more";
 
 /// The truth that EditedSet is compared with: the whole picture, one edit after the other, without tiles or
 /// caches. New lights follow the set's own; beta is of the result; quality is not filled in. What edits of
