@@ -1,6 +1,7 @@
 #include "ui/dialogs/capture_wizard.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -340,6 +341,7 @@ void CaptureWizard::drawWarnings(const std::vector<std::string>& warnings, float
   ImGui::PopTextWrapPos();
   ImGui::EndChild();
   markState("wizard.warnings", fmt::format("{}", warnings.size()));
+  markState("wizard.warnings.text", fmt::format("{}", fmt::join(warnings, " | ")));
 }
 
 void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, const Solve& solve) {
