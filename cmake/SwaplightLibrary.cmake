@@ -7,8 +7,8 @@
 #     PUBLIC glm::glm               others that its headers include
 #     PRIVATE TBB::tbb)             others that its sources include
 #
-# With SWAPLIGHT_UNITY (the presets of releases and sanitizers) several sources of a folder are compiled as one: most of the compiler's
-# time goes into headers. What is local to a file must then have a name of its own in its folder.
+# With SWAPLIGHT_UNITY (the presets of releases and sanitizers) several sources of a folder are compiled as one: most of
+# the compiler's time goes into headers. What is local to a file must then have a name of its own in its folder.
 #
 # The link line is the architecture: a test refuses an include that the line does not name, a file that is not
 # listed, and circles (tests/structure).
