@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/base/number_text.h"
+#include "core/chart/camera_file.h"
 #include "core/chart/chart_shot.h"
 #include "core/chart/measured_gel.h"
 #include "core/file/atomic_file.h"

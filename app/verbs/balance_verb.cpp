@@ -17,7 +17,7 @@
 #include "core/balance/white_point.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
-#include "core/chart/chart_shot.h"
+#include "core/chart/camera_file.h"
 #include "core/export/frame_file.h"
 #include "core/file/json_file.h"
 #include "core/file/same_file.h"

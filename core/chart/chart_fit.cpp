@@ -1,17 +1,14 @@
 #include "core/chart/chart_fit.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <span>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/base/quantile.h"
+#include "core/chart/chart_warnings.h"
 #include "core/color/chromaticity.h"
 #include "core/linear/decompositions.h"
 #include "core/measure/delta_e.h"
@@ -31,10 +28,6 @@ constexpr double kOutlier = .1;
 constexpr double kMostMixed = .5;  // a camera's filters have no more of another channel taken off
 constexpr int kMostRounds = 50;
 constexpr double kSettled = 1e-9;
-
-constexpr double kBadMean = 3, kBadMost = 10;  // CIEDE2000: raw files of real cameras leave 1 to 2, 3 to 6
-constexpr double kUneven = .15;
-constexpr double kGlare = 1.5;  // the black patch, over what it reflects
 
 using Weights = std::array<double, kChartPatches>;
 
@@ -232,40 +225,6 @@ class ChartSolver {
   Eigen::Matrix3d m_camera = Eigen::Matrix3d::Identity();  ///< its inverse: greys are not quite neutral
 };
 
-std::string namesOf(const ChartFit& fit, bool PatchFit::*which) {
-  std::vector<std::string> names;
-  for (size_t p = 0; p < kChartPatches; ++p)
-    if (fit.patches[p].*which) names.emplace_back(chartPatchName(p));
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::vector<std::string> warningsOf(const ChartFit& fit) {
-  std::vector<std::string> warnings;
-  if (const std::string names = namesOf(fit, &PatchFit::clipped); !names.empty())
-    warnings.push_back("patches are saturated or black and were not used: " + names +
-                       "; expose the chart less");
-  if (const std::string names = namesOf(fit, &PatchFit::outlier); !names.empty())
-    warnings.push_back("patches do not fit the others (glare, a shadow, dirt) and were left out: " + names);
-  if (!fit.matrix)
-    warnings.emplace_back(
-        "the light has next to nothing of a colour, so that no camera matrix can be told: photograph the "
-        "chart "
-        "in white light for it");
-  else if (fit.meanDeltaE > kBadMean || fit.mostDeltaE > kBadMost)
-    warnings.push_back(fmt::format(
-        "the patches are CIEDE2000 {:.1f} off in the mean, {:.1f} at most: the light is far from white, the "
-        "file does not hold light as its colour space says (a camera's JPEG: swaplight response), or there "
-        "is "
-        "glare",
-        fit.meanDeltaE, fit.mostDeltaE));
-  if (std::max(std::abs(fit.across), std::abs(fit.down)) > kUneven)
-    warnings.push_back(fmt::format(
-        "the light changes over the chart by {:+.0f} % to the right and {:+.0f} % downwards: it was "
-        "taken off, but turn the chart to the light",
-        100 * fit.across, 100 * fit.down));
-  return warnings;
-}
-
 }  // namespace
 
 Rgb throughCamera(const CameraMatrix& matrix, const Rgb& balanced) {
@@ -277,14 +236,7 @@ Rgb throughCamera(const CameraMatrix& matrix, const Rgb& balanced) {
 
 ChartFit fitChart(const ChartReading& reading) {
   ChartFit fit = ChartSolver(reading).solve();
-  fit.warnings = warningsOf(fit);
-  const size_t black = kChartPatches - 1;
-  const float reflects = luminance(chartReflectances()[black]);
-  if (const double is = luminance(glm::max(fit.patches[black].color, Rgb(0)));
-      !fit.patches[black].clipped && is > kGlare * reflects)
-    fit.warnings.push_back(fmt::format(
-        "the black patch is {:.1f} times as bright as it should be: glare on the chart, or light in the lens",
-        is / double(reflects)));
+  fit.warnings = chartWarnings(fit);
   return fit;
 }
 

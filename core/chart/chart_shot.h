@@ -45,18 +45,4 @@ struct ChartReadingOptions {
 /// The one whose matrix leaves the least of the patches; nothing where none has a matrix.
 [[nodiscard]] const ChartShot* bestChartShot(const std::vector<ChartShot>& shots);
 
-/// A matrix as a file tells it.
-struct CameraFile {
-  CameraMatrix matrix{};
-  std::string from;  ///< linear primaries of what it is for
-
-  /// A picture in linear light in which `white` (of those primaries, no channel 0) is white: in place to
-  /// linear Rec.709, in which `to` is.
-  void apply(Image& picture, const Rgb& white, const Rgb& to) const;
-};
-/// As a file that readCamera reads. `shot` has a matrix.
-[[nodiscard]] Json jsonFromCamera(const ChartShot& shot);
-/// Throws InputError that names the file: missing, no such description, a matrix that keeps no white.
-[[nodiscard]] CameraFile readCamera(const std::filesystem::path& file);
-
 }  // namespace swaplight

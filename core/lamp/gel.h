@@ -37,8 +37,8 @@ struct Gel {
 /// For people: "by eye", "maker", "published", "own table", "measured".
 [[nodiscard]] const char* sourceName(Gel::Source source);
 
-/// The built-in table: correction gels by their mired shift, neutral densities, and a few colours of our own
-/// making, for trying out; no maker's table.
+/// The built-in table: correction gels by their mired shift, neutral densities, the four gels of Lindsay
+/// (2013, 6.4), and a few colours of our own making, for trying out; no maker's table.
 [[nodiscard]] const std::vector<Gel>& builtInGels();
 
 /// The person's own gels and then the built-in ones. The former are read when this is first called, from

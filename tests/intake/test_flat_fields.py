@@ -95,7 +95,8 @@ class FlatFields(cli.CliTest):
             shots = [cli.photograph(lights, colors) for colors in cli.SWAPPED]
             capture.shots = [s + random.normal(size=s.shape) * np.sqrt(s / 200000 + .0005 ** 2) for s in shots]
             capture.save()
-            said = self.succeed_json('solve', capture.path, '-o', self.path('solved.exr'), '--float', '--report', self.path('report.json'), *arguments)
+            said = self.succeed_json('solve', capture.path, '-o', self.path('solved.exr'), '--float',
+                                     '--report', self.path('report.json'), *arguments)
             with open(self.path('report.json')) as file:
                 report = json.load(file)
             found = np.stack([cli.read_rgb(self.path('solved.exr'), name) for name in self.names])
