@@ -7,7 +7,7 @@ build_packages=(g++ cmake ninja-build pkg-config
   libfmt-dev nlohmann-json3-dev libcli11-dev libglm-dev
   libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl1 libfreetype-dev
   fonts-inter fonts-material-design-icons-iconfont)
-test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-numpy python3-openimageio xvfb xdotool python3-xlib imagemagick)
+test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-numpy python3-openimageio xvfb xdotool python3-xlib)
 check_packages=(git clang clang-format clang-tidy)
 # libc6-dbg: the thread sanitizer's suppressions name a function of the C library.
 sanitize_packages=(libc6-dbg)

@@ -11,12 +11,14 @@ import unittest
 
 import numpy as np
 import OpenImageIO as oiio
+import Xlib.display
+import Xlib.X
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROGRAM = os.environ.get('SWAPLIGHT') or os.path.join(HERE, '../../build/release/swaplight')
 SAMPLES = os.path.join(HERE, '../samples')
 ARTEFACTS = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), 'test-artefacts')
-TOOLS = ['Xvfb', 'xdotool', 'import']
+TOOLS = ['Xvfb', 'xdotool']
 ECHO_KEY = 202  # X's number of F24, which no action has: the studio counts how often it has seen it
 SAME_PLACE = 8  # pixels: two clicks so near to each other may be a double click
 NO_DOUBLE_CLICK = 0.6  # seconds, and as long as a frame may take
@@ -35,6 +37,15 @@ def read_png(path):
     pixels = np.asarray(source.read_image('uint8')).reshape(spec.height, spec.width, spec.nchannels)
     source.close()
     return pixels[..., :3].astype(np.int32)
+
+
+def write_png(path, pixels):
+    height, width, channels = pixels.shape
+    out = oiio.ImageOutput.create(path)
+    spec = oiio.ImageSpec(width, height, channels, 'uint8')
+    spec.attribute('png:compressionLevel', 1)
+    assert out.open(path, spec) and out.write_image(pixels), out.geterror()
+    out.close()
 
 
 def read_float(path):
@@ -58,8 +69,21 @@ class Display:
         os.close(write)
         with os.fdopen(read) as numbers:
             self.name = ':' + numbers.readline().strip()
+        self.connection = None
+
+    def pixels(self):
+        """All of the screen: height x width x 3, 0..255."""
+        if self.connection is None:
+            self.connection = Xlib.display.Display(self.name)
+        root = self.connection.screen().root
+        size = root.get_geometry()
+        image = root.get_image(0, 0, size.width, size.height, Xlib.X.ZPixmap, 0xffffffff)
+        pixels = np.frombuffer(image.data, np.uint8).reshape(size.height, size.width, 4)
+        return np.ascontiguousarray(pixels[..., 2::-1])
 
     def close(self):
+        if self.connection is not None:
+            self.connection.close()
         self.process.terminate()
         self.process.wait()
 
@@ -76,6 +100,7 @@ class Studio:
         self.probe = os.path.join(home, 'layout.json')
         if os.path.exists(self.probe):
             os.remove(self.probe)
+        self.display = display
         self.environment = {**os.environ, 'DISPLAY': display.name, 'LC_ALL': 'C.UTF-8', 'HOME': home}
         for name in ('OCIO', 'XDG_CONFIG_HOME', 'XDG_DATA_HOME', 'XDG_STATE_HOME', 'WAYLAND_DISPLAY'):
             self.environment.pop(name, None)
@@ -135,9 +160,9 @@ class Studio:
         """The window's pixels; also kept as an artefact of this name."""
         self.settle()
         os.makedirs(ARTEFACTS, exist_ok=True)
-        path = os.path.join(ARTEFACTS, name + '.png')
-        subprocess.run(['import', '-window', 'root', '-depth', '8', 'png24:' + path], env=self.environment, check=True)
-        return read_png(path)
+        pixels = self.display.pixels()
+        write_png(os.path.join(ARTEFACTS, name + '.png'), pixels)
+        return pixels.astype(np.int32)
 
     def picture(self, name):
         """The pixels of the picture in the viewer, without messages over it: those that pass are waited for."""
