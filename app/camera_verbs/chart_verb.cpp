@@ -80,8 +80,7 @@ void checkArguments(const ChartCommand& arguments) {
   if (gels != !arguments.without.empty() || gels != !arguments.labels.empty())
     throw InputError(
         "to measure gels give all three: --without PHOTO, of the lamp without a gel, --gel BRAND,NUMBER,NAME "
-        "for "
-        "each photograph, and --gels TABLE.csv");
+        "for each photograph, and --gels TABLE.csv");
   if (gels) checkGels(arguments);
 }
 

@@ -170,8 +170,7 @@ std::optional<CameraFile> cameraOf(const BalanceCommand& arguments, const ColorC
   if (std::min({white.r, white.g, white.b}) < kLeastOfWhite)
     throw InputError(
         "--white {}: has nothing of one of the camera's channels, which --camera divides by: name one that "
-        "is "
-        "less far from D65",
+        "is less far from D65",
         arguments.white);
   return camera;
 }
@@ -186,8 +185,7 @@ int balanceRig(const BalanceCommand& arguments, Terminal& terminal) {
       !arguments.grey.empty() || !arguments.camera.empty())
     throw InputError(
         "{}: is a rig: its lights have colours of their own; leave out --beta, --colors, --method, --grey "
-        "and "
-        "--camera",
+        "and --camera",
         arguments.photograph);
   const std::vector<std::filesystem::path> inputs{arguments.photograph};
   checkOutput(arguments.output, inputs);

@@ -72,8 +72,7 @@ std::optional<Rgb> colorFromJson(const Json& json, const std::string& where) {
   if (json.is_null() || json.is_string()) return std::nullopt;
   const std::string expected =
       "expected [red, green, blue] in linear light, null for unknown, or a name such as \"?a\" for an "
-      "unknown "
-      "colour that several lights or shots have";
+      "unknown colour that several lights or shots have";
   if (!json.is_array() || json.size() != 3)
     throw InputError("{}: is {}, {}.", where, describeJson(json), expected);
   Rgb color(0);

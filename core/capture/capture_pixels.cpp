@@ -205,8 +205,7 @@ void checkAllFit(const Capture& capture, size_t pictures) {
   if (gigabytes > kShare * machineGigabytes())
     throw InputError(
         "{}: is {} x {} pixels, and there are {} pictures of that size: they take {:.1f} GB, this machine "
-        "has "
-        "{:.1f} GB. Scale or crop them.",
+        "has {:.1f} GB. Scale or crop them.",
         file.string(), spec.width, spec.height, pictures, gigabytes, machineGigabytes());
 }
 

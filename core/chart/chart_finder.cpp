@@ -144,8 +144,7 @@ ChartCorners orientedCorners(const Image& picture, float clipLevel, const ChartC
   if (likely.likeness < kLeastLikeness)
     throw InputError(
         "what lies between the four corners does not look like a Macbeth chart ({:.0f} % of it does): tell "
-        "the "
-        "outer corners of its four corner patches",
+        "the outer corners of its four corner patches",
         100 * likely.likeness);
   return refinedCorners(picture, likely.corners);
 }

@@ -13,8 +13,7 @@ constexpr int kCubeSize = 33;
 std::string notice(const GlobalLook& look) {
   return fmt::format(
       "The global part of a Swaplight look only: one gain for every pixel, which reproduces {:.1f} % of the "
-      "relit "
-      "picture. What each light does on its own differs from pixel to pixel and is not in this file.",
+      "relit picture. What each light does on its own differs from pixel to pixel and is not in this file.",
       100 * look.explained);
 }
 

@@ -194,8 +194,7 @@ std::vector<std::string> bracketWarnings(const ShotFolder& folder, const Capture
   if (std::abs(bend) > kLinear)
     warnings.push_back(
         fmt::format("{}: a bracket's ratio changes by {:+.2f} stops from dark to bright: the photographs do "
-                    "not hold light as "
-                    "their colour space says; a solve will be wrong",
+                    "not hold light as their colour space says; a solve will be wrong",
                     folder.shots[bent].file, bend));
   else if (std::abs(off) > kWrong)
     warnings.push_back(

@@ -66,8 +66,7 @@ void exposureWarnings(const CaptureDraft& draft, std::vector<std::string>& warni
 
 constexpr const char* kOneNumberOpen =
     ", but two photographs leave one number of it open; a third one under other colours settles it, or a "
-    "place "
-    "that one lamp alone lights";
+    "place that one lamp alone lights";
 
 /// "?a, that of fill in 1.exr and key in 2.exr,"; "the colour of fill in 1.exr".
 std::string placeWords(const Capture& capture, const UnknownColor& unknown) {

@@ -60,8 +60,7 @@ void checkUnchanged(const std::filesystem::path& file) {
   rememberFile(file);
   throw InputError(
       "{}: was changed by another program since it was opened here, so that it is not replaced. Save under "
-      "another "
-      "name, or save again to replace it.",
+      "another name, or save again to replace it.",
       file.string());
 }
 

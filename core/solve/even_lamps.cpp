@@ -190,8 +190,7 @@ SolvedSet solveDriftingLamps(const Capture& capture, const CapturePixels& photog
     return asItIs(
         "whether the lamps' colour drifts over the picture cannot be told of these photographs: a colour is "
         "unknown, the lamps were lit one at a time, or the photographs are too few, too dark, or more than "
-        "can "
-        "be compared (--field)");
+        "can be compared (--field)");
   const std::optional<LampDrift> drift = seenDrift(capture, photographs, lens, options, silent(progress));
   if (!drift) return asItIs("the photographs do not surely show lamps whose colour drifts over the picture");
   FlatFields fields;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/edit/pool/shrunk_plane.h"
+
 namespace swaplight {
 namespace {
 
@@ -16,13 +18,6 @@ constexpr int kAround = 4;           // windows: the edge around
 constexpr float kAlike = 0.5F, kSame = 0.8F, kSomeAround = 0.3F, kMostAround = 0.5F;
 constexpr float kLeastEdge = 0.05F;  // standard deviation in a window: of visibility, and of logarithms
 constexpr float kDark = 0.02F;       // of the mean light: darker places are all alike
-
-cv::Mat shrunkPlane(const Image& image, int channel, cv::Size size) {
-  const cv::Mat plane(image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(channel)));
-  cv::Mat small;
-  cv::resize(plane, small, size, 0, 0, cv::INTER_AREA);
-  return small;
-}
 
 cv::Mat meanAround(const cv::Mat& x, int reach) {
   cv::Mat mean;

@@ -8,6 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/base/quantile.h"
 #include "core/edit/pool/lamp_fit.h"
+#include "core/edit/pool/shrunk_plane.h"
 
 namespace swaplight {
 namespace {
@@ -25,13 +26,6 @@ struct SmallPictures {
   std::array<cv::Mat, 3> own, others;
   cv::Mat ownGrey, othersGrey;
 };
-
-cv::Mat shrunkPlane(const Image& image, int channel, const cv::Size& size) {
-  const cv::Mat plane(image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(channel)));
-  cv::Mat small;
-  cv::resize(plane, small, size, 0, 0, cv::INTER_AREA);
-  return small;
-}
 
 SmallPictures shrunkSet(const SolvedSet& set, size_t light) {
   const int width = std::min(kWidth, set.width());

@@ -104,8 +104,7 @@ void checkDisplayWindow(const std::string& name, const ImageContents& contents) 
   if (4 * display * contents.spec.channelCount() > kMuch && display > kLargestShare * data)
     throw InputError(
         "{}: its display window of {} x {} pixels is far larger than what is in it ({} x {}). Crop the "
-        "display "
-        "window.",
+        "display window.",
         name, contents.spec.width, contents.spec.height, contents.parts.front().spec.width,
         contents.parts.front().spec.height);
 }
