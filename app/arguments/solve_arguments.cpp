@@ -96,6 +96,12 @@ void SolveArguments::addTo(CLI::App& verb) {
       ->type_name("LIGHT=X,Y");
   add(verb.add_option("--grey", m_grey, "Settles an unknown colour: a pixel of a grey surface"))
       ->type_name("X,Y");
+  add(verb.add_option(
+          "--gel-luminance", m_luminance,
+          "Settles an unknown colour: the share of the light that the gel lets through (Y on its data "
+          "sheet)"))
+      ->check(NumberRange(kLeastGelLuminance, 1.0))
+      ->type_name("Y");
   add(verb.add_option("--open-color", m_position,
                       "Chooses an unknown colour where photographs leave it open: 0 nearest to the known one "
                       "(default), 1 farthest from it"))
@@ -118,10 +124,11 @@ SolveOptions SolveArguments::resolve() const {
   resolved.align = chosen("--align", m_align, "off", "on");
   resolved.highlights = chosen("--highlights", m_highlights, "off", "on");
   if (chosen("--denoise", m_denoise, "off", "guided")) resolved.denoise = Denoise::Guided;
-  const int settled = !m_oneLamp.empty() + !m_grey.empty() + m_position.has_value();
-  if (settled > 1) throw InputError("--one-lamp, --grey, --open-color: give one of them");
+  const int settled = !m_oneLamp.empty() + !m_grey.empty() + m_luminance.has_value() + m_position.has_value();
+  if (settled > 1) throw InputError("--one-lamp, --grey, --gel-luminance, --open-color: give one of them");
   if (!m_oneLamp.empty()) resolved.openColor.oneLamp = oneLampFromText(m_oneLamp);
   if (!m_grey.empty()) resolved.openColor.grey = placeFromText(m_grey, "--grey " + m_grey);
+  resolved.openColor.luminance = m_luminance;
   resolved.openColor.position = m_position;
   if (!m_noise.empty()) resolved.noise = noiseFromText(m_noise);
   return resolved;

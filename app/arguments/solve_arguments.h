@@ -30,6 +30,7 @@ class SolveArguments {
   std::string m_noise;
   std::string m_oneLamp;
   std::string m_grey;
+  std::optional<float> m_luminance;
   std::optional<float> m_position;
   SolveOptions m_solve;
   std::vector<const CLI::Option*> m_options;

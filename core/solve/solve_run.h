@@ -8,7 +8,7 @@
 #include "core/base/progress.h"
 #include "core/capture/capture_pixels.h"
 #include "core/set/solved_set.h"
-#include "core/solve/calibration/swapped_color.h"
+#include "core/solve/calibration/chosen_color.h"
 #include "core/solve/model/estimator.h"
 #include "core/solve/model/shot_signal.h"
 #include "core/solve/model/solve_options.h"

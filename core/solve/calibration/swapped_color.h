@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/set/open_color.h"
 #include "core/solve/calibration/calibration_tuning.h"
 #include "core/solve/model/noise_model.h"
 #include "core/solve/model/shot_signal.h"
@@ -24,6 +23,9 @@ struct SwappedColorLine {
   /// The unknown colour; position 0 .. 1.
   [[nodiscard]] Rgb at(float position) const;
   [[nodiscard]] SwappedColorLine opposite() const;
+  /// How far from grey a surface would be that shows this light in both photographs, evened, together: its
+  /// reflectance is (y1 + y2) / (l + m). The square of the logarithms' distance from their mean.
+  [[nodiscard]] double tintOf(float position, const Rgb& light) const;
 };
 
 /// Finds the line: d by maximum likelihood in a robust fit of rank one (errors in both factors), its scale by
@@ -32,14 +34,5 @@ struct SwappedColorLine {
 [[nodiscard]] SwappedColorLine swappedColorLine(const Capture& capture, const SwappedColor& swapped,
                                                 const ShotSignal& signal, const NoiseModel& noise,
                                                 const SwappedColorTuning& tuning = {});
-
-/// Which of the line's colours is taken, by what the person has told, and why. Throws InputError where a
-/// place lies outside of the picture or is dark.
-[[nodiscard]] OpenColor chosenColor(const Capture& capture, const SwappedColor& swapped,
-                                    const ShotSignal& signal, const SwappedColorLine& line,
-                                    const OpenColorChoice& choice);
-
-/// For a person: what is open, between which colours, what was taken and why, what would settle it.
-[[nodiscard]] std::string wordsFor(const OpenColor& open);
 
 }  // namespace swaplight

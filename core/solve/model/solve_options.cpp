@@ -59,6 +59,7 @@ Json jsonFromChoice(const OpenColorChoice& choice) {
   Json json = Json::object();
   if (choice.oneLamp) json["one_lamp"] = {choice.oneLamp->light, choice.oneLamp->x, choice.oneLamp->y};
   if (choice.grey) json["grey"] = {(*choice.grey)[0], (*choice.grey)[1]};
+  if (choice.luminance) json["luminance"] = jsonNumber(*choice.luminance);
   if (choice.position) json["position"] = jsonNumber(*choice.position);
   if (choice.exchanged) json["exchanged"] = true;
   return json;
@@ -81,6 +82,8 @@ OpenColorChoice choiceFromJson(const Json& json, const std::string& where) {
     choice.oneLamp = {(*lamp)[0].get<std::string>(), x, y};
   }
   if (const Json* grey = fields.find("grey")) choice.grey = placeFromJson(*grey, 0, where + ": grey");
+  if (const auto luminance = fields.number("luminance", kLeastGelLuminance, 1))
+    choice.luminance = float(*luminance);
   if (const auto position = fields.number("position", 0, 1)) choice.position = float(*position);
   choice.exchanged = fields.boolean("exchanged").value_or(false);
   return choice;

@@ -28,8 +28,11 @@ enum class Denoise {
 [[nodiscard]] std::string denoiseName(Denoise denoise);
 [[nodiscard]] Denoise denoiseFromName(const std::string& name);  ///< throws InputError, listing the known
 
+/// The least luminance of a gel that can be told: deeper ones leave nothing to see by.
+inline constexpr double kLeastGelLuminance = 1e-3;
+
 /// What settles an unknown colour of which the photographs leave one number open (SwappedColorLine). At most
-/// one of the first three counts: in their order.
+/// one of the first four counts: in their order.
 struct OpenColorChoice {
   struct OneLamp {
     std::string light;
@@ -38,8 +41,9 @@ struct OpenColorChoice {
   };
   std::optional<OneLamp> oneLamp;          ///< a pixel of the pictures that only this light reaches
   std::optional<std::array<int, 2>> grey;  ///< x, y of a grey surface
-  std::optional<float> position;           ///< 0..1: from the colour nearest to the known one to the farthest
-  bool exchanged = false;                  ///< the lamps the other way round than is likelier
+  std::optional<float> luminance;  ///< of the unknown colour, bare lamps 1: the Y of a gel's data sheet
+  std::optional<float> position;   ///< 0..1: from the colour nearest to the known one to the farthest
+  bool exchanged = false;          ///< the lamps the other way round than is likelier
   bool operator==(const OpenColorChoice&) const = default;
 };
 

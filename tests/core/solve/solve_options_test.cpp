@@ -43,6 +43,7 @@ TEST(SolveOptions, WhatSettlesAnOpenColourComesBackFromJson) {
   SolveOptions options;
   options.openColor.oneLamp = {"key", 12, 34};
   options.openColor.grey = {5, 6};
+  options.openColor.luminance = .4F;
   options.openColor.position = .25F;
   options.openColor.exchanged = true;
   EXPECT_EQ(solveOptionsFromJson(jsonFromSolveOptions(options)), options);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/color/chromaticity.h"
 #include "core/solve/calibration/swapped_color.h"
 #include "core/solve/solve.h"
 #include "tests/support/synthetic_capture.h"
@@ -181,6 +182,23 @@ TEST(UnknownColor, IsSettledByAGreyPlace) {
   EXPECT_LT(errorOf(swap.solved(choice).report->openColor->taken, swap.gel), .02F);
   choice.grey = {kWide, 0};
   EXPECT_THROW(static_cast<void>(swap.solved(choice)), InputError);
+}
+
+TEST(UnknownColor, IsSettledByHowMuchLightTheGelLetsThrough) {
+  const Swap swap(.1F);
+  OpenColorChoice choice;
+  choice.luminance = luminance(swap.gel);
+  const OpenColor open = *swap.solved(choice).report->openColor;
+  EXPECT_TRUE(open.settled);
+  EXPECT_LT(errorOf(open.taken, swap.gel), .02F);
+}
+
+TEST(UnknownColor, RefusesALuminanceThatNoColourOfTheLineHas) {
+  const Swap swap(.1F);
+  OpenColorChoice choice;
+  choice.luminance = .01F;
+  EXPECT_THAT([&] { static_cast<void>(swap.solved(choice)); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("lets through 1 % of the light")));
 }
 
 TEST(UnknownColor, IsDeterminedByAThirdPhotograph) {
