@@ -150,6 +150,23 @@ class Edits(StudioTest):
         self.assertEqual([edit['operation'] for edit in edits], ['move', 'turn'])
         self.assertLess(edits[1]['pan'], -5)
 
+    def test_a_beam_is_widened_by_its_ring(self):
+        studio = self.open_edits()
+        self.add('spread')
+        start = studio.point('lamp.handle')
+        middle = studio.point('lamp.middle')
+        self.assertGreater(abs(start[0] - middle[0]), 10)
+        studio.drag(start, (round(middle[0] + 1.5 * (start[0] - middle[0])), start[1]))
+        studio.move(*studio.point('viewer.picture', .95, .95))
+        studio.screenshot('lamp_ring')
+        path, edits = self.save('ring')
+        self.assertAlmostEqual(edits[0]['width'], 1.5, delta=.05)
+        self.same_as_command_line(path)
+        end = studio.point('lamp.handle')
+        self.assertAlmostEqual(end[0] - middle[0], 1.5 * (start[0] - middle[0]), delta=3)
+        studio.key('ctrl+z')
+        self.assertAlmostEqual(studio.point('lamp.handle')[0], start[0], delta=2)
+
     def test_every_kind_is_added_and_its_numbers_changed(self):
         studio = self.open_edits()
         self.add('gain')

@@ -251,7 +251,10 @@ template <LampOperation T>
 void lampHints(const Parameters& of) {
   const auto prepared = of.studio.edits.prepared(of.edit);
   if (!prepared || prepared->lamps.empty()) return;
-  if constexpr (DraggedOperation<T>)
+  if constexpr (RingOperation<T>)
+    hint(prepared->lamps.size() == 1 ? "Or drag the ring in the picture."
+                                     : "Of one light alone it is a ring in the picture, too.");
+  else if constexpr (DraggedOperation<T>)
     hint(prepared->lamps.size() == 1 ? "Or drag the lamp in the picture."
                                      : "One light's lamp can be dragged in the picture, too.");
   const EditedLights all = editedLights(*of.studio.set()->original, of.studio.document().edits);

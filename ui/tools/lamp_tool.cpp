@@ -26,6 +26,14 @@ bool isDragged(const Operation& operation) {
   return std::visit([]<typename T>(const T&) { return DraggedOperation<T>; }, operation);
 }
 
+bool isHeldByRing(const Operation& operation) {
+  return std::visit([]<typename T>(const T&) { return RingOperation<T>; }, operation);
+}
+
+LampInHand heldLamp(const PreparedEdit& prepared) {
+  return {prepared.lamps[0].pool->lamp, prepared.lamps[0].pool->width};
+}
+
 /// The chosen edit as it runs, or as it ran a moment ago, where it drags one light's lamp; nullptr: there is
 /// nothing to drag.
 const PreparedEdit* lampInHand(EditingContext& studio) {
@@ -69,8 +77,14 @@ class LampView {
   ImVec2 m_origin;
 };
 
-std::optional<PlanePoint> middleNow(const EditingContext& studio, const PreparedEdit& prepared) {
-  return middleOf(prepared.lamps[0].pool->lamp, lampChangeOf(chosenEdit(studio)->operation));
+/// Where the lamp is held; nothing where that does not meet the set.
+std::optional<PlanePoint> handleNow(const EditingContext& studio, const PreparedEdit& prepared) {
+  return std::visit(
+      [&]<typename T>(const T& operation) -> std::optional<PlanePoint> {
+        if constexpr (DraggedOperation<T>) return operation.handle(heldLamp(prepared));
+        return std::nullopt;
+      },
+      chosenEdit(studio)->operation);
 }
 
 void previewLamp(EditingContext& studio, const PreparedEdit& prepared, const PlanePoint& to) {
@@ -78,7 +92,7 @@ void previewLamp(EditingContext& studio, const PreparedEdit& prepared, const Pla
   Edit edit = *going.before.edits.edits[going.edit];
   std::visit(
       [&]<typename T>(T& operation) {
-        if constexpr (DraggedOperation<T>) operation.dragTo(prepared.lamps[0].pool->lamp, to);
+        if constexpr (DraggedOperation<T>) operation.dragTo(heldLamp(prepared), to);
       },
       edit.operation);
   const std::string name = edit.name.empty() ? operationName(edit.operation) : edit.name;
@@ -115,9 +129,9 @@ bool dragLamp(EditingContext& studio, const ToolInput& input) {
     if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) state.going.reset();
     return true;
   }
-  const std::optional<PlanePoint> middle = middleNow(studio, *prepared);
-  if (!input.hovered || studio.editing.dragging() || !middle) return false;
-  const ImVec2 handle = view.onScreen(*middle);
+  const std::optional<PlanePoint> held = handleNow(studio, *prepared);
+  if (!input.hovered || studio.editing.dragging() || !held) return false;
+  const ImVec2 handle = view.onScreen(*held);
   if (!underMouse(handle)) return false;
   ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
@@ -151,14 +165,19 @@ void drawLamp(EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
   if (!prepared) return;
   const LampView view(studio, window, origin);
   hatchGuesses(*prepared, view, window, origin);
-  const std::optional<PlanePoint> middle = middleNow(studio, *prepared);
-  if (!middle) return;
+  const std::optional<PlanePoint> held = handleNow(studio, *prepared);
+  if (!held) return;
   const LampModel& lamp = prepared->lamps[0].pool->lamp;
   const ImVec2 from = view.onScreen({lamp.aim[0], lamp.aim[1]});
-  const ImVec2 to = view.onScreen(*middle);
+  const ImVec2 to = view.onScreen(*held);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float radius = px(kLampRadius);
-  if (std::hypot(to.x - from.x, to.y - from.y) > radius) {
+  if (isHeldByRing(chosenEdit(studio)->operation)) {
+    const float around = std::hypot(to.x - from.x, to.y - from.y);
+    draw->AddCircle(from, around, kLampShade, 0, px(3));
+    draw->AddCircle(from, around, kText, 0, std::max(1.F, px(1)));
+    markRect("lamp.middle", from.x - 1, from.y - 1, from.x + 1, from.y + 1);
+  } else if (std::hypot(to.x - from.x, to.y - from.y) > radius) {
     draw->AddLine(from, to, kLampShade, px(3));
     draw->AddLine(from, to, kText, std::max(1.F, px(1)));
     draw->AddCircle(from, px(4), kLampShade, 0, px(3));

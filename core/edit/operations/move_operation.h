@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <optional>
 #include <string>
 
 #include "core/edit/fields/field.h"
@@ -45,9 +46,12 @@ struct MoveOperation {
     change.distance = distance;
     return change;
   }
+  [[nodiscard]] std::optional<PlanePoint> handle(const LampInHand& held) const {
+    return middleOf(held.lamp, lampChange());
+  }
   /// Moves the lamp so that the middle of its light comes to a place.
-  void dragTo(const LampModel& lamp, const PlanePoint& place) {
-    const LampChange change = movedTo(lamp, place);
+  void dragTo(const LampInHand& held, const PlanePoint& place) {
+    const LampChange change = movedTo(held.lamp, place);
     right = kWidths.within(change.right);
     up = kWidths.within(change.up);
   }

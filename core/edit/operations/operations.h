@@ -42,7 +42,8 @@ namespace swaplight {
 //
 //   static T initial()                      what the studio starts with, instead of T{}
 //
-//   void dragTo(const LampModel&, const PlanePoint&)  of a lamp that is dragged in the picture
+//   handle(const LampInHand&), dragTo(const LampInHand&, const PlanePoint&)  of a lamp that is dragged in the
+//   picture
 //
 //   static constexpr bool kSwapsTwoLights   of two lights: they change places
 //
@@ -79,8 +80,14 @@ concept HighlightOperation = requires(const T& operation) {
 
 /// Its lamp can be dragged in the picture.
 template <typename T>
-concept DraggedOperation = requires(T& operation, const LampModel& lamp, const PlanePoint& place) {
-  operation.dragTo(lamp, place);
+concept DraggedOperation = requires(T& operation, const LampInHand& held, const PlanePoint& place) {
+  { operation.handle(held) } -> std::same_as<std::optional<PlanePoint>>;
+  operation.dragTo(held, place);
+};
+/// The same, by a ring around the middle of what it lights.
+template <typename T>
+concept RingOperation = DraggedOperation<T> && requires {
+  requires T::kHeldByRing;
 };
 
 /// What it does to its light's lamp: nothing, for edits that are not of lamps.

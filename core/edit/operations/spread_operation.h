@@ -2,11 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <optional>
 #include <string>
 
 #include "core/edit/fields/field.h"
 #include "core/edit/operations/operation_info.h"
-#include "core/edit/pool/lamp_change.h"
+#include "core/edit/pool/lamp_handle.h"
 
 namespace swaplight {
 
@@ -19,9 +20,10 @@ struct SpreadOperation {
   static constexpr OperationInfo info{
       "spread", "Spread of the beam",
       "Makes the light's beam wider or narrower, as an iris or a zoom would; the level in its middle stays."};
+  static constexpr Scale kTimes{Scale::Unit::Factor, .25, 4, .25F, 4};
   static constexpr auto fields() {
     return std::tuple{
-        numberField("width", &SpreadOperation::width, {Scale::Unit::Factor, .25, 4, .25F, 4}, "Width",
+        numberField("width", &SpreadOperation::width, kTimes, "Width",
                     "Times the width of the beam: below 1 it narrows to a spot, above 1 the light gets "
                     "even over the set.")};
   }
@@ -30,6 +32,15 @@ struct SpreadOperation {
     LampChange change;
     change.spread = width;
     return change;
+  }
+  /// A ring is held, not the middle: it is drawn whole.
+  static constexpr bool kHeldByRing = true;
+  [[nodiscard]] std::optional<PlanePoint> handle(const LampInHand& held) const {
+    return ringHandle(held, width);
+  }
+  /// Widens or narrows the beam so that the ring goes through a place.
+  void dragTo(const LampInHand& held, const PlanePoint& place) {
+    width = kTimes.within(static_cast<float>(spreadThrough(held, place)));
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <optional>
 #include <string>
 
 #include "core/edit/fields/field.h"
@@ -35,9 +36,12 @@ struct TurnOperation {
     change.tilt = tilt;
     return change;
   }
+  [[nodiscard]] std::optional<PlanePoint> handle(const LampInHand& held) const {
+    return middleOf(held.lamp, lampChange());
+  }
   /// Turns the lamp so that the middle of its light comes to a place.
-  void dragTo(const LampModel& lamp, const PlanePoint& place) {
-    const LampChange change = turnedTo(lamp, place);
+  void dragTo(const LampInHand& held, const PlanePoint& place) {
+    const LampChange change = turnedTo(held.lamp, place);
     pan = kDegrees.within(change.pan);
     tilt = kDegrees.within(change.tilt);
   }

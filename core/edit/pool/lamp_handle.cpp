@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace swaplight {
+namespace {
+
+/// Of the ring, the beam as it was photographed.
+double ringRadius(const LampInHand& held) {
+  constexpr double kLeast = 1e-3;  // of a light that lights next to nothing
+  return std::max(held.width / 4, kLeast);
+}
+
+}  // namespace
 
 std::optional<PlanePoint> middleOf(const LampModel& lamp, const LampChange& change) {
   const LampModel now = ChangedLamp(lamp, change).after();
@@ -35,6 +44,15 @@ LampChange turnedTo(const LampModel& lamp, const PlanePoint& place) {
   change.pan = static_cast<float>(degrees * swing[0] / length);
   change.tilt = static_cast<float>(degrees * swing[1] / length);
   return change;
+}
+
+PlanePoint ringHandle(const LampInHand& held, double spread) {
+  const double side = held.lamp.aim[0] > 0 ? -1 : 1;
+  return {held.lamp.aim[0] + side * spread * ringRadius(held), held.lamp.aim[1]};
+}
+
+double spreadThrough(const LampInHand& held, const PlanePoint& place) {
+  return std::hypot(place.x - held.lamp.aim[0], place.y - held.lamp.aim[1]) / ringRadius(held);
 }
 
 }  // namespace swaplight

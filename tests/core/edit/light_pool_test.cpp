@@ -124,6 +124,19 @@ TEST(LampHandle, TheLampFollowsTheMiddleOfItsLight) {
   EXPECT_FALSE(middleOf(LampModel(), away));  // it shines past the set
 }
 
+TEST(LampHandle, TheRingOfABeamGoesThroughTheHand) {
+  const LampModel right{{.3, 0, .8}, {.2, .1, 0}, 1};
+  for (const LampInHand& held : {LampInHand{LampModel(), .8}, LampInHand{right, .3}}) {
+    for (const double spread : {.5, 1., 3.})
+      EXPECT_NEAR(spreadThrough(held, ringHandle(held, spread)), spread, 1e-9);
+    // Any place of the ring is as good.
+    const double radius = held.width / 4;
+    EXPECT_NEAR(spreadThrough(held, {held.lamp.aim[0], held.lamp.aim[1] - 2 * radius}), 2, 1e-9);
+  }
+  EXPECT_LT(ringHandle({right, .3}, 1).x, right.aim[0]) << "on the side of the picture's middle";
+  EXPECT_TRUE(std::isfinite(spreadThrough({right, 0}, {0, 0}))) << "of a light that lights nothing";
+}
+
 TEST(LightPool, IsAsWideAsWhatTheLampLights) {
   const LightPool pool = measurePool(test::lampSet(320, 180, {0, 0, .8, .2}), 0);
   EXPECT_NEAR(pool.width, .32, .05);  // of a cone, 2 * .8 * .2
