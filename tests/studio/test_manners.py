@@ -194,6 +194,16 @@ class Manners(StudioTest):
         self.gone('brush.size')
         self.row('a tool', 'gives it up', '', '', '')
 
+    def test_the_key_of_a_tool_takes_it_and_its_button_puts_it_away(self):
+        studio = self.open_sample()
+        studio.key('shift+b')
+        studio.item('brush.size')
+        studio.key('shift+b')
+        studio.settle()
+        self.assertTrue(studio.has('brush.size'), 'the key pressed again keeps the brush in the hand')
+        studio.click('button.brush.take')
+        self.gone('brush.size')
+
     def test_tab_hides_the_panels_and_types_into_none(self):
         studio = self.open_sample()
         studio.click('mixer.key.chip')

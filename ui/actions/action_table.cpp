@@ -59,7 +59,7 @@ void ActionTable::runKeys(const Keyboard& keyboard) const {
   const auto runFor = [&](const std::string& keys) {
     for (const Action& action : m_actions)
       if (hasKeys(action, keys) && action.isEnabled()) {
-        action.run();
+        if (!action.keysTake || !action.isChecked()) action.run();
         return;
       }
   };

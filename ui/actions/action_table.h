@@ -20,6 +20,7 @@ struct Action {
   std::function<bool()> enabled = {};  ///< empty: always
   std::function<bool()> checked = {};  ///< empty: not a switch
   std::string ownKeys = {};            ///< the keys that it came with; set by the table
+  bool keysTake = false;               ///< its keys switch it on only: a tool's keys take the tool
 
   [[nodiscard]] bool isEnabled() const { return !enabled || enabled(); }
   [[nodiscard]] bool isChecked() const { return checked && checked(); }

@@ -4,9 +4,10 @@
 
 namespace swaplight {
 
-inline constexpr Tool kBrush{
-    "brush.take", "Paint with light", "Shift+B",
-    "Paint with the selected light: more, less or softer. Press again to leave the brush.", true};
+inline constexpr Tool kBrush{"brush.take", "Paint with light", "Shift+B",
+                             "Paint with the selected light: more, less or softer. Escape, or its button "
+                             "pressed again, leaves the brush.",
+                             true};
 
 /// Paints with the chosen light. A ring shows the brush's size, and within it where it is half as strong.
 extern const PictureTool kBrushTool;

@@ -1,6 +1,7 @@
 #include "ui/tools/picture_tool.h"
 
 #include <array>
+#include <utility>
 
 #include "ui/tools/brush_tool.h"
 #include "ui/tools/handle_tool.h"
@@ -26,9 +27,15 @@ void addToolActions(ActionTable& actions, EditingContext& studio) {
   for (const PictureTool* picture : pictureTools())
     for (const Tool* tool : picture->tools) {
       if (!tool) continue;
-      actions.add({tool->id, tool->name, tool->keys, tool->tooltip, [&studio, tool] { take(studio, *tool); },
-                   [&studio] { return studio.set() && !studio.document().rig.lights.empty(); },
-                   [&studio, tool] { return studio.tool == tool; }});
+      Action action{tool->id,
+                    tool->name,
+                    tool->keys,
+                    tool->tooltip,
+                    [&studio, tool] { take(studio, *tool); },
+                    [&studio] { return studio.set() && !studio.document().rig.lights.empty(); },
+                    [&studio, tool] { return studio.tool == tool; }};
+      action.keysTake = true;
+      actions.add(std::move(action));
     }
 }
 

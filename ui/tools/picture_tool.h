@@ -37,7 +37,8 @@ struct PictureTool {
   bool takesCtrlWheel = false;           ///< Ctrl and the wheel are not the viewer's
 };
 
-/// The actions that take the tools into the hand, and put them away.
+/// The actions that take the tools into the hand. A tool's button puts it away again, as Escape does; its key
+/// does not.
 void addToolActions(ActionTable& actions, EditingContext& studio);
 
 /// In the order in which they are asked and draw.
