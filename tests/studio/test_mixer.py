@@ -41,6 +41,28 @@ class Mixer(StudioTest):
         studio.item('gel.none')
         studio.screenshot('mixer_gel_none')
 
+    def test_no_gel_is_in_sight_where_the_list_opens(self):
+        studio = self.open_sample()
+        studio.click('light.gel')
+        studio.item('gel.filter')
+        studio.type('L201')
+        studio.key('Return')
+        studio.settle()
+        studio.click('light.gel')
+        studio.settle()
+        for place in (studio.item('gel.filter'), studio.item('gel.remove')):
+            self.assertGreater(place[3] - place[1], 10, 'in sight')
+        self.assertLess(studio.item('gel.filter')[1], studio.item('gel.remove')[1])
+        studio.screenshot('mixer_gel_opened')
+        studio.click('gel.remove')
+        studio.settle()
+        self.assertNotIn('L201', json.dumps(self.save()[1]['key'].get('color', '')))
+
+    def test_the_number_of_a_level_ends_where_the_switches_end(self):
+        studio = self.open_sample()
+        for light in ('key', 'fill'):
+            self.assertAlmostEqual(studio.item(f'mixer.{light}.number')[2], studio.item(f'mixer.{light}.on')[2], delta=1)
+
     def test_four_lights_are_in_sight_in_a_low_window(self):
         studio = self.open_sample('film_set')
         lights = ['key', 'fill', 'back', 'practical']

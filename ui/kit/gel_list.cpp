@@ -51,7 +51,7 @@ bool gelLine(const Gel& gel, bool current) {
 
 }  // namespace
 
-std::optional<std::string> gelChoices(const std::string& current, std::string& filter) {
+std::optional<std::string> gelChoices(const std::string& current, std::string& filter, bool orNone) {
   std::optional<std::string> chosen;
   if (ImGui::IsWindowAppearing()) {
     filter.clear();
@@ -61,6 +61,10 @@ std::optional<std::string> gelChoices(const std::string& current, std::string& f
   const bool entered = ImGui::InputTextWithHint("##filter", "Maker and number, or name", &filter,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   markItem("gel.filter");
+  if (orNone) {
+    if (ImGui::Selectable("      none", current.empty())) chosen = "";
+    markItem("gel.remove");
+  }
   try {
     bool any = false;
     for (const Gel& gel : allGels()) {
@@ -82,8 +86,7 @@ std::optional<std::string> gelCombo(const char* id, const std::string& current, 
                                     const ActionTable& actions) {
   if (!ImGui::BeginCombo(id, gelWords(current).c_str(), ImGuiComboFlags_HeightLarge)) return std::nullopt;
   std::optional<std::string> chosen;
-  if (ImGui::Selectable("      none", current.empty())) chosen = "";
-  if (const auto gel = gelChoices(current, filter)) chosen = gel;
+  if (const auto gel = gelChoices(current, filter, true)) chosen = gel;
   ImGui::Separator();
   actionMenuItem(actions, "mixer.import_gels");
   if (chosen) ImGui::CloseCurrentPopup();

@@ -180,13 +180,6 @@ void intensity(LightsContext& studio, size_t light, const LightSetting& setting,
   if (sliding.toType) typeLevel(studio.mixer, mark, level);
   if (sliding.changed) previewLevel(studio, light, std::exp2(static_cast<double>(stops)));
   ImGui::SameLine(0, gap);
-  if (const auto change = levelField(studio, mark, level)) {
-    if (change->typed)
-      editLevel(studio, light, change->level);
-    else
-      previewLevel(studio, light, change->level);
-  }
-  ImGui::SameLine(0, gap);
   const bool differs = setting.stops != 0 || setting.multiplier != 1;
   if (changedDot("##reset stops", differs, "Changed from the capture. Click to reset."))
     editLights(studio, light, "reset intensity", [](LightSetting& reset) {
@@ -194,6 +187,14 @@ void intensity(LightsContext& studio, size_t light, const LightSetting& setting,
       reset.multiplier = 1;
     });
   markItem({mark, ".reset"});
+  // The number comes last: it ends where the switches above it end.
+  ImGui::SameLine(0, gap);
+  if (const auto change = levelField(studio, mark, level)) {
+    if (change->typed)
+      editLevel(studio, light, change->level);
+    else
+      previewLevel(studio, light, change->level);
+  }
 }
 
 }  // namespace
