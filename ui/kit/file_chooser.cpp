@@ -80,8 +80,59 @@ void FileChooser::drawPlaces() {
   place(kIconHome, "Home", "home", homeFolder());
   place(kIconFolder, "Computer", "computer", "/");
   place(kIconParent, "Up", "up", m_folder.parent_path());
+  if (m_question->saving) drawNewFolder();
   ImGui::NewLine();
   if (chosen) goTo(*chosen);
+}
+
+void FileChooser::drawNewFolder() {
+  if (ImGui::Button(fmt::format("{}  New folder", kIconAdd).c_str())) {
+    m_newFolder.clear();
+    m_newFolderError.clear();
+    ImGui::OpenPopup("##new folder");
+  }
+  markItem("chooser.new_folder");
+  tooltip("Makes a folder in the one that is shown, and goes there.");
+  const ImVec2 below(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(2));
+  ImGui::SameLine();
+  ImGui::SetNextWindowPos(below, ImGuiCond_Appearing);
+  if (!ImGui::BeginPopup("##new folder")) return;
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(px(260));
+  const bool entered = ImGui::InputTextWithHint("##folder", "Name of the new folder", &m_newFolder,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  markItem("chooser.new_folder_name");
+  if (ImGui::IsItemEdited()) m_newFolderError.clear();
+  if (!m_newFolderError.empty()) {
+    ImGui::PushTextWrapPos(px(260));
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kChanged), "%s", m_newFolderError.c_str());
+    ImGui::PopTextWrapPos();
+    markItem("chooser.new_folder_error");
+  }
+  if (entered) {
+    makeFolder();
+    if (m_newFolderError.empty())
+      ImGui::CloseCurrentPopup();
+    else
+      ImGui::SetKeyboardFocusHere(-1);
+  }
+  ImGui::EndPopup();
+}
+
+void FileChooser::makeFolder() {
+  const fs::path name = m_newFolder;
+  m_newFolderError.clear();
+  if (m_newFolder.empty() || name != name.filename() || m_newFolder == "." || m_newFolder == "..") {
+    m_newFolderError = "Write a name without a slash.";
+    return;
+  }
+  std::error_code error;
+  if (!fs::create_directory(m_folder / name, error) && !error)
+    error = std::make_error_code(std::errc::file_exists);
+  if (error)
+    m_newFolderError = "It cannot be made: " + error.message() + ".";
+  else
+    goTo(m_folder / name);
 }
 
 // Every part of the path is a button that goes there.
@@ -133,7 +184,9 @@ bool FileChooser::drawEntries(float height) {
   ImGui::BeginChild("##entries", ImVec2(0, height), true);
   joinTabRound();
   if (!m_error.empty()) ImGui::TextWrapped("%s", m_error.c_str());
-  if (m_error.empty() && m_entries.empty()) ImGui::TextDisabled("No files here that can be opened.");
+  if (m_error.empty() && m_entries.empty())
+    ImGui::TextDisabled("%s",
+                        m_question->saving ? "No such files here." : "No files here that can be opened.");
   for (const Entry& entry : m_entries)
     if (drawEntry(entry)) taken = &entry;
   ImGui::EndChild();

@@ -39,6 +39,8 @@ class FileChooser {
   };
   void goTo(const std::filesystem::path& folder);
   void drawPlaces();
+  void drawNewFolder();
+  void makeFolder();
   void drawPath();
   /// Each is true where a file was taken (of an entry: also a folder).
   bool drawEntry(const Entry& entry);
@@ -54,7 +56,9 @@ class FileChooser {
   std::string m_tabStop;  ///< the entry that Tab comes to
   std::string m_error;
   std::string m_name;
-  std::string m_confirm;  ///< the existing file that the person was asked about
+  std::string m_confirm;         ///< the existing file that the person was asked about
+  std::string m_newFolder;       ///< the name of a folder that is being made
+  std::string m_newFolderError;  ///< why it was not
 };
 
 }  // namespace swaplight
