@@ -92,6 +92,8 @@ class Viewer(StudioTest):
                  'Flags']
         for number, name in enumerate(names):
             studio.click('bar.subject')
+            if name in ('Residual', 'Standard error (σ)', 'Flags'):
+                studio.click('subject.Diagnostics')
             studio.click('subject.' + name)
             studio.move(640, 705)
             seen[name] = studio.picture(f'viewer_subject_{number}')

@@ -135,8 +135,16 @@ void drawSubjectMenu(ViewerContext& studio, bool sideB) {
   }
   illuminationLines(studio, *set, current, choose);
   ImGui::Separator();
-  for (const Kind kind : {Kind::Reflectance, Kind::Residual, Kind::Sigma, Kind::Flags})
+  const auto line = [&](Kind kind) {
     if (subjectLine(studio, {kind, 0}, current == ViewSubject{kind, 0})) choose({kind, 0});
+  };
+  line(Kind::Reflectance);
+  const bool open = ImGui::BeginMenu("Diagnostics");
+  markItem("subject.Diagnostics");
+  tooltip("How well the photographs fit, and how far each pixel can be trusted.");
+  if (!open) return;
+  for (const Kind kind : {Kind::Residual, Kind::Sigma, Kind::Flags}) line(kind);
+  ImGui::EndMenu();
 }
 
 void drawDisplayMenu(ViewerContext& studio) {
