@@ -18,6 +18,25 @@ const LightRatios& lightRatios(const LightsContext& lights) {
   return state.ratios;
 }
 
+namespace {
+
+/// Says which lights a look has changed that have no role in it, as a painted one: nobody expects those.
+void sayOthersChanged(const LightsContext& lights, const std::string& look, const Rig& before,
+                      const Rig& after) {
+  std::string names;
+  size_t count = 0;
+  for (size_t i = 0; i < before.lights.size(); ++i) {
+    if (before.lights[i].role != Role::Other || before.lights[i] == after.lights[i]) continue;
+    names += (names.empty() ? "" : ", ") + before.lights[i].title();
+    ++count;
+  }
+  if (count == 0) return;
+  lights.messages.info(
+      fmt::format("{} has changed {}, too, which {} no role.", look, names, count == 1 ? "has" : "have"));
+}
+
+}  // namespace
+
 void applyPreset(const LightsContext& lights, const Look& look) {
   // Another preset instead of one that is being tried: both are over what was before.
   const LookState::Blend* tried = activeBlend(lights);
@@ -25,6 +44,7 @@ void applyPreset(const LightsContext& lights, const Look& look) {
   try {
     const Rig whole = applyLook(before, look, lightRatios(lights));
     editRig(lights, look.name, whole);
+    sayOthersChanged(lights, look.name, before, whole);
     if (leavesDark(whole))
       lights.messages.info(
           "There is no back light in this set, and " + look.name +

@@ -107,6 +107,24 @@ TEST(LookEdit, APresetWithoutAKeyLightSaysWhy) {
   EXPECT_THAT(studio.said(), HasSubstr("key"));
 }
 
+TEST(LookEdit, APresetSaysWhichLightsWithoutARoleItHasChanged) {
+  StudioParts studio;
+  SolvedSet set = test::smallSet(3, 24, 16);
+  set.capture.lights[0].role = Role::Key;
+  set.capture.lights[1].role = Role::Fill;
+  const std::string name = set.capture.lights[2].name;
+  studio.open(std::move(set));
+  applyPreset(studio.lights, findLook("neon"));
+  EXPECT_THAT(studio.said(), HasSubstr("Neon has changed " + name + ", too, which has no role."));
+}
+
+TEST(LookEdit, APresetThatChangesOnlyLightsWithRolesSaysNothing) {
+  StudioParts studio;
+  withRoles(studio);
+  applyPreset(studio.lights, findLook("neon"));
+  EXPECT_EQ(studio.said(), "");
+}
+
 TEST(LookEdit, LooksAreKeptRecalledAndCrossfaded) {
   StudioParts studio;
   withRoles(studio);
