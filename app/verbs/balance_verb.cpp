@@ -2,11 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <glm/common.hpp>
-#include <sstream>
 
 #include "app/arguments/display_arguments.h"
 #include "app/arguments/solve_arguments.h"
+#include "app/verbs/balance_work.h"
 #include "app/verbs/verbs.h"
 #include "core/balance/illuminant.h"
 #include "core/balance/lamp_reading.h"
@@ -17,20 +16,15 @@
 #include "core/balance/white_point.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
-#include "core/chart/camera_file.h"
 #include "core/export/frame_file.h"
 #include "core/file/json_file.h"
 #include "core/file/same_file.h"
 #include "core/intake/shot_color.h"
 #include "core/ocio/chosen_config.h"
-#include "core/ocio/convert_color.h"
-#include "core/ocio/luminance.h"
 #include "core/session/open_source.h"
 
 namespace swaplight {
 namespace {
-
-constexpr float kLeastOfWhite = 1e-3F;  // of a channel, that a camera's matrix is put on
 
 struct BalanceCommand {
   std::string photograph;
@@ -40,6 +34,7 @@ struct BalanceCommand {
   std::string method;
   std::string grey;
   std::string camera;
+  bool chart = false;
   std::string map;
   std::string white = "D65";
   std::string lights = "all";
@@ -47,21 +42,6 @@ struct BalanceCommand {
   std::string noise;
   FrameOptions frame;
 };
-
-/// A photograph that is being balanced.
-struct Work {
-  std::shared_ptr<const ColorConfig> config;
-  Image picture;
-  float clip = 0;
-  Rgb white{1, 1, 1};  ///< in the picture's primaries, luminance 1
-  Rgb weights{0, 0, 0};
-  Json json;
-  std::vector<std::string> warnings;
-};
-
-Json jsonFromRgb(const Rgb& color) {
-  return {color.r, color.g, color.b};
-}
 
 std::vector<Rgb> colorsFrom(const BalanceCommand& arguments, size_t expected, const std::string& of) {
   std::vector<Rgb> colors;
@@ -75,17 +55,7 @@ std::vector<Rgb> colorsFrom(const BalanceCommand& arguments, size_t expected, co
   return colors;
 }
 
-/// The primaries and white of the picture are known.
-void setWhite(const BalanceCommand& arguments, Work& work) {
-  const WhitePoint white = whitePointFromText(arguments.white);
-  const std::string& space = work.picture.spec().colorSpace;
-  work.white = glm::max(convertColor(*work.config, colorOfWhite(white), "lin_rec709", space), Rgb(0));
-  work.weights = luminanceWeights(space);
-  work.white /= work.white.r * work.weights.r + work.white.g * work.weights.g + work.white.b * work.weights.b;
-  work.json["white"] = textFromWhitePoint(white);
-}
-
-void balanceWithSet(const BalanceCommand& arguments, Work& work, const Progress& progress) {
+void balanceWithSet(const BalanceCommand& arguments, BalanceWork& work, const Progress& progress) {
   SolveOptions solving;
   solving.highlights = false;  // nothing here looks at them
   const SolvedSet set = openSource(*work.config, arguments.set, solving, progress.part(0, 0.4F));
@@ -104,7 +74,7 @@ void balanceWithSet(const BalanceCommand& arguments, Work& work, const Progress&
     balance.lamps = colorsFrom(arguments, set.contributions.size(), arguments.set);
   work.picture = photograph.shots.front().clone();
   work.clip = photograph.clipLevel.front();
-  setWhite(arguments, work);
+  work.setWhite(whitePointFromText(arguments.white));
   const std::vector<size_t> chosen = lightsFromText(defaultRig(set.capture), arguments.lights);
   balance.targets = whiteTargets(balance.lamps, chosen, work.white, work.weights);
   progress.update(0.8F, "balancing");
@@ -116,15 +86,15 @@ void balanceWithSet(const BalanceCommand& arguments, Work& work, const Progress&
   work.json["method"] = "set";
 }
 
-void loadPlain(const BalanceCommand& arguments, Work& work, const Progress& progress) {
+void loadPlain(const BalanceCommand& arguments, BalanceWork& work, const Progress& progress) {
   CapturePixels pixels = loadPhotograph(*work.config, arguments.photograph, arguments.colorSpace, progress);
   work.warnings = pixels.warnings;
   work.picture = std::move(pixels.shots.front());
   work.clip = pixels.clipLevel.front();
-  setWhite(arguments, work);
+  work.setWhite(whitePointFromText(arguments.white));
 }
 
-void balanceWithColors(const BalanceCommand& arguments, Work& work) {
+void balanceWithColors(const BalanceCommand& arguments, BalanceWork& work) {
   const std::vector<Rgb> colors = colorsFrom(arguments, 2, "a balance without a solved set");
   for (const Rgb& color : colors)
     if (!(color.r + color.g + color.b > 0)) throw InputError("--colors: a lamp that is black lights nothing");
@@ -137,44 +107,6 @@ void balanceWithColors(const BalanceCommand& arguments, Work& work) {
   work.json["method"] = "two-colors";
 }
 
-/// "X,Y" or "X,Y,SIDE".
-void balanceByCard(const BalanceCommand& arguments, Work& work) {
-  std::istringstream text(arguments.grey);
-  int x = 0, y = 0, side = 9;
-  char comma = 0, second = ',';
-  const bool two = bool(text >> x >> comma >> y) && comma == ',';
-  const bool three = two && (text >> std::ws).eof() ? true : bool(text >> second >> side) && second == ',';
-  if (!two || !three || !(text >> std::ws).eof() || side < 1 || side > 4096)
-    throw InputError("--grey {}: write X,Y or X,Y,SIDE, the pixel and size of a grey card", arguments.grey);
-  const ShotColor card = colorOfCard(work.picture, x, y, side);
-  work.picture = balanceByColor(work.picture, *card.color, work.white, work.weights);
-  work.json["card"] = jsonFromRgb(*card.color);
-}
-
-/// The camera's colours become those of Rec.709.
-void correctCamera(const BalanceCommand& arguments, const CameraFile& camera, Work& work) {
-  const std::string& space = work.picture.spec().colorSpace;
-  if (space != camera.from)
-    throw InputError("--camera {}: is for photographs in {}, {} is in {}", arguments.camera, camera.from,
-                     arguments.photograph, space);
-  camera.apply(work.picture, work.white, colorOfWhite(whitePointFromText(arguments.white)));
-  work.json["camera"] = arguments.camera;
-}
-
-/// The matrix, where one is told. The white must have something of every channel, which is divided by it.
-std::optional<CameraFile> cameraOf(const BalanceCommand& arguments, const ColorConfig& config) {
-  if (arguments.camera.empty()) return std::nullopt;
-  const CameraFile camera = readCamera(arguments.camera);
-  const Rgb white =
-      convertColor(config, colorOfWhite(whitePointFromText(arguments.white)), "lin_rec709", camera.from);
-  if (std::min({white.r, white.g, white.b}) < kLeastOfWhite)
-    throw InputError(
-        "--white {}: has nothing of one of the camera's channels, which --camera divides by: name one that "
-        "is less far from D65",
-        arguments.white);
-  return camera;
-}
-
 bool isRig(const BalanceCommand& arguments) {
   return std::filesystem::path(arguments.photograph).extension() == ".json";
 }
@@ -182,10 +114,10 @@ bool isRig(const BalanceCommand& arguments) {
 /// A rig's lights become white: what the studio's Neutralize does.
 int balanceRig(const BalanceCommand& arguments, Terminal& terminal) {
   if (!arguments.set.empty() || !arguments.colors.empty() || !arguments.method.empty() ||
-      !arguments.grey.empty() || !arguments.camera.empty())
+      !arguments.grey.empty() || arguments.chart || !arguments.camera.empty())
     throw InputError(
-        "{}: is a rig: its lights have colours of their own; leave out --beta, --colors, --method, --grey "
-        "and --camera",
+        "{}: is a rig: its lights have colours of their own; leave out --beta, --colors, --method, --grey, "
+        "--chart and --camera",
         arguments.photograph);
   const std::vector<std::filesystem::path> inputs{arguments.photograph};
   checkOutput(arguments.output, inputs);
@@ -208,10 +140,12 @@ void checkArguments(const BalanceCommand& arguments) {
   const int ways =
       int(!arguments.set.empty()) + int(arguments.set.empty() && !arguments.colors.empty()) + int(method);
   if (ways > 1) throw InputError("give one of --beta, --colors and --method");
-  if (ways == 0 && arguments.grey.empty() && arguments.camera.empty())
+  if (ways == 0 && arguments.grey.empty() && !arguments.chart && arguments.camera.empty())
     throw InputError(
-        "say how: --beta SOLVED (best), --colors FIRST,SECOND of two lamps, --grey X,Y of a card, --method "
-        "NAME, or, of what is balanced already, --camera CAMERA.json");
+        "say how: --beta SOLVED (best), --colors FIRST,SECOND of two lamps, --grey X,Y of a card, --chart, "
+        "--method NAME, or, of what is balanced already, --camera CAMERA.json");
+  if (arguments.chart && (!arguments.grey.empty() || !arguments.camera.empty()))
+    throw InputError("--chart: says what is grey, and the camera's matrix: leave out --grey and --camera");
   if (arguments.lights != "all" && arguments.set.empty())
     throw InputError("--lights: only a solved set tells lamps apart: give --beta SOLVED");
   if (!arguments.map.empty() && (!arguments.set.empty() || arguments.colors.empty()))
@@ -221,16 +155,21 @@ void checkArguments(const BalanceCommand& arguments) {
 int run(const BalanceCommand& arguments, Terminal& terminal) {
   if (isRig(arguments)) return balanceRig(arguments, terminal);
   checkArguments(arguments);
-  Work work;
+  BalanceWork work;
   work.config = programConfig();
+  work.photograph = arguments.photograph;
   checkFrame(*work.config, arguments.output, arguments.frame);
   std::vector<std::filesystem::path> inputs{arguments.photograph};
   if (!arguments.set.empty()) inputs.emplace_back(arguments.set);
   if (!arguments.camera.empty()) inputs.emplace_back(arguments.camera);
   checkOutput(arguments.output, inputs);
   if (!arguments.map.empty()) checkOutput(arguments.map, inputs);
-  (void)whitePointFromText(arguments.white);
-  const std::optional<CameraFile> camera = cameraOf(arguments, *work.config);
+  const WhitePoint white = whitePointFromText(arguments.white);
+  std::optional<CameraFile> camera;
+  if (!arguments.camera.empty()) {
+    camera = readCamera(arguments.camera);
+    checkWhiteFor(*camera, *work.config, white);
+  }
 
   const Progress progress = terminal.progress();
   work.json = {{"photograph", arguments.photograph}, {"output", arguments.output}};
@@ -244,8 +183,9 @@ int run(const BalanceCommand& arguments, Terminal& terminal) {
       work.json["method"] = arguments.method;
     }
   }
-  if (!arguments.grey.empty()) balanceByCard(arguments, work);
-  if (camera) correctCamera(arguments, *camera, work);
+  if (!arguments.grey.empty()) balanceByCard(work, arguments.grey);
+  if (arguments.chart) balanceByChart(work, white, progress.part(0.5F, 0.9F));
+  if (camera) correctCamera(work, *camera, arguments.camera, white);
   sayWarnings(work.warnings, terminal);
   work.json["warnings"] = work.warnings;
   writeFrame(*work.config, std::move(work.picture), arguments.output, arguments.frame,
@@ -286,6 +226,9 @@ void addBalanceVerb(Program& program) {
   verb.add_option("--method", a->method, "Without knowing the lamps: " + methodNames())->type_name("NAME");
   verb.add_option("--grey", a->grey, "A grey card in the photograph, which becomes neutral at last")
       ->type_name("X,Y[,SIDE]");
+  verb.add_flag("--chart", a->chart,
+                "A Macbeth chart in the photograph: its greys become neutral, and the camera's colours "
+                "Rec.709's, at last");
   verb.add_option("--camera", a->camera,
                   "The camera's matrix, as swaplight chart writes it: the balanced picture's colours become "
                   "Rec.709's")

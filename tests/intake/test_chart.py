@@ -41,6 +41,22 @@ class Chart(cli.CliTest):
         scale = np.median(seen[340:360, 140:160] / plain[340:360, 140:160])
         np.testing.assert_allclose(seen[110:120, 140:160].mean((0, 1)), scale * plain[115, 150], rtol=.05)
 
+    def test_a_chart_in_the_picture_balances_it_at_once(self):
+        camera = np.array([[.78, .17, .05], [.12, .80, .08], [.03, .22, .75]])
+        photo = self.photo('a.exr', LAMP, camera=camera)
+        said = self.succeed_json('balance', photo, '--chart', '-o', self.path('out.exr'))
+        np.testing.assert_allclose(said['chart']['light'], LAMP, rtol=.01)
+        self.assertLess(said['chart']['delta_e']['mean'], 1)
+        plain, seen = photograph(np.ones(3), noise=0), cli.read_rgb(self.path('out.exr'))
+        scale = np.median(seen[340:360, 140:160] / plain[340:360, 140:160])
+        np.testing.assert_allclose(seen[110:120, 140:160].mean((0, 1)), scale * plain[115, 150], rtol=.05)
+        # Without one it is said, and nothing is written.
+        cli.write_image(self.path('grey.exr'), np.full((80, 100, 3), .3, np.float32))
+        self.deny('balance', self.path('grey.exr'), '--chart', '-o', self.path('none.exr'), '-q',
+                  naming=['grey.exr', 'no chart found', '--grey'])
+        self.assertFalse(cli.os.path.exists(self.path('none.exr')))
+        self.deny('balance', photo, '--chart', '--grey', '150,350', '-o', self.path('none.exr'), naming='--chart')
+
     def test_gels_are_measured_into_a_table(self):
         lamp, gel = self.photo('lamp.exr', LAMP), self.photo('gel.exr', LAMP * GEL)
         table = self.path('gels.csv')
