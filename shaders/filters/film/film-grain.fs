@@ -48,13 +48,15 @@ float lattice(vec2 p, int channel) {
 }
 void main() {
   vec4 c = IMG_THIS_PIXEL(inputImage);
-  vec2 p = gl_FragCoord.xy * 1920.0 / (RENDERSIZE.x * size);
+  float grains = 1920.0 / (RENDERSIZE.x * size);  // across a pixel
+  vec2 p = gl_FragCoord.xy * grains;
   float common1 = lattice(p, 0);
   vec3 noise = mix(vec3(common1), vec3(lattice(p, 1), lattice(p, 2), lattice(p, 3)), color);
   noise /= 0.743 * sqrt((1.0 - color) * (1.0 - color) + color * color);  // standard deviation 1 again
   // Most in the shadows and middle tones; highlights, where every crystal is developed, are smooth.
   float y = max(luma(c.rgb), 0.0);
-  float strength = amount * mix(1.0, 0.25, y / (y + 0.6));
+  // A pixel that is wider than a grain sees the mean of several.
+  float strength = amount * mix(1.0, 0.25, y / (y + 0.6)) / max(1.0, grains);
   vec3 stops = strength * noise;
   // The mean stays, as E exp2(s n) = exp2(s^2 ln 2 / 2).
   gl_FragColor = vec4(c.rgb * exp2(stops - 0.3466 * strength * strength), c.a);
