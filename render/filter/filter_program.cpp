@@ -68,8 +68,14 @@ struct FilterProgram::Drawing {
   Clock::time_point begin = Clock::now();
   std::map<std::string, FilterTexture> targets = {};
   /// Stands for a picture that is missing, and for a target that is not drawn yet.
-  FilterTexture noPicture = FilterTexture(FilterWindow::whole(1, 1));
-  FilterTexture noTarget = FilterTexture(FilterWindow::whole(1, 1), input.kind());
+  const FilterTexture& blackOf(TextureKind kind) {
+    FilterTexture& texture = black[kind];
+    if (!texture) {
+      texture = FilterTexture(FilterWindow::whole(1, 1), kind);
+      texture.clear();
+    }
+    return texture;
+  }
 };
 
 FilterProgram::FilterProgram(std::shared_ptr<const Filter> filter, TextureKind kind)
@@ -101,6 +107,8 @@ void FilterProgram::compileForAnyPass(TextureKind kind) {
 
 bool FilterProgram::tiles() const {
   return m_filter->halo || (!m_looksElsewhere && m_filter->passes.size() == 1);
+  std::map<TextureKind, FilterTexture> black = {};
+
 }
 
 int FilterProgram::halo(std::span<const FilterValue> values, int wholeWidth, int wholeHeight) const {
@@ -153,20 +161,23 @@ void FilterProgram::drawPass(int index, const FilterTexture& target, Drawing& dr
   setInputs(program, drawing);
   BoundTextures bound;
   for (const std::string& image : m_images) {
-    const FilterTexture* texture = &drawing.noPicture;
+    const FilterTexture* texture = nullptr;
     if (const auto found = drawing.targets.find(image); found != drawing.targets.end())
       texture = &found->second;
     else if (const auto picture = drawing.pictures.find(image); picture != drawing.pictures.end())
       texture = picture->second.get();
     else if (image == "inputImage")
       texture = &drawing.input;
-    FilterWindow place = texture->window();
-    for (const FilterPass& other : m_filter->passes)  // a target not drawn yet is black, and has its size
-      if (texture == &drawing.noPicture && other.target == image) {
-        texture = &drawing.noTarget;
-        place = windowOf(other, drawing.values, drawing.input.window());
-      }
-    set(image, bound.add(texture->target(), texture->texture()));
+    FilterWindow place = texture ? texture->window() : FilterWindow::whole(1, 1);
+    if (!texture) {
+      const auto other = std::find_if(m_filter->passes.begin(), m_filter->passes.end(),
+                                      [&](const FilterPass& each) { return each.target == image; });
+      const bool isTarget = other != m_filter->passes.end();  // not drawn yet: black, and of its size
+      if (isTarget) place = windowOf(*other, drawing.values, drawing.input.window());
+      if (program.hasUniform(image))
+        texture = &drawing.blackOf(isTarget ? drawing.input.kind() : TextureKind::Coordinates);
+    }
+    if (program.hasUniform(image)) set(image, bound.add(texture->target(), texture->texture()));
     set("isf_window_" + image, glm::vec4(place.x, place.y, place.wholeWidth, place.wholeHeight));
   }
   const double seconds = drawing.time.frame / drawing.time.framesPerSecond;
@@ -215,8 +226,6 @@ FilterTexture FilterProgram::draw(const FilterTexture& input, const FilterWindow
                                   std::span<const FilterValue> values, const FilterPictures& pictures,
                                   const FilterTime& time, const FilterLimits& limits) const {
   Drawing drawing{input, values, pictures, time, limits};
-  drawing.noPicture.clear();
-  drawing.noTarget.clear();
   const int last = static_cast<int>(m_filter->passes.size()) - 1;
   for (int i = 0; i < last; ++i) {
     const FilterPass& pass = m_filter->passes[static_cast<size_t>(i)];
