@@ -31,8 +31,7 @@ float clampedCode(float code) {
   return code > 0 ? std::min(code, 1.0F) : 0;  // also what is not a number
 }
 
-/// What the picture's values are, on their way through a pipeline.
-enum class Encoding { SceneLight, DisplayCodes, DisplayLight };
+using Encoding = PictureEncoding;
 
 Encoding wantedBy(const Filter& filter, Encoding now) {
   switch (filter.space) {
@@ -262,14 +261,18 @@ FilteredImage PipelineRenderer::apply(FilteredImage frame, std::span<const Resol
                                       const PipelineOptions& options, const Progress& progress) {
   Encoding encoding = frame.space == FilterSpace::Display ? Encoding::DisplayCodes : Encoding::SceneLight;
   std::vector<ResolvedStage> stages = usable(asked, options);
-  for (size_t begin = 0; begin < stages.size();) {
+  const PipelineMemory::Plan plan =
+      options.memory ? options.memory->plan(stages, frame.image, encoding) : PipelineMemory::Plan{};
+  size_t keepAfter = plan.keepAfter;
+  for (size_t begin = plan.begin; begin < stages.size();) {
     const Encoding wanted = wantedBy(*stages[begin].filter, encoding);
     convert(frame.image, encoding, wanted, options);
     encoding = wanted;
+    if (keepAfter > 0 && begin == keepAfter) options.memory->keep(begin, frame.image, encoding);
     // As many filters as work on the same values and can be drawn together, part by part.
     size_t end = begin + 1;
     if (program(stages[begin].filter).tiles())
-      while (end < stages.size() && wantedBy(*stages[end].filter, encoding) == encoding &&
+      while (end < stages.size() && end != keepAfter && wantedBy(*stages[end].filter, encoding) == encoding &&
              stages[end].filter->overview.empty() && program(stages[end].filter).tiles())
         ++end;
     const auto share = [&](size_t stage) {
@@ -280,6 +283,8 @@ FilteredImage PipelineRenderer::apply(FilteredImage frame, std::span<const Resol
               progress.part(share(begin), share(end)));
       begin = end;
     } catch (const BrokenStage& broken) {  // the picture is as it was before the run
+      if (options.memory) options.memory->forget();
+      keepAfter = 0;
       if (!options.leftOut) throw;
       options.leftOut(broken.what());
       stages.erase(stages.begin() + static_cast<ptrdiff_t>(begin + broken.stage()));

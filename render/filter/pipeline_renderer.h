@@ -11,6 +11,7 @@
 #include "core/filter/filter_library.h"
 #include "core/filter/filtered_image.h"
 #include "render/filter/part_plan.h"
+#include "render/filter/pipeline_memory.h"
 
 namespace swaplight {
 
@@ -30,6 +31,7 @@ struct PipelineOptions {
   FilterLimits limitsPerTile;
   /// Told, in a line, of each filter that cannot be drawn, which is then left out. Empty: that is an error.
   std::function<void(const std::string&)> leftOut = {};
+  PipelineMemory* memory = nullptr;  ///< of this frame; nullptr: nothing is kept
 };
 
 /// Runs pipelines on pictures in the current OpenGL context, which must be the same as long as it lives.
