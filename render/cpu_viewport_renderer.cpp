@@ -104,11 +104,12 @@ void CpuViewportRenderer::draw(const ViewportRequest& request, const ViewWindow&
                                uint8_t* pixels) {
   const DisplayTable& table = tableFor(request.a.colorSpace, request.settings);
   LayerSum* sum = place ? &place->sumA : nullptr;
+  const ViewWindow onA = windowOnCopy(window, request.a.scale);
   if (request.comparison.mode == Comparison::Mode::Difference)
-    windowPixels(differenceLayers(request.a.layers, request.b.layers), window, absoluteCodesThrough(table),
+    windowPixels(differenceLayers(request.a.layers, request.b.layers), onA, absoluteCodesThrough(table),
                  pixels, sum);
   else
-    windowPixels(request.a.layers, window, codesThrough(table), pixels, sum);
+    windowPixels(request.a.layers, onA, codesThrough(table), pixels, sum);
   if (request.comparison.mode == Comparison::Mode::Wipe)
     drawB(request, window, place ? &place->sumB : nullptr, pixels);
 }
@@ -129,8 +130,8 @@ void CpuViewportRenderer::drawB(const ViewportRequest& request, const ViewWindow
   part.left = window.pictureX(left);
   part.width = right - left;
   std::vector<uint8_t> own(static_cast<size_t>(part.width) * static_cast<size_t>(part.height) * 4);
-  windowPixels(request.b.layers, part, codesThrough(tableFor(request.b.colorSpace, request.settings)),
-               own.data(), sum);
+  windowPixels(request.b.layers, windowOnCopy(part, request.b.scale),
+               codesThrough(tableFor(request.b.colorSpace, request.settings)), own.data(), sum);
   for (int y = 0; y < window.height; ++y) {
     const auto [begin, end] = columnsOfB(side, y, window.width);
     if (begin >= end) continue;
@@ -155,7 +156,8 @@ void CpuViewportRenderer::changed(const Pyramid& picture, const TileRect& where)
     place.sumA.forget();
     place.sumB.forget();
     if (!place.shown || !(shows(place.shown->a, picture) || shows(place.shown->b, picture))) continue;
-    if (hasZebra(place.shown->settings))  // its stripes are drawn over the pixels: all of it again
+    const bool all = where.width >= picture.width() && where.height >= picture.height();
+    if (all || hasZebra(place.shown->settings))  // stripes are drawn over the pixels
       place.shown.reset();
     else
       place.changed = enclosing(place.changed, {where.x, where.y, where.width, where.height});

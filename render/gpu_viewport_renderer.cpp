@@ -16,17 +16,19 @@ unsigned GpuViewportRenderer::texture(const ViewportRequest& request, int place)
 
 void GpuViewportRenderer::draw(const ViewportRequest& request, Place& place) {
   ViewRenderer& viewerA = viewerFor(request.a.colorSpace);
+  const ViewWindow onA = windowOnCopy(request.window, request.a.scale);
   if (request.comparison.mode == Comparison::Mode::Difference) {
     TiledTexture& difference = relit(place.a, differenceLayers(request.a.layers, request.b.layers));
     place.target.resize(request.window.width, request.window.height);
-    viewerA.draw(difference, request.window, request.settings, {.absolute = true}, place.target);
+    viewerA.draw(difference, onA, request.settings, {.absolute = true}, place.target);
     return;
   }
-  viewerA.draw(relit(place.a, request.a.layers), request.window, request.settings, place.target);
+  viewerA.draw(relit(place.a, request.a.layers), onA, request.settings, place.target);
   if (request.comparison.mode == Comparison::Mode::Wipe)
     viewerFor(request.b.colorSpace)
-        .draw(relit(place.b, request.b.layers), request.window, request.settings,
-              {.side = glm::vec3(sideOfB(request.comparison, request.window))}, place.target);
+        .draw(relit(place.b, request.b.layers), windowOnCopy(request.window, request.b.scale),
+              request.settings, {.side = glm::vec3(sideOfB(request.comparison, request.window))},
+              place.target);
 }
 
 TiledTexture& GpuViewportRenderer::relit(Frame& frame, const std::vector<ViewLayer>& layers) {
@@ -59,8 +61,11 @@ ViewRenderer& GpuViewportRenderer::viewerFor(const std::string& colorSpace) {
 void GpuViewportRenderer::changed(const Pyramid& picture, const TileRect& where) {
   const auto found = m_pictures.find(&picture);
   if (found == m_pictures.end()) return;
-  updatePicture(found->second, picture.level(0).crop(where.x, where.y, where.width, where.height), where.x,
-                where.y);
+  if (found->second.width != picture.width() || found->second.height != picture.height())
+    m_pictures.erase(found);  // another size: uploaded anew when it is shown
+  else
+    updatePicture(found->second, picture.level(0).crop(where.x, where.y, where.width, where.height), where.x,
+                  where.y);
   for (auto& [name, place] : m_places) {
     place.shown.reset();
     place.a.layers.clear();

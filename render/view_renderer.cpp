@@ -79,7 +79,7 @@ void ViewRenderer::draw(TiledTexture& picture, const ViewWindow& window, const V
                         const Part& part, ViewTarget& target) {
   const DisplayProgram& display = programFor(settings);
   const ShaderProgram& program = display.program();
-  const bool smoothed = !showsSquares(window.zoom);
+  const bool smoothed = !showsSquares(window);
   if (smoothed && !picture.halved) {
     for (const TiledTexture::Tile& tile : picture.tiles) halve(tile);
     picture.halved = true;

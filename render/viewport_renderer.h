@@ -18,15 +18,16 @@ namespace swaplight {
 struct LayeredPicture {
   std::vector<ViewLayer> layers;  ///< of one size
   std::string colorSpace;         ///< of the layers, linear; empty: they are data, shown without a view
+  double scale = 1;  ///< the layers' size in that of the picture: below 1 they are a draft that stands for it
   bool operator==(const LayeredPicture&) const = default;
 };
 
 /// What is to be seen in a window.
 struct ViewportRequest {
   LayeredPicture a;
-  LayeredPicture b;  ///< where the comparison is not Off; of A's size
+  LayeredPicture b;  ///< where the comparison is not Off; of A's size, for a difference of its scale, too
   Comparison comparison;
-  ViewWindow window;
+  ViewWindow window;  ///< of the picture, whatever the layers' scale
   ViewSettings settings;
   bool operator==(const ViewportRequest&) const = default;
 };
@@ -52,7 +53,8 @@ class ViewportRenderer {
   /// Throws InputError (unknown view), ResourceError (no memory).
   virtual unsigned texture(const ViewportRequest& request, int place = 0) = 0;
 
-  /// To be called when pixels of a picture have changed, after its pyramid was refreshed.
+  /// To be called when pixels of a picture have changed, after its pyramid was refreshed; with all of it
+  /// where its size has.
   virtual void changed(const Pyramid& picture, const TileRect& where) = 0;
   /// From now on views are those of this configuration.
   virtual void setConfig(const std::shared_ptr<const ColorConfig>& config) = 0;

@@ -46,6 +46,8 @@ int bench(const StudioOptions& options, Terminal& terminal) {
       for (const char* part : {"median", "p95", "worst"})
         table += fmt::format("{:>9.1f}", one[what][part].get<double>());
     table += fmt::format("{:>14.1f}\n", one["processor_ms_a_frame"].get<double>());
+    if (one.contains("exact_after_ms"))
+      table += fmt::format("  at full size after {:.0f} ms\n", one["exact_after_ms"].get<double>());
   }
   table += fmt::format("most memory held: {} MB", json["peak_memory_mb"].get<long>());
   terminal.result(table, json);

@@ -13,6 +13,7 @@ struct ViewWindow {
   double zoom = 1;  ///< window pixels a picture pixel, > 0
   int width = 0;    ///< of the window, in pixels
   int height = 0;
+  bool smooth = false;  ///< enlarged pixels are never shown as squares
   bool operator==(const ViewWindow&) const = default;
 
   [[nodiscard]] double pictureX(double windowX) const { return left + windowX / zoom; }
@@ -23,8 +24,14 @@ struct ViewWindow {
 
 /// Whether pixels are shown as they are, enlarged ones as squares; otherwise they are interpolated: a picture
 /// is looked at up to 400 %, beyond it pixels are.
-[[nodiscard]] inline bool showsSquares(double zoom) {
-  return zoom > 4 || zoom == 1;
+[[nodiscard]] inline bool showsSquares(const ViewWindow& window) {
+  return !window.smooth && (window.zoom > 4 || window.zoom == 1);
+}
+
+/// The same part of a picture, on a copy of it that is `scale` times as large and stands for it.
+[[nodiscard]] inline ViewWindow windowOnCopy(const ViewWindow& window, double scale) {
+  if (scale == 1) return window;
+  return {window.left * scale, window.top * scale, window.zoom / scale, window.width, window.height, true};
 }
 
 /// The halved picture, 0 or more, from which a window is made: the one nearest in size.

@@ -131,7 +131,7 @@ void forEachRow(std::span<const ViewLayer> layers, const ViewWindow& window, Lay
   const int level = std::min(nearestLevel(window.zoom), layers.front().picture->levels() - 1);
   const double shrink = std::exp2(-level);
   const double zoom = window.zoom / shrink;
-  const bool smooth = !showsSquares(window.zoom);
+  const bool smooth = !showsSquares(window);
   const ImageView shape = layers.front().picture->level(level);
   const Axis x(window.left * shrink, zoom, window.width, shape.width, smooth);
   const Axis y(window.top * shrink, zoom, window.height, shape.height, smooth);

@@ -123,6 +123,53 @@ TEST_F(ViewportRendererTest, APictureAgainstItselfDiffersByNothing) {
   }
 }
 
+TEST_F(ViewportRendererTest, ADraftStandsForThePictureAtEveryZoom) {
+  const Image draftImage = halveImage(halveImage(m_images[0].view()).view());
+  const Pyramid draftPyramid(draftImage.view());
+  for (const Engine engine : {Engine::Processor, Engine::Graphics}) {
+    const auto screen = makeViewportRenderer(engine, m_config);
+    for (const ViewWindow& window :
+         {kWhole, ViewWindow{0, 0, 0.7, 448, 280}, ViewWindow{41.5, 33, 0.9, 300, 200},
+          ViewWindow{100.25, 80, 9, 320, 200}}) {
+      ViewportRequest exact = request(window);
+      exact.a = {{{&m_pyramids[0], Rgb(1)}}, "lin_rec709"};
+      ViewportRequest draft = exact;
+      draft.a = {{{&draftPyramid, Rgb(1)}}, "lin_rec709", 0.25};
+      const std::vector<uint8_t> wanted = pixelsOf(screen->texture(exact), window);
+      const std::vector<uint8_t> seen = pixelsOf(screen->texture(draft), window);
+      // Not at the picture's edge, where a draft's pixels end earlier.
+      const auto edge = [](double at, int side) { return at < 8 || at > side - 8; };
+      int worst = 0;
+      for (int y = 0; y < window.height; ++y)
+        for (int x = 0; x < window.width; ++x)
+          for (int c = 0; c < 3 && !edge(window.pictureX(x), 640) && !edge(window.pictureY(y), 400); ++c) {
+            const size_t i =
+                4 * (static_cast<size_t>(y) * static_cast<size_t>(window.width) + static_cast<size_t>(x)) +
+                static_cast<size_t>(c);
+            worst = std::max(worst, std::abs(seen[i] - wanted[i]));
+          }
+      EXPECT_LE(worst, 3) << screen->words() << ", zoom " << window.zoom;
+    }
+  }
+}
+
+TEST_F(ViewportRendererTest, APictureMayChangeItsSize) {
+  for (const Engine engine : {Engine::Processor, Engine::Graphics}) {
+    const auto screen = makeViewportRenderer(engine, m_config);
+    const Image small = smoothPicture(160, 100, 2);
+    std::optional<Pyramid> pyramid(m_images[0].view());
+    ViewportRequest wanted = request(kWhole);
+    wanted.a = {{{&*pyramid, Rgb(1)}}, "lin_rec709"};
+    (void)screen->texture(wanted);
+    pyramid.emplace(small.view());
+    screen->changed(*pyramid, {0, 0, 160, 100});
+    wanted.a.scale = 0.25;
+    const std::vector<uint8_t> seen = pixelsOf(screen->texture(wanted), kWhole);
+    const auto fresh = makeViewportRenderer(engine, m_config);
+    EXPECT_EQ(seen, pixelsOf(fresh->texture(wanted), kWhole));
+  }
+}
+
 TEST_F(ViewportRendererTest, ChangedPixelsAreSeenAfterTheyWereAnnounced) {
   for (const Engine engine : {Engine::Processor, Engine::Graphics}) {
     const auto screen = makeViewportRenderer(engine, m_config);

@@ -18,6 +18,8 @@ namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr double kLongestRest = 0.01;  // seconds
+
 std::unique_ptr<Window> openSomeWindow(const StudioOptions& options, std::string& where) {
   try {
     where = "window";
@@ -81,6 +83,15 @@ void BenchStage::drawFrame() {
   m_window->requestFrames(1);
   m_studio->frame();
   finishDrawing();
+}
+
+bool BenchStage::rest() {
+  m_window->wait(std::min(m_studio->restSeconds(), kLongestRest));
+  m_studio->update();
+  if (!m_window->frameWanted()) return false;
+  m_studio->frame();
+  finishDrawing();
+  return true;
 }
 
 Json BenchStage::circumstances() const {

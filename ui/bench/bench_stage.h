@@ -46,6 +46,9 @@ class BenchStage {
   void openLarge(int width, int height);
   /// One frame, until all of it is on the screen.
   void drawFrame();
+  /// What the studio does while nothing is touched: sleeps until something happens, and draws a frame if one
+  /// is wanted. Whether one was drawn.
+  bool rest();
   /// Window, engine, lights, load.
   [[nodiscard]] Json circumstances() const;
   [[nodiscard]] const SolvedSet& small() const { return m_small; }

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -56,13 +55,12 @@ void seeThroughFilters(DocumentEditor& editor) {
 void drawFiltered(BenchStage& stage, bool exact) {
   const LookPreview& seen = stage.studio().context().seen;
   const Clock::time_point end = Clock::now() + kFilterPatience;
+  bool onScreen = true;  // what was there before the last frame
   while (!seen.follows(LookPreview::Side::A, exact)) {
     if (Clock::now() > end) throw InputError("--bench-ui: the camera look is not drawn");
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    stage.studio().update();
-    if (exact) stage.drawFrame();
+    onScreen = stage.rest();
   }
-  stage.drawFrame();
+  if (!onScreen) stage.drawFrame();
 }
 
 Json measure(BenchStage& stage, const Case& which) {

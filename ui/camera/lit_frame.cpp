@@ -9,7 +9,8 @@ namespace swaplight {
 namespace {
 
 int scaledSide(int side, float scale) {
-  return std::max(1, static_cast<int>(std::lround(scale * static_cast<float>(side))));
+  constexpr double kRounding = 1e-3;  // of the scale's float
+  return std::max(1, static_cast<int>(std::ceil(double{scale} * side - kRounding)));
 }
 
 }  // namespace
@@ -18,10 +19,8 @@ Image litFrame(const SeenRequest& request, float scale) {
   const LiveSet::Reading reading = request.live->read();
   const int width = reading.pictures().width(), height = reading.pictures().height();
   Image light(ImageSpec::rgb(scaledSide(width, scale), scaledSide(height, scale)));
-  const double zoom =
-      std::max(static_cast<double>(light.width()) / width, static_cast<double>(light.height()) / height);
   windowLinear(reading.pictures().layers({}, request.factors, request.ambient),
-               {0, 0, zoom, light.width(), light.height()}, light.span());
+               {0, 0, scale, light.width(), light.height()}, light.span());
   light.setColorSpace(reading.set().colorSpace());
   return light;
 }

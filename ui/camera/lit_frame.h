@@ -6,7 +6,8 @@
 namespace swaplight {
 
 /// The set's frame as the request's lights light it, before any camera look: scene-linear, in the set's
-/// colour space, `scale` times its size (at most 1). From any thread.
+/// colour space, `scale` times its size (at most 1); a side that is no whole number of pixels is rounded up.
+/// From any thread.
 [[nodiscard]] Image litFrame(const SeenRequest& request, float scale);
 
 }  // namespace swaplight

@@ -3,35 +3,28 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
+#include <utility>
 
 #include "core/base/error.h"
-#include "core/view/window_pixels.h"
 #include "render/filter/filter_engine.h"
+#include "render/filter/pipeline_memory.h"
 #include "ui/camera/lit_frame.h"
 
 namespace swaplight {
 namespace {
 
-constexpr double kDraftSeconds = 0.02;  ///< for filters, of the 33 ms in which a picture follows the hand
-/// Not halves and quarters, which the viewer's interpolation shows as squares.
-constexpr std::array<float, 3> kDraftScales = {1, 0.51F, 0.26F};
-constexpr float kFirstDraft = 0.26F;
 constexpr int kTileSide = 1024;  ///< between tiles a picture that nobody waits for any more is given up
 constexpr double kMostSeconds = 5;
 
-/// A picture of another size, interpolated.
-Image resized(const Image& image, int width, int height) {
-  const Pyramid pyramid(image.view());
-  const std::array<ViewLayer, 1> layers{ViewLayer{&pyramid, Rgb(1)}};
-  // The window lies inside the picture.
-  const double zoom =
-      std::max(static_cast<double>(width) / image.width(), static_cast<double>(height) / image.height());
-  Image out(ImageSpec::rgb(width, height));
-  out.setColorSpace(image.spec().colorSpace);
-  windowLinear(layers, {0, 0, zoom, width, height}, out.span());
-  return out;
+/// How long a frame of the interface waits for a draft: until it has to be on the screen.
+constexpr std::chrono::milliseconds kMostWait{16};
+
+std::vector<std::string> filtersOf(const FilterPipeline& look) {
+  std::vector<std::string> filters;
+  for (const FilterStage& stage : look.stages)
+    if (stage.on) filters.push_back(stage.filter);
+  return filters;
 }
 
 }  // namespace
@@ -52,10 +45,10 @@ struct LookPreview::Engine {
 struct LookPreview::Drawing {
   SeenRequest request;
   float scale = 1;
-  int width = 0, height = 0;  ///< of the frame
   std::vector<ResolvedStage> stages;
   std::vector<std::string> leftOut;
   std::shared_ptr<Engine> engine;
+  std::shared_ptr<PipelineMemory> memory;
 };
 
 LookPreview::LookPreview(ViewportRenderer& renderer, std::function<void()> wake)
@@ -68,22 +61,38 @@ FilterLibrary& LookPreview::library() {
   return *m_library;
 }
 
-std::optional<LayeredPicture> LookPreview::picture(Side side, const SeenRequest& request, bool settled) {
+std::optional<LayeredPicture> LookPreview::picture(Side side, const SeenRequest& request,
+                                                   SeenOptions options) {
   Place& place = m_places.at(static_cast<size_t>(side));
   if (place.asked != request) place.askedAt = Clock::now();
   place.asked = request;
-  place.settled = settled;
+  place.settled = options.settled;
   advance(place);
+  if (!options.settled) waitForDraft(place);
   const std::shared_ptr<const SeenPicture> seen = shown(side, request);
   if (!seen) return std::nullopt;
-  return LayeredPicture{{{&*seen->pyramid, Rgb(1)}}, seen->colorSpace};
+  if (options.asLarge && seen->scale < 1) {
+    SeenPicture& front = *place.pictures.at(place.front);
+    enlarge(front);
+    m_renderer.changed(*front.pyramid, {0, 0, front.width, front.height});
+  }
+  return LayeredPicture{{{&*seen->pyramid, Rgb(1)}}, seen->colorSpace, seen->scale};
+}
+
+/// A draft that is made at once is shown in the frame that asked for it, not in the next one.
+void LookPreview::waitForDraft(Place& place) {
+  const Clock::time_point end = Clock::now() + kMostWait;
+  while (m_draftSize.isQuick() && place.job.running() && place.job.endsWithin(end - Clock::now())) {
+    take(place);
+    advance(place);
+  }
 }
 
 std::shared_ptr<const SeenPicture> LookPreview::shown(Side side, const SeenRequest& request) const {
   const Place& place = m_places.at(static_cast<size_t>(side));
   const std::shared_ptr<SeenPicture>& front = place.pictures.at(place.front);
   const ViewPictures& pictures = request.live->pictures();
-  const bool fits = front->image.width() == pictures.width() && front->image.height() == pictures.height();
+  const bool fits = front->width == pictures.width() && front->height == pictures.height();
   if (place.shownScale <= 0 || !fits || place.failed == request) return nullptr;
   return front;
 }
@@ -95,15 +104,18 @@ bool LookPreview::follows(Side side, bool exact) const {
 
 void LookPreview::update(Messages& messages) {
   for (Place& place : m_places) {
-    take(place, messages);
+    take(place);
     if (place.asked.live) advance(place);
   }
+  for (const std::string& line : std::exchange(m_toWarn, {})) messages.warn(line);
+  for (const std::string& line : std::exchange(m_toReport, {})) messages.error(line);
 }
 
 void LookPreview::forget() {
   for (Place& place : m_places) {
     place.job.cancel();
     place.asked = place.shown = place.failed = {};
+    place.draft = place.exact = {};
     place.shownScale = 0;
   }
 }
@@ -130,13 +142,18 @@ void LookPreview::start(Place& place, float scale) {
   place.makingScale = scale;
   place.makingSince = place.askedAt;
   place.job.start(
-      [drawing = drawingOf(place.asked, scale)](const Progress& progress) { return draw(drawing, progress); },
+      [drawing = drawingOf(place, scale)](const Progress& progress) { return draw(drawing, progress); },
       m_wake);
 }
 
-LookPreview::Drawing LookPreview::drawingOf(const SeenRequest& request, float scale) {
-  const ViewPictures& pictures = request.live->pictures();
-  Drawing drawing{request, scale, pictures.width(), pictures.height(), {}, {}, m_engine};
+LookPreview::Drawing LookPreview::drawingOf(Place& place, float scale) {
+  const SeenRequest& request = place.asked;
+  SeenRequest frame = request;
+  frame.look = {};
+  Kept& kept = scale < 1 ? place.draft : place.exact;
+  if (kept.frame != frame || kept.scale != scale)
+    kept = {std::move(frame), scale, std::make_shared<PipelineMemory>()};
+  Drawing drawing{request, scale, {}, {}, m_engine, kept.memory};
   for (const FilterStage& stage : request.look.stages) {
     if (!stage.on) continue;
     try {
@@ -150,6 +167,10 @@ LookPreview::Drawing LookPreview::drawingOf(const SeenRequest& request, float sc
 }
 
 LookPreview::Drawn LookPreview::draw(const Drawing& drawing, const Progress& progress) {
+  const Clock::time_point begin = Clock::now();
+  const auto secondsSince = [](Clock::time_point from) {
+    return std::chrono::duration<double>(Clock::now() - from).count();
+  };
   const SeenRequest& request = drawing.request;
   Image light = litFrame(request, drawing.scale);
   const std::string space = light.spec().colorSpace;
@@ -158,41 +179,43 @@ LookPreview::Drawn LookPreview::draw(const Drawing& drawing, const Progress& pro
   PipelineOptions options;
   options.tileSide = kTileSide;
   options.limitsPerTile.mostSeconds = kMostSeconds;
+  options.memory = drawing.memory.get();
   options.leftOut = [&](const std::string& line) { drawn.leftOut.push_back(line); };
   options.displayFromScene = [&](ImageSpan image) {
     request.config->applyView(image, space, namedDisplay(*request.config, request.display));
   };
+  Progress silent;  // a report would have the window drawn again, which shows none of it
+  silent.stop = progress.stop;
   FilterEngine& engine = drawing.engine->get();
-  const Clock::time_point begin = Clock::now();
+  const Clock::time_point filtersBegin = Clock::now();
   FilteredImage seen =
-      engine.apply({std::move(light), FilterSpace::SceneLinear}, drawing.stages, options, progress);
-  drawn.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  drawn.image =
-      drawing.scale < 1 ? resized(seen.image, drawing.width, drawing.height) : std::move(seen.image);
+      engine.apply({std::move(light), FilterSpace::SceneLinear}, drawing.stages, options, silent);
+  drawn.filterSeconds = secondsSince(filtersBegin);
+  drawn.image = std::move(seen.image);
   drawn.pyramid.emplace(drawn.image.view());
   drawn.colorSpace = seen.space == FilterSpace::Display ? "" : space;
+  drawn.seconds = secondsSince(begin);
   return drawn;
 }
 
-void LookPreview::take(Place& place, Messages& messages) {
+void LookPreview::take(Place& place) {
   try {
-    if (std::optional<Drawn> drawn = place.job.take()) adopt(place, std::move(*drawn), messages);
+    if (std::optional<Drawn> drawn = place.job.take()) adopt(place, std::move(*drawn));
   } catch (const Stopped&) {
     return;  // another one is asked for
   } catch (const std::exception& error) {
     place.failed = place.making;
-    messages.error(std::string("The camera look cannot be shown: ") + error.what());
+    m_toReport.push_back(std::string("The camera look cannot be shown: ") + error.what());
   }
 }
 
-void LookPreview::adopt(Place& place, Drawn drawn, Messages& messages) {
-  const double pixels = static_cast<double>(drawn.image.pixelCount()) * place.makingScale * place.makingScale;
-  m_secondsPerPixel = drawn.seconds / std::max(pixels, 1.0);
-  m_words = fmt::format("{} {:.2f} {:.1f} {:.1f}", ++m_count, place.makingScale, 1000 * drawn.seconds,
+void LookPreview::adopt(Place& place, Drawn drawn) {
+  m_draftSize.tell(place.makingScale, drawn.seconds);
+  m_words = fmt::format("{} {:.2f} {:.1f} {:.1f}", ++m_count, place.makingScale, 1000 * drawn.filterSeconds,
                         std::chrono::duration<double, std::milli>(Clock::now() - place.makingSince).count());
   m_leftOut = drawn.leftOut;
   for (const std::string& line : drawn.leftOut)
-    if (m_said.insert(line).second) messages.warn("Left out of the camera look: " + line);
+    if (m_said.insert(line).second) m_toWarn.push_back("Left out of the camera look: " + line);
   place.front = 1 - place.front;
   SeenPicture& front = *place.pictures.at(place.front);
   {
@@ -200,19 +223,17 @@ void LookPreview::adopt(Place& place, Drawn drawn, Messages& messages) {
     front.image = std::move(drawn.image);
     front.pyramid = std::move(drawn.pyramid);
     front.colorSpace = drawn.colorSpace;
+    front.scale = place.makingScale;
+    front.width = place.making.live->pictures().width();
+    front.height = place.making.live->pictures().height();
   }
   m_renderer.changed(*front.pyramid, {0, 0, front.image.width(), front.image.height()});
   place.shown = place.making;
   place.shownScale = place.makingScale;
 }
 
-float LookPreview::draftScale(const SeenRequest& request) const {
-  if (m_secondsPerPixel <= 0) return kFirstDraft;
-  const ViewPictures& pictures = request.live->pictures();
-  const double seconds = m_secondsPerPixel * pictures.width() * pictures.height();
-  for (const float scale : kDraftScales)
-    if (seconds * scale * scale <= kDraftSeconds) return scale;
-  return kDraftScales.back();
+float LookPreview::draftScale(const SeenRequest& request) {
+  return m_draftSize.scaleFor(filtersOf(request.look));
 }
 
 }  // namespace swaplight

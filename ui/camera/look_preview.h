@@ -7,13 +7,13 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <shared_mutex>
 #include <string>
 #include <vector>
 
 #include "core/filter/filter_library.h"
-#include "core/view/pyramid.h"
 #include "render/viewport_renderer.h"
+#include "ui/camera/draft_size.h"
+#include "ui/camera/seen_picture.h"
 #include "ui/camera/seen_request.h"
 #include "ui/jobs/job.h"
 #include "ui/jobs/messages.h"
@@ -21,24 +21,21 @@
 namespace swaplight {
 
 class FilterEngine;
-
-/// A frame under a camera look, at full size. What it holds changes in the window's thread, with `mutex`
-/// locked: other threads lock it to read.
-struct SeenPicture {
-  mutable std::shared_mutex mutex;
-  Image image;
-  std::optional<Pyramid> pyramid;  ///< of the image
-  std::string colorSpace;          ///< of light; empty: codes for a display
-};
+class PipelineMemory;
 
 /// The frame under the document's camera look, for the viewer: drawn in a thread with an OpenGL context of
 /// its own, so that no filter holds the window up. While something is dragged it is drawn small enough to
-/// follow the hand; as soon as nothing is held, at full size, by the same filters as `relight` and `export`
-/// use.
+/// follow the hand, and a draft that takes less than a frame is waited for; as soon as nothing is held, it is
+/// drawn at full size, by the same filters as `relight` and `export` use. Of a frame that stays the same only
+/// the filters from the changed one on are drawn again.
 class LookPreview {
  public:
   /// The two sides of a comparison.
   enum class Side { A, B };
+  struct SeenOptions {
+    bool settled = true;   ///< nothing is being dragged
+    bool asLarge = false;  ///< drafts are enlarged to the frame's size, to be compared pixel by pixel
+  };
 
   LookPreview(ViewportRenderer& renderer, std::function<void()> wake);
   LookPreview(const LookPreview&) = delete;
@@ -46,8 +43,8 @@ class LookPreview {
   ~LookPreview();
 
   /// What there is of it: the last picture that was drawn for this set, which may still be of an earlier
-  /// request; nothing before the first one, or where it cannot be drawn. `settled`: nothing is being dragged.
-  std::optional<LayeredPicture> picture(Side side, const SeenRequest& request, bool settled);
+  /// request; nothing before the first one, or where it cannot be drawn.
+  std::optional<LayeredPicture> picture(Side side, const SeenRequest& request, SeenOptions options);
   /// The picture that picture() last gave for this request, or of an earlier one; nullptr where it gives
   /// none.
   [[nodiscard]] std::shared_ptr<const SeenPicture> shown(Side side, const SeenRequest& request) const;
@@ -82,11 +79,19 @@ class LookPreview {
     std::optional<Pyramid> pyramid;  ///< of the image
     std::string colorSpace;          ///< empty: codes for a display
     std::vector<std::string> leftOut;
-    double seconds = 0;  ///< of the filters
+    double seconds = 0;  ///< of all of it
+    double filterSeconds = 0;
+  };
+  /// What is kept of the filters before the one that is being changed, of one frame at one size.
+  struct Kept {
+    SeenRequest frame;  ///< without a look
+    float scale = 0;
+    std::shared_ptr<PipelineMemory> memory;
   };
   struct Place {
     SeenRequest asked, making, shown, failed;
     float makingScale = 1, shownScale = 0;  ///< 0: nothing is shown
+    Kept draft, exact;
     /// Pictures are told apart by their addresses: they stay.
     std::array<std::shared_ptr<SeenPicture>, 2> pictures{std::make_shared<SeenPicture>(),
                                                          std::make_shared<SeenPicture>()};
@@ -98,10 +103,11 @@ class LookPreview {
 
   void advance(Place& place);
   void start(Place& place, float scale);
-  void take(Place& place, Messages& messages);
-  void adopt(Place& place, Drawn drawn, Messages& messages);
-  [[nodiscard]] float draftScale(const SeenRequest& request) const;
-  [[nodiscard]] Drawing drawingOf(const SeenRequest& request, float scale);
+  void waitForDraft(Place& place);
+  void take(Place& place);
+  void adopt(Place& place, Drawn drawn);
+  [[nodiscard]] float draftScale(const SeenRequest& request);
+  [[nodiscard]] Drawing drawingOf(Place& place, float scale);
   [[nodiscard]] static Drawn draw(const Drawing& drawing, const Progress& progress);
 
   ViewportRenderer& m_renderer;
@@ -109,8 +115,8 @@ class LookPreview {
   std::optional<FilterLibrary> m_library;
   std::shared_ptr<Engine> m_engine;
   std::array<Place, 2> m_places;
-  double m_secondsPerPixel = 0;  ///< of the last pictures; 0: not known yet
-  std::vector<std::string> m_leftOut;
+  DraftSize m_draftSize;
+  std::vector<std::string> m_leftOut, m_toWarn, m_toReport;
   std::set<std::string> m_said;
   int m_count = 0;
   std::string m_words;

@@ -15,10 +15,13 @@ namespace {
 constexpr int kPixels = 400000;
 constexpr int kPixelsInGesture = 60000;
 
-/// Another set may have been opened since.
-PictureRegion within(const PictureRegion& region, const Image& image) {
-  return {region.x, region.y, std::min(region.width, image.width() - region.x),
-          std::min(region.height, image.height() - region.y)};
+/// A region of the frame in what is seen of it, which may be a draft. Another set may have been opened since.
+PictureRegion within(const PictureRegion& region, const SeenPicture& seen) {
+  const auto scaled = [&](int at) { return static_cast<int>(static_cast<float>(at) * seen.scale); };
+  const int x = std::min(scaled(region.x), seen.image.width() - 1);
+  const int y = std::min(scaled(region.y), seen.image.height() - 1);
+  return {x, y, std::clamp(scaled(region.width), 1, seen.image.width() - x),
+          std::clamp(scaled(region.height), 1, seen.image.height() - y)};
 }
 
 }  // namespace
@@ -53,7 +56,8 @@ void ScopesController::addSeen(Request& request, const OpenSet& set) const {
       seenRequest(request.config, set.live, request.edits, document, m_parts.viewer, document.rig);
   if (!seen) return;
   // Asked for here, too: the viewer may show another picture.
-  static_cast<void>(m_parts.seen.picture(LookPreview::Side::A, *seen, !m_parts.lights.editor.inGesture()));
+  static_cast<void>(
+      m_parts.seen.picture(LookPreview::Side::A, *seen, {.settled = !m_parts.lights.editor.inGesture()}));
   request.seen = m_parts.seen.shown(LookPreview::Side::A, *seen);
   request.seenCount = m_parts.seen.count();
 }
@@ -73,7 +77,7 @@ std::function<ScopePictures()> ScopesController::counting(const Request& request
   return [request, table, toXyz, weights, xyzOfCodes] {
     const SeenPicture& seen = *request.seen;
     const std::shared_lock lock(seen.mutex);
-    const PictureRegion region = within(request.region, seen.image);
+    const PictureRegion region = within(request.region, seen);
     if (seen.colorSpace.empty())
       return scopePictures(scopeSampleOfCodes(seen.image.view(), region, request.pixels), xyzOfCodes,
                            kRec709Luminance);

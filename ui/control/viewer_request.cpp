@@ -22,7 +22,9 @@ std::optional<LayeredPicture> seenPicture(const ViewerContext& studio, LookPrevi
                                           const Rig& rig) {
   const auto request = requestOf(studio, rig);
   if (!request) return std::nullopt;
-  return studio.seen.picture(side, *request, !studio.editor.inGesture());
+  return studio.seen.picture(side, *request,
+                             {.settled = !studio.editor.inGesture(),
+                              .asLarge = studio.view.compare.mode == CompareState::Mode::Difference});
 }
 
 /// The light on the set without its texture: one light's at unit white, or all under the rig.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -17,8 +19,8 @@
 namespace swaplight {
 
 /// Work in a thread of its own, with progress and cancel, for what would stop the interface. Of one job the
-/// last work counts; the result is taken by the thread that started it. Nothing but the destructor waits for
-/// a thread.
+/// last work counts; the result is taken by the thread that started it. Nothing but the destructor and
+/// endsWithin() waits for a thread.
 template <typename Result>
 class Job {
  public:
@@ -64,6 +66,15 @@ class Job {
     return m_last.run->what;
   }
 
+  /// Waits until the work has ended, but no longer than this: whether it has. For work that takes less than a
+  /// frame.
+  bool endsWithin(std::chrono::nanoseconds time) {
+    if (!running()) return false;
+    Run& run = *m_last.run;
+    std::unique_lock lock(run.mutex);
+    return run.ended.wait_for(lock, time, [&run] { return run.finished.load(); });
+  }
+
   /// The result once it is there. Throws what the work threw, Stopped where it was cancelled in time.
   std::optional<Result> take() {
     forgetEnded();
@@ -80,7 +91,8 @@ class Job {
     std::atomic<bool> stop{false};
     std::atomic<bool> dropped{false};  ///< nobody wants the result
     std::atomic<bool> finished{false};
-    std::mutex mutex;  ///< of the next two
+    std::condition_variable ended;
+    std::mutex mutex;  ///< of the next two, and of waiting for the end
     float fraction = 0;
     std::string what;
     std::optional<Result> result;  ///< until `finished` the thread's, then the owner's
@@ -98,7 +110,11 @@ class Job {
         error = std::current_exception();
       }
       work = nullptr;  // what it holds goes before somebody hears of the result
-      finished = true;
+      {
+        const std::lock_guard lock(mutex);
+        finished = true;
+      }
+      ended.notify_all();
       if (!dropped) done();
     }
 

@@ -38,7 +38,9 @@ std::optional<Rgb> seenAt(const ViewerContext& studio, int x, int y, const Displ
                           std::array<uint8_t, 3>& code) {
   const auto seen = seenNow(studio);
   if (!seen) return std::nullopt;
-  const Rgb mean = meanAbout(seen->image.view(), x, y, studio.view.probeSide);
+  const auto onSeen = [&](int at) { return static_cast<int>((static_cast<float>(at) + 0.5F) * seen->scale); };
+  const int side = std::max(1, onSeen(studio.view.probeSide));
+  const Rgb mean = meanAbout(seen->image.view(), onSeen(x), onSeen(y), side);
   if (seen->colorSpace.empty()) {
     for (int c = 0; c < 3; ++c)
       code[static_cast<size_t>(c)] = static_cast<uint8_t>(std::lround(255 * std::clamp(mean[c], 0.0F, 1.0F)));

@@ -53,6 +53,17 @@ TEST(Job, GivesItsResultOnce) {
   EXPECT_FALSE(job.take());
 }
 
+TEST(Job, IsWaitedForNoLongerThanToldTo) {
+  Gate gate;
+  Job<int> job;
+  EXPECT_FALSE(job.endsWithin(1ms)) << "nothing runs";
+  job.start([opened = gate.opened](const Progress&) { return opened.wait(), 1; }, [] {});
+  EXPECT_FALSE(job.endsWithin(1ms));
+  gate.open();
+  EXPECT_TRUE(job.endsWithin(60s));
+  EXPECT_EQ(job.take(), 1);
+}
+
 TEST(Job, ThrowsWhatItsWorkThrewAndCanStartAgain) {
   Job<int> job;
   job.start([](const Progress&) -> int { throw std::runtime_error("broken"); }, [] {});
