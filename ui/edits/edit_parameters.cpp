@@ -17,7 +17,7 @@
 #include "core/edit/stack/beta_histogram.h"
 #include "core/relight/rig.h"
 #include "ui/control/light_edit.h"
-#include "ui/edits/curve_widget.h"
+#include "ui/curve/curve_widget.h"
 #include "ui/edits/edit_list.h"
 #include "ui/edits/edit_menu.h"
 #include "ui/edits/edit_place.h"
@@ -186,8 +186,10 @@ bool control(const Parameters& /*of*/, const Field<Owner, int>& field, int& valu
 template <typename Owner>
 bool control(const Parameters& of, const Field<Owner, PointList>& field, PointList& points) {
   const float width = ImGui::GetContentRegionAvail().x - px(6);
-  const bool changed =
-      curveWidget(points, of.studio.editing.curve, histogramFor(of), ImVec2(width, px(kCurveHeight)));
+  const bool changed = curveWidget(points, of.studio.editing.curve,
+                                   {ImVec2(width, px(kCurveHeight)), histogramFor(of), "curve",
+                                    "Horizontal: beta, the light's share of the pixel; vertical: the new "
+                                    "beta. Behind: histogram of beta."});
   if (ImGui::Button("Reset curve", ImVec2(width, 0)) && points != Owner().*field.member) {
     Edit next = of.edit;
     std::get<Owner>(next.operation).*field.member = Owner().*field.member;

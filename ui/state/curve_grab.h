@@ -1,11 +1,8 @@
 #pragma once
 
-#include <array>
-#include <vector>
+#include "core/base/curve.h"
 
 namespace swaplight {
-
-using CurvePoints = std::vector<std::array<float, 2>>;
 
 /// A curve's points while one of them is held by the mouse.
 struct CurveGrab {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/curve.h"
 #include "core/edit/fields/field.h"
 #include "core/edit/operations/beta_row.h"
-#include "core/edit/operations/curve.h"
 #include "core/edit/operations/operation_info.h"
 
 namespace swaplight {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "core/base/curve.h"
 #include "core/base/error.h"
-#include "core/edit/operations/curve.h"
 
 namespace swaplight {
 namespace {

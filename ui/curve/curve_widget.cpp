@@ -1,12 +1,12 @@
-#include "ui/edits/curve_widget.h"
+#include "ui/curve/curve_widget.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/curve.h"
 #include "core/base/error.h"
-#include "core/edit/operations/curve.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
@@ -90,7 +90,7 @@ void drawPlotArea(const PlotArea& area, std::span<const float> histogram) {
   draw->AddRect(area.low, area.high, kOutline);
 }
 
-void drawCurve(const CurvePoints& points, const PlotArea& area, int lit) {
+void drawCurve(const CurvePoints& points, const PlotArea& area, int lit, const std::string& name) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   std::vector<ImVec2> line;
   try {
@@ -109,16 +109,17 @@ void drawCurve(const CurvePoints& points, const PlotArea& area, int lit) {
     const bool big = static_cast<int>(i) == lit;
     draw->AddCircleFilled(at, px(big ? 5.5F : 4.F), big ? kAccent : kText);
     draw->AddCircle(at, px(big ? 5.5F : 4.F), IM_COL32(0, 0, 0, 200), 0, px(1));
-    markRect({"curve.point.", i}, at.x - px(4), at.y - px(4), at.x + px(4), at.y + px(4));
+    markRect({name + ".point.", i}, at.x - px(4), at.y - px(4), at.x + px(4), at.y + px(4));
   }
 }
 
 }  // namespace
 
-bool curveWidget(CurvePoints& points, CurveGrab& grab, std::span<const float> histogram, ImVec2 size) {
+bool curveWidget(CurvePoints& points, CurveGrab& grab, const CurveLook& look) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size = look.size;
   ImGui::InvisibleButton("##curve", size);
-  markItem("curve");
+  markItem(look.name);
   // Points on the border can be taken hold of as well.
   const float air = px(5);
   PlotArea area{ImVec2(corner.x + air, corner.y + air),
@@ -138,7 +139,7 @@ bool curveWidget(CurvePoints& points, CurveGrab& grab, std::span<const float> hi
       changed = true;
     } else if (removes) {
       grab.held = -1;
-    } else if (under < 0) {
+    } else if (under < 0 && points.size() < look.mostPoints) {
       grab.held = insertPoint(grab.before, area.valueAt(mouse));
     }
   }
@@ -150,12 +151,11 @@ bool curveWidget(CurvePoints& points, CurveGrab& grab, std::span<const float> hi
     points = next;
   }
   if (!ImGui::IsItemActive()) grab.held = -1;
-  drawPlotArea(area, histogram);
-  drawCurve(points, area, ImGui::IsItemActive() ? grab.held : under);
+  drawPlotArea(area, look.histogram);
+  drawCurve(points, area, ImGui::IsItemActive() ? grab.held : under, look.name);
   if (!ImGui::IsItemActive())
-    tooltip(
-        "Horizontal: beta, the light's share of the pixel; vertical: the new beta. Click to add a point, "
-        "drag to move it, double-click or drag it out to remove it. Behind: histogram of beta.");
+    tooltip((look.tip + "\nClick to add a point, drag to move it, double-click or drag it out to remove it.")
+                .c_str());
   return changed;
 }
 

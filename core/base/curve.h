@@ -7,11 +7,16 @@
 
 namespace swaplight {
 
+using CurvePoints = std::vector<std::array<float, 2>>;
+
 /// A smooth curve through points that never overshoots them: piecewise cubic Hermite with the slopes of
 /// Fritsch and Carlson (Monotone Piecewise Cubic Interpolation, SIAM J. Numer. Anal. 17(2), 1980); constant
 /// beyond the first and the last point. Returns `count` values for x = 0 .. 1. Throws InputError unless there
 /// are points with finite, strictly ascending x.
-[[nodiscard]] std::vector<float> curveTable(const std::vector<std::array<float, 2>>& points, int count);
+[[nodiscard]] std::vector<float> curveTable(const CurvePoints& points, int count);
+
+/// That curve's slope at each of its points. Throws as curveTable() does.
+[[nodiscard]] std::vector<double> curveSlopes(const CurvePoints& points);
 
 /// Such a table's value at beta, clamped to 0..1; linear between its entries.
 [[nodiscard]] inline float curveAt(std::span<const float> table, float beta) {

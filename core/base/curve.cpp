@@ -1,4 +1,4 @@
-#include "core/edit/operations/curve.h"
+#include "core/base/curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 
 // Slopes at the points: zero at peaks and plateaus, else the weighted harmonic mean of its neighbours'
 // (Fritsch and Butland's form of the condition).
-std::vector<double> slopesOf(const std::vector<std::array<float, 2>>& p) {
+std::vector<double> slopesOf(const CurvePoints& p) {
   const size_t n = p.size();
   std::vector<double> secant(n > 0 ? n - 1 : 0);
   for (size_t i = 0; i + 1 < n; ++i)
@@ -32,13 +32,17 @@ std::vector<double> slopesOf(const std::vector<std::array<float, 2>>& p) {
 
 }  // namespace
 
-std::vector<float> curveTable(const std::vector<std::array<float, 2>>& points, int count) {
+std::vector<double> curveSlopes(const CurvePoints& points) {
   if (points.empty()) throw InputError("the curve has no points, expected at least one.");
   for (size_t i = 0; i < points.size(); ++i)
     if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1]) ||
         (i > 0 && !(points[i][0] > points[i - 1][0])))
       throw InputError("the curve's point {} is not right of the one before it.", i + 1);
-  const std::vector<double> slope = slopesOf(points);
+  return slopesOf(points);
+}
+
+std::vector<float> curveTable(const CurvePoints& points, int count) {
+  const std::vector<double> slope = curveSlopes(points);
   std::vector<float> table(static_cast<size_t>(count));
   size_t piece = 0;
   for (int k = 0; k < count; ++k) {
