@@ -19,7 +19,7 @@ std::string joined(const std::vector<std::string>& words) {
 Json jsonFromInput(const FilterInput& input) {
   Json json{{"name", input.name},
             {"label", input.label},
-            {"type", isfTypeName(input.type)},
+            {"type", inputTypeName(input.type)},
             {"default", jsonFromFilterValue(input.standard)}};
   if (input.low) json["min"] = jsonFromFilterValue(*input.low);
   if (input.high) json["max"] = jsonFromFilterValue(*input.high);
@@ -65,7 +65,7 @@ std::string textFromFilter(const Filter& filter) {
   if (!filter.credit.empty()) text += "  " + filter.credit + '\n';
   for (const std::string& note : filter.notes) text += "  note: " + note + '\n';
   for (const FilterInput& input : filter.inputs)
-    text += fmt::format("    {:<14} {:<8} default {}{}{}{}{}\n", input.name, isfTypeName(input.type),
+    text += fmt::format("    {:<14} {:<8} default {}{}{}{}{}\n", input.name, inputTypeName(input.type),
                         textFromFilterValue(input.standard), rangeOf(input),
                         input.unit.empty() ? "" : " " + input.unit, input.tooltip.empty() ? "" : ": ",
                         input.tooltip);

@@ -13,14 +13,31 @@ namespace {
 std::vector<float> numbersOf(const FilterValue& value) {
   if (const float* number = std::get_if<float>(&value)) return {*number};
   if (const auto* point = std::get_if<FilterPoint>(&value)) return {(*point)[0], (*point)[1]};
-  return {};
+  if (const auto* vector = std::get_if<FilterVector>(&value)) return *vector;
+  std::vector<float> numbers;
+  if (const auto* matrix = std::get_if<FilterMatrix>(&value))
+    for (const FilterVector& row : *matrix) numbers.insert(numbers.end(), row.begin(), row.end());
+  if (const auto* curve = std::get_if<FilterCurve>(&value))
+    for (const auto& point : *curve) numbers.push_back(point[1]);
+  return numbers;
 }
+
+/// A single bound is that of every number.
 
 bool within(const FilterValue& value, const FilterValue& bound, bool bound_is_low) {
   const std::vector<float> numbers = numbersOf(value), limits = numbersOf(bound);
-  for (size_t i = 0; i < std::min(numbers.size(), limits.size()); ++i)
-    if (bound_is_low ? numbers[i] < limits[i] : numbers[i] > limits[i]) return false;
+  if (limits.empty()) return true;
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    const float limit = limits[std::min(i, limits.size() - 1)];
+    if (bound_is_low ? numbers[i] < limit : numbers[i] > limit) return false;
+  }
   return true;
+}
+
+/// A vector or matrix of another size is of another type.
+bool isAlike(const FilterValue& a, const FilterValue& b) {
+  const bool sized = std::holds_alternative<FilterVector>(a) || std::holds_alternative<FilterMatrix>(a);
+  return a.index() == b.index() && (!sized || numbersOf(a).size() == numbersOf(b).size());
 }
 
 std::string choicesOf(const FilterInput& input) {
@@ -46,9 +63,9 @@ const char* filterSpaceName(FilterSpace space) {
 }
 
 void FilterInput::check(const FilterValue& value, const std::string& where, bool strict) const {
-  if (value.index() != standard.index())
-    throw InputError("{}: is {}, which is not of the type {}", where, textFromFilterValue(value),
-                     isfTypeName(type));
+  if (!isAlike(value, standard))
+    throw InputError("{}: is {}, which is not of the type {}, as {}", where, textFromFilterValue(value),
+                     inputTypeName(type), textFromFilterValue(standard));
   if (!strict) return;
   if (const int* choice = std::get_if<int>(&value);
       choice && !values.empty() && std::find(values.begin(), values.end(), *choice) == values.end())

@@ -24,10 +24,10 @@ struct FilterInput {
   std::string tooltip;  ///< one line; may be empty
   std::string unit;     ///< "stops", "px of 1920", "K" ...; may be empty
   FilterInputType type = FilterInputType::Float;
-  FilterValue standard;  ///< the default
-  std::optional<FilterValue> low, high;
-  std::vector<int> values;          ///< of a choice
-  std::vector<std::string> labels;  ///< of a choice's values
+  FilterValue standard;                  ///< the default
+  std::optional<FilterValue> low, high;  ///< of a vector, matrix or curve a number: that of each of theirs
+  std::vector<int> values;               ///< of a choice
+  std::vector<std::string> labels;       ///< of a choice's values
 
   /// A value that is the input's own, or InputError: of another type, out of range, no such choice. A plain
   /// ISF file's MIN and MAX are what its sliders show, and are not enforced (`strict` false).
@@ -60,6 +60,9 @@ struct FilterImport {
 ///     "OVERVIEW": "overview",                         the name of an image that holds the frame's averages,
 ///                                                     at most kOverviewSide pixels a side
 ///     "WHERE": ["shot", "light", "frame"],            where a pipeline may use it; without: frame
+///     "INPUTS": [{"NAME": "gains", "TYPE": "vector", "DEFAULT": [1, 1, 1], "MIN": 0, "MAX": 4}],
+///                                                     parameters of the types vector (vec2 to vec4), matrix
+///                                                     (mat2 to mat4) and curve (a function: float f(float))
 ///     "UNIT": {"radius": "px of 1920"}, "TOOLTIP": {"radius": "..."}
 ///   }
 struct Filter {

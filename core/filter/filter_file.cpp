@@ -51,6 +51,12 @@ FilterValue standardValue(FilterInputType type) {
     case FilterInputType::Audio:
     case FilterInputType::AudioSpectrum:
       return std::string();
+    case FilterInputType::Vector:
+      return FilterVector{0, 0, 0};
+    case FilterInputType::Matrix:
+      return FilterMatrix{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    case FilterInputType::Curve:
+      return FilterCurve{{0, 0}, {1, 1}};
   }
   return 0.0F;
 }
@@ -69,17 +75,34 @@ bool hasRange(FilterInputType type) {
   return type == FilterInputType::Float || type == FilterInputType::Point2D;
 }
 
-FilterInput inputFromJson(const Json& json, const std::string& where) {
+/// The bounds of every number of a vector or a matrix, and of a curve's height.
+void readBounds(FilterInput& input, JsonFields& fields) {
+  const auto bound = [&](const char* key) -> std::optional<FilterValue> {
+    const Json* found = fields.find(key);
+    if (!found) return {};
+    return filterValueFromJson(*found, FilterInputType::Float,
+                               fmt::format("{}: \"{}\"", fields.where(), key));
+  };
+  input.low = bound("MIN");
+  input.high = bound("MAX");
+  if (input.type != FilterInputType::Curve) return;
+  if (!input.low) input.low = 0.0F;
+  if (!input.high) input.high = 1.0F;
+}
+
+FilterInput inputFromJson(const Json& json, const std::string& where, bool own) {
   JsonFields fields(json, where);
   FilterInput input;
   input.name = nameOf(fields);
   fields.setWhere(fmt::format("{} \"{}\"", where, input.name));
   const std::string type = fields.text("TYPE").value_or("");
-  const std::optional<FilterInputType> known = inputTypeFromIsf(type);
+  const std::optional<FilterInputType> known = own ? ownInputType(type) : inputTypeFromIsf(type);
   if (!known)
-    throw InputError(
-        "{}: \"TYPE\" is \"{}\", expected event, bool, long, float, point2D, color, image, audio or audioFFT",
-        fields.where(), type);
+    throw InputError("{}: \"TYPE\" is \"{}\", expected {}", fields.where(), type,
+                     own                  ? "vector, matrix or curve; others stand in \"INPUTS\""
+                     : ownInputType(type) ? "a type of ISF: list it in the key \"SWAPLIGHT\", \"INPUTS\""
+                                          : "event, bool, long, float, point2D, color, image, audio or "
+                                            "audioFFT");
   input.type = *known;
   input.label = fields.text("LABEL").value_or(input.name);
   input.standard = standardValue(input.type);
@@ -94,11 +117,13 @@ FilterInput inputFromJson(const Json& json, const std::string& where) {
     input.high = value("MAX");
     if (input.low) input.standard = *input.low;
   }
+  if (own) readBounds(input, fields);
   if (!input.values.empty()) input.standard = input.values[0];
   const bool typed = input.type != FilterInputType::Image && input.type != FilterInputType::Audio &&
                      input.type != FilterInputType::AudioSpectrum;
   if (typed)
     if (const std::optional<FilterValue> standard = value("DEFAULT")) input.standard = *standard;
+  if (own) input.check(input.standard, fmt::format("{}: \"DEFAULT\"", fields.where()), true);
   return input;
 }
 
@@ -205,6 +230,11 @@ void readOwnKey(Filter& filter, JsonFields& fields) {
       filter.where.push_back(place.get<std::string>());
     }
   }
+  if (key.find("INPUTS")) {
+    int index = 0;
+    for (const Json& input : key.list("INPUTS", "a list of inputs", kMostInputs))
+      filter.inputs.push_back(inputFromJson(input, fmt::format("{}: input {}", key.where(), ++index), true));
+  }
   readTexts(filter, key, "UNIT", &FilterInput::unit);
   readTexts(filter, key, "TOOLTIP", &FilterInput::tooltip);
 }
@@ -259,7 +289,7 @@ void readHeader(Filter& filter, const Json& json, const std::string& name) {
   if (fields.find("INPUTS")) {
     int index = 0;
     for (const Json& input : fields.list("INPUTS", "a list of inputs", kMostInputs))
-      filter.inputs.push_back(inputFromJson(input, fmt::format("{}: input {}", name, ++index)));
+      filter.inputs.push_back(inputFromJson(input, fmt::format("{}: input {}", name, ++index), false));
   }
   const auto picture = std::find_if(filter.inputs.begin(), filter.inputs.end(), [](const FilterInput& input) {
     return input.name == "inputImage" && input.type == FilterInputType::Image;

@@ -49,12 +49,6 @@ std::string inputNames(const Filter& filter) {
   return names.empty() ? "it has none" : "it has " + names;
 }
 
-/// Texts (typed) and JSON's kinds as the input's own type.
-FilterValue valueOfType(const FilterValue& value, FilterInputType type, const std::string& where) {
-  if (const auto* text = std::get_if<std::string>(&value)) return filterValueFromText(*text, type, where);
-  return filterValueFromJson(jsonFromFilterValue(value), type, where);
-}
-
 }  // namespace
 
 std::string filterKey(const std::string& name) {

@@ -6,6 +6,7 @@
 #include "core/base/json.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
+#include "core/filter/former_parameters.h"
 
 namespace swaplight {
 namespace {
@@ -18,8 +19,13 @@ FilterValue anyValueFromJson(const Json& json, const std::string& where) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number()) return filterValueFromJson(json, FilterInputType::Float, where);
   if (json.is_string()) return json.get<std::string>();
-  if (json.is_array() && json.size() == 2) return filterValueFromJson(json, FilterInputType::Point2D, where);
-  return filterValueFromJson(json, FilterInputType::Color, where);
+  const size_t count = json.is_array() ? json.size() : 0;
+  if (count > 0 && json.front().is_array()) {
+    const bool square = json.front().size() == count;
+    return filterValueFromJson(json, square ? FilterInputType::Matrix : FilterInputType::Curve, where);
+  }
+  if (count == 2) return filterValueFromJson(json, FilterInputType::Point2D, where);
+  return filterValueFromJson(json, count == 3 ? FilterInputType::Vector : FilterInputType::Color, where);
 }
 
 FilterStage stageFromJson(const Json& json, const std::string& where) {
@@ -39,7 +45,7 @@ FilterStage stageFromJson(const Json& json, const std::string& where) {
                                anyValueFromJson(value, fmt::format("{}: \"{}\"", fields.where(), name)));
   }
   stage.kept = fields.unknown();
-  return stage;
+  return withoutFormerParameters(std::move(stage));
 }
 
 Json jsonFromStage(const FilterStage& stage) {
@@ -112,7 +118,7 @@ FilterStage stageFromText(const std::string& text) {
   }
   if (stage.filter.empty())
     throw InputError("--filter \"{}\": no filter named, expected NAME,parameter=value", text);
-  return stage;
+  return withoutFormerParameters(std::move(stage));
 }
 
 }  // namespace swaplight

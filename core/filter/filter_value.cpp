@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "core/base/error.h"
@@ -20,7 +21,7 @@ struct TypeName {
   const char* expected;
 };
 
-constexpr std::array<TypeName, 9> kTypes = {{
+constexpr std::array<TypeName, 12> kTypes = {{
     {FilterInputType::Event, "event", "true or false"},
     {FilterInputType::Bool, "bool", "true or false"},
     {FilterInputType::Choice, "long", "a whole number"},
@@ -30,7 +31,18 @@ constexpr std::array<TypeName, 9> kTypes = {{
     {FilterInputType::Image, "image", "the name of a picture's file"},
     {FilterInputType::Audio, "audio", "sound"},
     {FilterInputType::AudioSpectrum, "audioFFT", "sound"},
+    {FilterInputType::Vector, "vector", "two to four numbers"},
+    {FilterInputType::Matrix, "matrix", "two to four rows of as many numbers"},
+    {FilterInputType::Curve, "curve", "2 to 16 points [x, y], x ascending from 0 to 1"},
 }};
+
+constexpr size_t kIsfTypes = 9;
+
+std::optional<FilterInputType> typeAmong(std::span<const TypeName> rows, const std::string& name) {
+  for (const TypeName& row : rows)
+    if (row.name == name) return row.type;
+  return {};
+}
 
 const TypeName& rowOf(FilterInputType type) {
   return kTypes[static_cast<size_t>(type)];
@@ -46,7 +58,7 @@ std::optional<float> finite(const Json& json) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// Numbers parted by ':' (or '/'); empty where one of them is none.
+/// Numbers parted by ':' or '/'; empty where one of them is none.
 std::vector<float> numbersOf(const std::string& text) {
   std::vector<float> numbers;
   const char* at = text.data();
@@ -91,16 +103,83 @@ FilterValue listOf(const Json& json, FilterInputType type, const std::string& wh
   return values;
 }
 
+FilterVector vectorOf(const Json& json, FilterInputType type, const std::string& where) {
+  if (!json.is_array() || json.size() < 2 || json.size() > 4) fail(where, describeJson(json), type);
+  FilterVector vector;
+  for (const Json& number : json) {
+    const std::optional<float> value = finite(number);
+    if (!value) fail(where, describeJson(number), type);
+    vector.push_back(*value);
+  }
+  return vector;
+}
+
+FilterMatrix matrixOf(const Json& json, const std::string& where) {
+  constexpr auto kType = FilterInputType::Matrix;
+  if (!json.is_array() || json.size() < 2 || json.size() > 4) fail(where, describeJson(json), kType);
+  FilterMatrix matrix;
+  for (const Json& row : json) {
+    matrix.push_back(vectorOf(row, kType, where));
+    if (matrix.back().size() != json.size()) fail(where, row.dump() + " as a row", kType);
+  }
+  return matrix;
+}
+
+FilterCurve curveOf(const Json& json, const std::string& where) {
+  constexpr auto kType = FilterInputType::Curve;
+  if (!json.is_array() || json.size() < 2 || json.size() > kMostCurvePoints)
+    fail(where, json.is_array() ? fmt::format("of {} points", json.size()) : describeJson(json), kType);
+  FilterCurve curve;
+  for (const Json& point : json) {
+    const FilterVector xy = vectorOf(point, kType, where);
+    const bool right =
+        xy.size() == 2 && xy[0] >= 0 && xy[0] <= 1 && (curve.empty() || xy[0] > curve.back()[0]);
+    if (!right) fail(where, point.dump() + fmt::format(" as point {}", curve.size() + 1), kType);
+    curve.push_back({xy[0], xy[1]});
+  }
+  return curve;
+}
+
+/// Rows of numbers, as JSON has them: `columns` a row.
+Json rowsOf(const std::vector<float>& numbers, size_t columns) {
+  Json rows = Json::array();
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    if (i % columns == 0) rows.push_back(Json::array());
+    rows.back().push_back(numbers[i]);
+  }
+  return rows;
+}
+
+template <typename Rows>
+Json jsonFromRows(const Rows& rows) {
+  Json json = Json::array();
+  for (const auto& row : rows) {
+    Json numbers = Json::array();
+    for (const float number : row) numbers.push_back(jsonNumber(number));
+    json.push_back(std::move(numbers));
+  }
+  return json;
+}
+
+template <typename Rows>
+std::string textFromRows(const Rows& rows) {
+  std::string text;
+  for (const auto& row : rows) text += fmt::format("{}{}", text.empty() ? "" : "/", fmt::join(row, ":"));
+  return text;
+}
+
 }  // namespace
 
-const char* isfTypeName(FilterInputType type) {
+const char* inputTypeName(FilterInputType type) {
   return rowOf(type).name;
 }
 
 std::optional<FilterInputType> inputTypeFromIsf(const std::string& name) {
-  for (const TypeName& row : kTypes)
-    if (row.name == name) return row.type;
-  return {};
+  return typeAmong(std::span(kTypes).first(kIsfTypes), name);
+}
+
+std::optional<FilterInputType> ownInputType(const std::string& name) {
+  return typeAmong(std::span(kTypes).subspan(kIsfTypes), name);
 }
 
 Json jsonFromFilterValue(const FilterValue& value) {
@@ -113,6 +192,9 @@ Json jsonFromFilterValue(const FilterValue& value) {
       return {jsonNumber(v[0]), jsonNumber(v[1]), jsonNumber(v[2]), jsonNumber(v[3])};
     }
     Json operator()(const std::string& v) const { return v; }
+    Json operator()(const FilterVector& v) const { return jsonFromRows(FilterMatrix{v}).front(); }
+    Json operator()(const FilterMatrix& v) const { return jsonFromRows(v); }
+    Json operator()(const FilterCurve& v) const { return jsonFromRows(v); }
   };
   return std::visit(Writer{}, value);
 }
@@ -138,6 +220,12 @@ FilterValue filterValueFromJson(const Json& json, FilterInputType type, const st
     case FilterInputType::AudioSpectrum:
       if (!json.is_string()) fail(where, describeJson(json), type);
       return json.get<std::string>();
+    case FilterInputType::Vector:
+      return vectorOf(json, type, where);
+    case FilterInputType::Matrix:
+      return matrixOf(json, where);
+    case FilterInputType::Curve:
+      return curveOf(json, where);
   }
   return 0.0F;
 }
@@ -150,6 +238,9 @@ std::string textFromFilterValue(const FilterValue& value) {
     std::string operator()(const FilterPoint& v) const { return fmt::format("{}:{}", v[0], v[1]); }
     std::string operator()(const FilterColor& v) const { return fmt::format("{}", fmt::join(v, ":")); }
     std::string operator()(const std::string& v) const { return v; }
+    std::string operator()(const FilterVector& v) const { return textFromRows(FilterMatrix{v}); }
+    std::string operator()(const FilterMatrix& v) const { return textFromRows(v); }
+    std::string operator()(const FilterCurve& v) const { return textFromRows(v); }
   };
   return std::visit(Writer{}, value);
 }
@@ -172,9 +263,25 @@ FilterValue filterValueFromText(const std::string& text, FilterInputType type, c
     case FilterInputType::Choice:
     case FilterInputType::Float:
     case FilterInputType::Point2D:
+    case FilterInputType::Vector:
+    case FilterInputType::Matrix:
+    case FilterInputType::Curve:
       break;
   }
   const std::vector<float> numbers = numbersOf(text);
+  const auto checked = [&](const Json& json, const char* example) {
+    try {
+      return filterValueFromJson(json, type, where);
+    } catch (const InputError&) {  // it quotes JSON, which nobody has typed
+      fail(where, found + " (write " + example + ")", type);
+    }
+  };
+  if (type == FilterInputType::Vector) return checked(Json(numbers), "1:0.5:0.25");
+  if (type == FilterInputType::Curve) return checked(rowsOf(numbers, 2), "0:0/0.5:0.7/1:1");
+  if (type == FilterInputType::Matrix) {
+    const auto side = static_cast<size_t>(std::lround(std::sqrt(static_cast<double>(numbers.size()))));
+    return checked(rowsOf(numbers, std::max<size_t>(side, 1)), "1:0:0/0:1:0/0:0:1");
+  }
   if (type == FilterInputType::Float || type == FilterInputType::Choice) {
     if (numbers.size() != 1) fail(where, found, type);
     return filterValueFromJson(Json(numbers[0]), type, where);
@@ -185,6 +292,11 @@ FilterValue filterValueFromText(const std::string& text, FilterInputType type, c
          found + (type == FilterInputType::Point2D ? " (write 0.5:0.5)" : " (write 1:0.5:0, or #ff8000)"),
          type);
   return filterValueFromJson(Json(numbers), type, where);
+}
+
+FilterValue valueOfType(const FilterValue& value, FilterInputType type, const std::string& where) {
+  if (const auto* text = std::get_if<std::string>(&value)) return filterValueFromText(*text, type, where);
+  return filterValueFromJson(jsonFromFilterValue(value), type, where);
 }
 
 }  // namespace swaplight

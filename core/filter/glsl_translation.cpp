@@ -141,8 +141,14 @@ std::string translateBody(const std::string& source, const std::set<std::string>
   return glslText(tokens);
 }
 
-const char* glslType(FilterInputType type) {
-  switch (type) {
+/// "vec3" or "mat3": of as many numbers, or rows, as the default.
+std::string sizedType(const char* kind, const FilterInput& input) {
+  const auto* vector = std::get_if<FilterVector>(&input.standard);
+  return fmt::format("{}{}", kind, vector ? vector->size() : std::get<FilterMatrix>(input.standard).size());
+}
+
+std::string glslType(const FilterInput& input) {
+  switch (input.type) {
     case FilterInputType::Event:
     case FilterInputType::Bool:
       return "bool";
@@ -158,8 +164,39 @@ const char* glslType(FilterInputType type) {
     case FilterInputType::Audio:
     case FilterInputType::AudioSpectrum:
       return "sampler2D";
+    case FilterInputType::Vector:
+      return sizedType("vec", input);
+    case FilterInputType::Matrix:
+      return sizedType("mat", input);
+    case FilterInputType::Curve:
+      return "float";  // of its function
   }
   return "float";
+}
+
+/// A curve is a function: cubic Hermite pieces through points of x, y and slope, constant beyond them.
+std::string curveFunction(const std::string& name) {
+  return fmt::format(
+      "uniform vec3 isf_points_{0}[{1}];\nuniform int isf_count_{0};\n"
+      "float {0}(float x) {{\n"
+      "  vec3 first = isf_points_{0}[0], last = isf_points_{0}[isf_count_{0} - 1];\n"
+      "  if (!(x > first.x)) return first.y;\n"
+      "  if (x >= last.x) return last.y;\n"
+      "  int i = 0;\n"
+      "  for (int k = 1; k < isf_count_{0} - 1; ++k) if (x >= isf_points_{0}[k].x) i = k;\n"
+      "  vec3 a = isf_points_{0}[i], b = isf_points_{0}[i + 1];\n"
+      "  float h = b.x - a.x, t = (x - a.x) / h, u = 1.0 - t;\n"
+      "  return u * u * (1.0 + 2.0 * t) * a.y + t * t * (3.0 - 2.0 * t) * b.y + h * t * u * (u * a.z - t * "
+      "b.z);\n"
+      "}}\n",
+      name, kMostCurvePoints);
+}
+
+std::string declaration(const FilterInput& input) {
+  const std::string type = glslType(input), name = glslName(input.name);
+  if (type == "sampler2D") return {};
+  return input.type == FilterInputType::Curve ? curveFunction(name)
+                                              : fmt::format("uniform {} {};\n", type, name);
 }
 
 std::vector<std::string> imagesOf(const Filter& filter) {
@@ -170,7 +207,7 @@ std::vector<std::string> imagesOf(const Filter& filter) {
   };
   if (filter.takesImage) add("inputImage");
   for (const FilterInput& input : filter.inputs)
-    if (std::string(glslType(input.type)) == "sampler2D") add(input.name);
+    if (glslType(input) == "sampler2D") add(input.name);
   for (const FilterPass& pass : filter.passes) add(pass.target);
   for (const FilterImport& import : filter.imports) add(import.name);
   add(filter.overview);
@@ -201,14 +238,13 @@ std::string readers(const Filter& filter, const char* sampler, const char* level
 std::string declarations(const Filter& filter, const std::vector<std::string>& images,
                          const TranslationOptions& options) {
   std::string text =
-      "#version 410 core\nuniform vec2 RENDERSIZE;\nuniform float TIME;\nuniform float TIMEDELTA;\n"
+      "#version 410 core\n#define SWAPLIGHT 1\nuniform vec2 RENDERSIZE;\nuniform float TIME;\nuniform float "
+      "TIMEDELTA;\n"
       "uniform vec4 DATE;\nuniform int FRAMEINDEX;\nuniform vec2 isf_origin;\nuniform vec4 isf_target;\n"
       "uniform vec2 isf_bounds;\nuniform float isf_notANumber;\n";
   text += options.pass ? fmt::format("const int PASSINDEX = {};\n", *options.pass)
                        : std::string("uniform int PASSINDEX;\n");
-  for (const FilterInput& input : filter.inputs)
-    if (std::string(glslType(input.type)) != "sampler2D")
-      text += fmt::format("uniform {} {};\n", glslType(input.type), glslName(input.name));
+  for (const FilterInput& input : filter.inputs) text += declaration(input);
   for (const std::string& image : images) {
     const char* sampler = options.rectangles && isDrawn(filter, image) ? "sampler2DRect" : "sampler2D";
     text += fmt::format("uniform {1} {0};\nuniform vec4 isf_window_{0};\n", image, sampler);

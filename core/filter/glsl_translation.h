@@ -11,10 +11,11 @@ namespace swaplight {
 /// A filter as OpenGL 4.1 compiles it.
 ///
 /// Uniforms: ISF's own (RENDERSIZE, TIME, TIMEDELTA, DATE, FRAMEINDEX) and every input by its
-/// name. `isf_origin` (vec2) is the pixel of the pass at which its left bottom corner lies: a tile's place.
-/// Every image X has `isf_window_X` (vec4): the pixel of X at which its texture begins, and the size of all
-/// of X. `isf_bounds` (vec2): what results are clamped to. What is not a number becomes
-/// `isf_notANumber` (float, 0 unless it is set).
+/// name; of a curve X, which is a function, `isf_points_X` (vec3, kMostCurvePoints of them: x, y, slope) and
+/// `isf_count_X`. SWAPLIGHT is defined. `isf_origin` (vec2) is the pixel of the pass at which its left bottom
+/// corner lies: a tile's place. Every image X has `isf_window_X` (vec4): the pixel of X at which its texture
+/// begins, and the size of all of X. `isf_bounds` (vec2): what results are clamped to. What is not a number
+/// becomes `isf_notANumber` (float, 0 unless it is set).
 struct GlslTranslation {
   std::string vertex, fragment;
   std::vector<std::string> images;  ///< samplers: inputImage, inputs, targets, imports, the overview

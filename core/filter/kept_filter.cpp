@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void setDefaults(Json& header, const ResolvedStage& stage) {
-  for (Json& input : header["INPUTS"]) {
+void setDefaults(Json& inputs, const ResolvedStage& stage) {
+  for (Json& input : inputs) {
     const Filter& filter = *stage.filter;
     for (size_t i = 0; i < filter.inputs.size(); ++i)
       if (input.value("NAME", "") == filter.inputs[i].name &&
@@ -44,7 +44,9 @@ fs::path keepFilter(const ResolvedStage& stage, const fs::path& folder, const st
         filter.file.string());
   const std::string text = readFile(filter.file, kLargestFilter);
   FilterHeader header = headerOf(text, filter.file.string());
-  setDefaults(header.json, stage);
+  setDefaults(header.json["INPUTS"], stage);
+  if (const auto own = header.json.find("SWAPLIGHT"); own != header.json.end() && own->contains("INPUTS"))
+    setDefaults((*own)["INPUTS"], stage);
   std::error_code error;
   fs::create_directories(folder, error);  // writing says what is wrong
   const fs::path file = folder / (name + ".fs");

@@ -127,8 +127,18 @@ std::vector<FilterValue> endsOf(const FilterInput& input) {
   if (input.type == FilterInputType::Choice) return {input.values.begin(), input.values.end()};
   if (input.type == FilterInputType::Color)
     return {FilterColor{0, 0, 0, 1}, FilterColor{1, 1, 1, 1}, FilterColor{1, 0, 0, 1}};
-  if (input.low && input.high) return {*input.low, *input.high};
-  return {};
+  if (!input.low || !input.high) return {};
+  const auto* low = std::get_if<float>(&*input.low);
+  const auto* high = std::get_if<float>(&*input.high);
+  if (const auto* vector = std::get_if<FilterVector>(&input.standard))
+    return {FilterVector(vector->size(), *low), FilterVector(vector->size(), *high)};
+  if (const auto* matrix = std::get_if<FilterMatrix>(&input.standard))
+    return {FilterMatrix(matrix->size(), FilterVector(matrix->size(), *low)),
+            FilterMatrix(matrix->size(), FilterVector(matrix->size(), *high))};
+  if (input.type == FilterInputType::Curve)
+    return {FilterCurve{{0, *low}, {1, *low}}, FilterCurve{{0, *high}, {1, *low}},
+            FilterCurve{{0.499F, *low}, {0.501F, *high}}};
+  return {*input.low, *input.high};
 }
 
 }  // namespace

@@ -36,7 +36,9 @@ struct SetUniform {
   void operator()(const glm::vec2& v) const { glUniform2f(location, v.x, v.y); }
   void operator()(const glm::vec3& v) const { glUniform3f(location, v.x, v.y, v.z); }
   void operator()(const glm::vec4& v) const { glUniform4f(location, v.x, v.y, v.z, v.w); }
+  void operator()(const glm::mat2& v) const { glUniformMatrix2fv(location, 1, GL_FALSE, &v[0][0]); }
   void operator()(const glm::mat3& v) const { glUniformMatrix3fv(location, 1, GL_FALSE, &v[0][0]); }
+  void operator()(const glm::mat4& v) const { glUniformMatrix4fv(location, 1, GL_FALSE, &v[0][0]); }
   void operator()(std::span<const int> v) const {
     glUniform1iv(location, static_cast<GLsizei>(v.size()), v.data());
   }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <glm/mat2x2.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -15,8 +17,9 @@
 
 namespace swaplight {
 
-using UniformValue = std::variant<int, float, glm::ivec2, glm::vec2, glm::vec3, glm::vec4, glm::mat3,
-                                  std::span<const int>, std::span<const float>, std::span<const glm::vec3>>;
+using UniformValue =
+    std::variant<int, float, glm::ivec2, glm::vec2, glm::vec3, glm::vec4, glm::mat2, glm::mat3, glm::mat4,
+                 std::span<const int>, std::span<const float>, std::span<const glm::vec3>>;
 
 struct Uniform {
   std::string_view name;

@@ -19,6 +19,11 @@ def ramp(height=36, width=64, highest=4):
     return (x * y * np.array([1, .8, .6])).astype(np.float32)
 
 
+def srgb_codes(light):
+    light = np.maximum(light, 0)
+    return np.where(light <= .0031308, light * 12.92, 1.055 * light ** (1 / 2.4) - .055)
+
+
 class CameraLookTest(CliTest):
     def setUp(self):
         super().setUp()
@@ -158,6 +163,34 @@ class Apply(CameraLookTest):
         write_image(self.path('in.png'), ramp(highest=1), 'uint8')
         out = self.apply(f'lut,table={self.path("swap.cube")}', frame=self.path('in.png'), output='o.png')
         np.testing.assert_allclose(out, read_rgb(self.path('in.png'))[..., ::-1], atol=2 / 255)
+
+    def test_vectors_and_matrices_by_name(self):
+        x, as_float = ramp(), ['--type', 'float']
+        cdl = self.apply('cdl,slopes=1.5:1:0.5,offsets=0.1:0:0.2,powers=1:2:0.5', options=as_float)
+        np.testing.assert_allclose(cdl, (x * [1.5, 1, .5] + [.1, 0, .2]) ** [1, 2, .5], rtol=1e-4, atol=1e-6)
+        mixed = self.apply('channel-mixer,matrix=0:1:0/0.5:0:0.5/1:-1:0', options=as_float)
+        np.testing.assert_allclose(mixed, x @ np.array([[0, 1, 0], [.5, 0, .5], [1, -1, 0]]).T, rtol=1e-5, atol=1e-6)
+        self.deny('look', 'apply', self.frame, '--filter', 'cdl,slopes=1:2', '-o', 'o.png', naming=['as 1:1:1'])
+
+    def test_curves_go_through_their_points(self):
+        """And are constant beyond them, never overshoot, and act one after the other."""
+        codes = np.tile(np.arange(256)[None, :, None] / 255, (4, 1, 3))
+        write_image(self.path('codes.png'), codes, 'uint8')
+        out = self.apply('curves,tone=0.2:0.1/0.6:0.8/0.8:0.9,green=0:1/1:0', frame=self.path('codes.png'),
+                         output='curved.exr', options=['--type', 'float'])[0]
+        red, green = srgb_codes(out[:, 0]), srgb_codes(out[:, 1])
+        for x, y in ((0, .1), (51, .1), (153, .8), (204, .9), (255, .9)):
+            self.assertAlmostEqual(red[x], y, delta=2e-3)
+        self.assertGreaterEqual(np.diff(red).min(), -1e-6)
+        np.testing.assert_allclose(green, 1 - red, atol=2e-3)
+
+    def test_looks_with_former_parameters_are_drawn_as_before(self):
+        self.write('old.swaplook', json.dumps({'format': 'swaplight-look', 'version': 1, 'name': 'Old', 'filters': [
+            {'filter': 'cdl', 'parameters': {'slope': [.8, .5, .3, 1], 'offset': [.6, .5, .5, 1], 'power': [.4, .5, .6, 1]}},
+            {'filter': 'channel-mixer', 'parameters': {'red': [0, 1, 0, 1]}}]}))
+        self.succeed('look', 'apply', self.frame, '--look', self.path('old.swaplook'), '-o', self.path('old.exr'), '--type', 'float')
+        graded = (ramp() * [.8, .5, .3] + [.1, 0, 0]) ** [.8, 1, 1.2]
+        np.testing.assert_allclose(read_rgb(self.path('old.exr')), graded[..., [1, 1, 2]], rtol=1e-4, atol=1e-6)
 
     def test_a_look_is_saved_and_used_again(self):
         first = self.apply('exposure,stops=1', 'sepia', output='a.png', options=['--save', self.path('warm.swaplook')])

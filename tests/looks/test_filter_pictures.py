@@ -160,6 +160,12 @@ class Parameters(PictureTest):
             return [.25, .5, .75, 1]
         if kind == 'point2D':
             return [.25, .75]
+        if kind == 'vector':
+            return [round(.3 * parameter['min'] + .7 * parameter['max'] + .01 * i, 3) for i in range(len(standard))]
+        if kind == 'matrix':
+            return [[round(.1 * (3 * y + x) - .2, 3) for x in range(len(standard))] for y in range(len(standard))]
+        if kind == 'curve':
+            return [[0, .1], [.3, .7], [1, .9]]
         return self.path('swap.cube' if 'cube' in parameter['tooltip'] else 'element.exr')
 
     def test_every_parameter_of_every_filter_comes_back_from_a_file(self):

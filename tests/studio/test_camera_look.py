@@ -148,6 +148,45 @@ class CameraLook(StudioTest):
         studio.click('look.stops.reset')
         self.assertAlmostEqual(self.seen('camera_look_stops_reset').mean(), before, delta=.5)
 
+    def parameters(self):
+        return self.filters()[1]['filters'][0].get('parameters', {})
+
+    def test_a_curve_is_drawn_by_its_points(self):
+        studio = self.open_look()
+        self.add('curves')
+        before = self.seen('camera_look_curves_before').mean()
+        x0, y0, x1, y1 = studio.item('look.red')
+        studio.drag((x0 + .5 * (x1 - x0), y0 + .5 * (y1 - y0)), (x0 + .5 * (x1 - x0), y0 + .1 * (y1 - y0)))
+        self.move_away()
+        self.assertGreater(self.seen('camera_look_curves').mean(), before + 5, 'more red')
+        curve = self.parameters()['red']
+        self.assertEqual(len(curve), 3)
+        self.assertAlmostEqual(curve[1][0], .5, delta=.05)
+        self.assertGreater(curve[1][1], .8)
+        self.assertEqual(set(self.parameters()), {'red'}, 'the other curves stay')
+        studio.click('look.red.reset')
+        self.assertEqual(self.parameters(), {})
+
+    def test_vectors_and_matrices_are_set_number_by_number(self):
+        studio = self.open_look()
+        self.add('channel-mixer')
+        studio.drag(studio.point('look.matrix.0.0', .62), studio.point('look.matrix.0.0', .5))
+        self.move_away()
+        studio.screenshot('camera_look_matrix')
+        rows = self.parameters()['matrix']
+        self.assertLess(abs(rows[0][0]), .5)
+        self.assertEqual(rows[1:], [[0, 1, 0], [0, 0, 1]])
+        studio.key('ctrl+z')
+        self.assertEqual(self.parameters(), {})
+        studio.click('camera_look.0.remove')
+        self.add('cdl')
+        studio.drag(studio.point('look.slopes.2', .1), studio.point('look.slopes.2', .02))
+        self.move_away()
+        studio.screenshot('camera_look_cdl')
+        red, green, blue = self.parameters()['slopes']
+        self.assertEqual((red, green), (1, 1))
+        self.assertLess(blue, .6)
+
     def test_order_switch_copy_and_removal_can_be_undone(self):
         studio = self.open_look()
         for name in ('negative', 'threshold', 'sepia'):

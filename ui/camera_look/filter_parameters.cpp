@@ -10,6 +10,7 @@
 #include "core/relight/rig.h"
 #include "ui/camera/camera_look_edit.h"
 #include "ui/camera/key_matte.h"
+#include "ui/curve/curve_widget.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr float kLabel = 92;
 constexpr float kDot = 18;
+constexpr float kCurveSide = 130;
 
 /// A parameter of the filter in focus.
 struct Parameter {
@@ -106,6 +108,42 @@ void control(const Parameter& of, FilterPoint value) {
     changed |= slider(of, axis == 0 ? ".x" : ".y", &value.at(axis), axis);
   }
   if (changed) of.set(value, true);
+}
+
+/// Numbers side by side in what is left of the line; whether one of them was changed.
+bool numberRow(const Parameter& of, FilterVector& numbers, const std::string& mark) {
+  const auto count = static_cast<float>(numbers.size());
+  const float width = std::floor((ImGui::GetContentRegionAvail().x - px(kDot) - (count - 1) * px(4)) / count);
+  bool changed = false;
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, px(4));
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushID(static_cast<int>(i));
+    changed |= slider(of, (mark + '.' + std::to_string(i)).c_str(), &numbers[i], i);
+    ImGui::PopID();
+  }
+  return changed;
+}
+
+void control(const Parameter& of, FilterVector value) {
+  if (numberRow(of, value, "")) of.set(value, true);
+}
+
+void control(const Parameter& of, FilterMatrix value) {
+  bool changed = false;
+  for (size_t row = 0; row < value.size(); ++row) {
+    if (row > 0) ImGui::SetCursorPosX(px(kLabel));
+    ImGui::PushID(static_cast<int>(row));
+    changed |= numberRow(of, value[row], '.' + std::to_string(row));
+    ImGui::PopID();
+  }
+  if (changed) of.set(value, true);
+}
+
+void control(const Parameter& of, FilterCurve value) {
+  const float width = ImGui::GetContentRegionAvail().x - px(kDot);
+  const CurveLook look{ImVec2(width, px(kCurveSide)), {}, of.mark(), tipOf(of.input), kMostCurvePoints};
+  if (curveWidget(value, of.studio.cameraLook.curves[of.input.name], look)) of.set(value, true);
 }
 
 /// In the numbers that the filter gets: of a filter of light they are linear.

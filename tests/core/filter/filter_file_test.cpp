@@ -74,6 +74,78 @@ TEST(FilterFile, OwnKeyNamesSpaceHaloAndUnits) {
   EXPECT_TRUE(filter.nearest);
 }
 
+constexpr const char* kOwnInputs =
+    R"json({"INPUTS": [{"NAME": "a", "TYPE": "float"}], "SWAPLIGHT": {"INPUTS": [
+    {"NAME": "gains", "TYPE": "vector", "DEFAULT": [1, 2, 3], "MIN": 0, "MAX": 4, "LABEL": "Gain"},
+    {"NAME": "mixing", "TYPE": "matrix", "DEFAULT": [[0, 1], [1, 0]]},
+    {"NAME": "tone", "TYPE": "curve", "DEFAULT": [[0, 0], [0.5, 0.7], [1, 1]]}], "UNIT": {"gains": "times"}}})json";
+
+TEST(FilterFile, OwnKeyHoldsVectorsMatricesAndCurves) {
+  const Filter filter = filterOf(kOwnInputs);
+  ASSERT_EQ(filter.inputs.size(), 4U);
+  EXPECT_EQ(filter.inputs[1].type, FilterInputType::Vector);
+  EXPECT_EQ(std::get<FilterVector>(filter.inputs[1].standard), (FilterVector{1, 2, 3}));
+  EXPECT_EQ(filter.inputs[1].label, "Gain");
+  EXPECT_EQ(filter.inputs[1].unit, "times");
+  EXPECT_EQ(std::get<FilterMatrix>(filter.inputs[2].standard), (FilterMatrix{{0, 1}, {1, 0}}));
+  EXPECT_EQ(std::get<FilterCurve>(filter.inputs[3].standard).size(), 3U);
+  EXPECT_EQ(filter.inputs[3].high, FilterValue(1.0F)) << "a curve's height, unless it says otherwise";
+}
+
+TEST(FilterFile, OwnTypesAndIsfsStandInListsOfTheirOwn) {
+  const auto error = [](const std::string& header) { return errorOf([&] { filterOf(header); }); };
+  EXPECT_THAT(error(R"json({"INPUTS": [{"NAME": "a", "TYPE": "vector"}]})json"),
+              HasSubstr("list it in the key \"SWAPLIGHT\""));
+  EXPECT_THAT(error(R"json({"SWAPLIGHT": {"INPUTS": [{"NAME": "a", "TYPE": "float"}]}})json"),
+              HasSubstr("expected vector, matrix or curve"));
+  EXPECT_THAT(
+      error(
+          R"json({"SWAPLIGHT": {"INPUTS": [{"NAME": "a", "TYPE": "matrix", "DEFAULT": [[1, 2], [3]]}]}})json"),
+      HasSubstr("rows of as many numbers"));
+  EXPECT_THAT(
+      error(
+          R"json({"SWAPLIGHT": {"INPUTS": [{"NAME": "a", "TYPE": "curve", "DEFAULT": [[1, 0], [0, 1]]}]}})json"),
+      HasSubstr("as point 2, expected 2 to 16 points"));
+  EXPECT_THAT(
+      error(
+          R"json({"SWAPLIGHT": {"INPUTS": [{"NAME": "a", "TYPE": "vector", "DEFAULT": [9, 0], "MAX": 4}]}})json"),
+      HasSubstr("\"DEFAULT\": is 9:0, expected any to 4"));
+}
+
+TEST(FilterInput, ChecksEachNumberOfVectorsMatricesAndCurves) {
+  const Filter filter = filterOf(kOwnInputs);
+  const auto error = [&](size_t input, const FilterValue& value) {
+    return errorOf([&] { filter.inputs[input].check(value, "x", true); });
+  };
+  EXPECT_EQ(error(1, FilterVector{0, 4, 2}), "nothing thrown");
+  EXPECT_THAT(error(1, FilterVector{0, 4.5F, 2}), HasSubstr("is 0:4.5:2, expected 0 to 4 times"));
+  EXPECT_THAT(error(1, FilterVector{1, 2}), HasSubstr("not of the type vector, as 1:2:3"));
+  EXPECT_THAT(error(2, FilterMatrix{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}),
+              HasSubstr("of the type matrix, as 0:1/1:0"));
+  EXPECT_EQ(error(3, FilterCurve{{0, 1}, {1, 0}}), "nothing thrown");
+  EXPECT_THAT(error(3, FilterCurve{{0, 1}, {1, 1.5F}}), HasSubstr("expected 0 to 1"));
+}
+
+TEST(FilterValue, VectorsMatricesAndCurvesComeBackFromTextsAndFiles) {
+  using Type = FilterInputType;
+  const std::vector<std::pair<Type, FilterValue>> values = {
+      {Type::Vector, FilterVector{1, -0.5F, 0.25F}},
+      {Type::Matrix, FilterMatrix{{1, 0}, {0.5F, -1}}},
+      {Type::Matrix, FilterMatrix{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+      {Type::Curve, FilterCurve{{0, 0.1F}, {0.25F, 0.5F}, {1, 1}}}};
+  for (const auto& [type, value] : values) {
+    EXPECT_EQ(filterValueFromText(textFromFilterValue(value), type, "x"), value);
+    EXPECT_EQ(filterValueFromJson(jsonFromFilterValue(value), type, "x"), value);
+  }
+  const auto error = [](const char* text, Type type) {
+    return errorOf([&] { static_cast<void>(filterValueFromText(text, type, "x")); });
+  };
+  EXPECT_EQ(error("1", Type::Vector), "x: is \"1\" (write 1:0.5:0.25), expected two to four numbers");
+  EXPECT_THAT(error("1:0:0/0:1", Type::Matrix), HasSubstr("(write 1:0:0/0:1:0/0:0:1)"));
+  EXPECT_THAT(error("0:0/0.5:0.5/0.5:1", Type::Curve), HasSubstr("(write 0:0/0.5:0.7/1:1)"));
+  EXPECT_THAT(error("up", Type::Curve), HasSubstr("is \"up\""));
+}
+
 TEST(FilterFile, ErrorsNameFileLineAndWhatToDo) {
   const auto error = [](const std::string& header) { return errorOf([&] { filterOf(header); }); };
   EXPECT_THAT(errorOf([] { static_cast<void>(filterFromText("void main() {}", "soft.fs")); }),
@@ -130,6 +202,15 @@ TEST(GlslTranslation, MakesIsfsWordsPlainGlsl) {
   EXPECT_THAT(glsl.fragment, Not(HasSubstr("varying")));
   EXPECT_TRUE(glsl.looksElsewhere);
   EXPECT_THAT(glsl.images, ElementsAre("inputImage"));
+}
+
+TEST(GlslTranslation, DeclaresVectorsMatricesAndCurves) {
+  const GlslTranslation glsl =
+      translateFilter(filterOf(kOwnInputs, "void main() { gl_FragColor = vec4(gains, tone(a)); }"));
+  EXPECT_THAT(glsl.fragment, HasSubstr("uniform vec3 gains;"));
+  EXPECT_THAT(glsl.fragment, HasSubstr("uniform mat2 mixing;"));
+  EXPECT_THAT(glsl.fragment, HasSubstr("float tone(float x)"));
+  EXPECT_THAT(glsl.fragment, HasSubstr("#define SWAPLIGHT 1"));
 }
 
 TEST(GlslTranslation, BoundsLoopsThatNeedNotEnd) {

@@ -82,6 +82,33 @@ TEST_F(FilterPipelineTest, ParametersAreTypedWhenTheFilterIsKnown) {
   EXPECT_THROW(static_cast<void>(stageFromText("soft,amount")), InputError);
 }
 
+TEST_F(FilterPipelineTest, FormerParametersGoOnBeingRead) {
+  const auto parameters = [](const char* filter) {
+    const std::string look =
+        std::string(R"json({"format": "swaplight-look", "name": "a", "filters": [)json") + filter + "]}";
+    return pipelineFromJson(Json::parse(look), "a.swaplook").stages[0].parameters;
+  };
+  const auto mixer = parameters(
+      R"json({"filter": "channel-mixer", "parameters": {"red": [0, 1, 0, 1], "blue": [0.5, 0, 1, 1]}})json");
+  ASSERT_EQ(mixer.size(), 1U);
+  EXPECT_EQ(std::get<FilterMatrix>(mixer.at("matrix")), (FilterMatrix{{0, 1, 0}, {0, 1, 0}, {0.5F, 0, 1}}));
+  const auto curves = parameters(R"json({"filter": "curves", "parameters": {"middle": 0.6}})json");
+  ASSERT_EQ(curves.size(), 1U);
+  EXPECT_EQ(std::get<FilterCurve>(curves.at("tone")),
+            (FilterCurve{{0, 0}, {0.25F, 0.2F}, {0.5F, 0.6F}, {0.75F, 0.8F}, {1, 1}}));
+  const auto cdl = parameters(
+      R"json({"filter": "CDL", "parameters": {"slope": [2, 1, 0.5, 1], "offset": [0.75, 0.5, 0.25, 1],
+      "power": [0.5, 1, 0.25, 1], "saturation": 0.5}})json");
+  ASSERT_EQ(cdl.size(), 4U);
+  EXPECT_EQ(std::get<FilterVector>(cdl.at("slopes")), (FilterVector{2, 1, 0.5F}));
+  EXPECT_EQ(std::get<FilterVector>(cdl.at("offsets")), (FilterVector{0.25F, 0, -0.25F}));
+  EXPECT_EQ(std::get<FilterVector>(cdl.at("powers")), (FilterVector{1, 2, 0.5F}));
+  EXPECT_EQ(std::get<FilterVector>(stageFromText("cdl,offset=#ffffff").parameters.at("offsets")),
+            (FilterVector{0.5F, 0.5F, 0.5F}));
+  const auto wrong = parameters(R"json({"filter": "curves", "parameters": {"middle": "high"}})json");
+  EXPECT_TRUE(wrong.contains("middle")) << "said where the filter is known";
+}
+
 TEST_F(FilterPipelineTest, LibrarySkipsAndNamesBrokenFilesAndTakesTheFirstOfAName) {
   writeFile(m_folder.path() / "Broken.fs", "/*{*/");
   std::filesystem::create_directory(m_folder.path() / "z");
