@@ -307,6 +307,14 @@ class StudioTest(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder, name)
 
+    def show(self, name, within=None):
+        """Chooses what is looked at, by the list above the picture; `within`: the list of that list."""
+        self.studio.click('bar.subject')
+        if within:
+            self.studio.click('subject.' + within)
+        self.studio.click('subject.' + name)
+        self.studio.move(640, 705)
+
     def export_frame(self, name):
         """Exports what is seen; its file."""
         frame = self.path(name)

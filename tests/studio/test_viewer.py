@@ -90,12 +90,10 @@ class Viewer(StudioTest):
         seen = {'Relit': studio.picture('viewer_subject_relit')}
         names = ['Photograph 1', 'Photograph 2', 'Light: key', 'β of key', 'Reflectance', 'Residual', 'Standard error (σ)',
                  'Flags']
+        within = {'β of key': 'Shares (β)'}
+        within.update((name, 'Diagnostics') for name in names[-3:])
         for number, name in enumerate(names):
-            studio.click('bar.subject')
-            if name in ('Residual', 'Standard error (σ)', 'Flags'):
-                studio.click('subject.Diagnostics')
-            studio.click('subject.' + name)
-            studio.move(640, 705)
+            self.show(name, within.get(name))
             seen[name] = studio.picture(f'viewer_subject_{number}')
             if name not in ('Reflectance', 'Flags'):  # under white light nothing is between the relit set and its sum
                 self.assertGreater(np.abs(seen[name] - seen['Relit']).mean(), 3, name)

@@ -7,10 +7,8 @@ from studio import StudioTest
 
 
 class Illumination(StudioTest):
-    def show(self, words, name):
-        self.studio.click('bar.subject')
-        self.studio.click('subject.' + words)
-        self.studio.move(640, 705)
+    def light_on_the_set(self, words, name):
+        self.show(words, 'Light without texture')
         self.studio.settle()
         self.studio.wait(lambda _: self.studio.picture(name).mean() > 8, 'the light on the set is found')
         return self.studio.picture(name)
@@ -18,7 +16,7 @@ class Illumination(StudioTest):
     def test_the_light_is_shown_without_texture_in_the_colours_of_the_lights(self):
         studio = self.open_sample()
         relit = studio.picture('illumination_relit')
-        whole = self.show('Illumination', 'illumination_all')
+        whole = self.light_on_the_set('Illumination', 'illumination_all')
         self.assertGreater(np.abs(whole.astype(int) - relit).mean(), 3)
         self.assertGreater(np.ptp(relit.astype(int), axis=-1)[60:-120].max(), 20, 'things have colours')
         self.assertLess(np.ptp(whole.astype(int), axis=-1)[60:-120].max(), 3, 'under white light it is grey')
@@ -30,13 +28,13 @@ class Illumination(StudioTest):
         studio.move(640, 705)
         warm = studio.picture('illumination_warm')
         self.assertGreater((warm[..., 0].astype(int) - warm[..., 2])[60:-120].mean(), 15, 'the key is orange now')
-        key = self.show('Illumination by key', 'illumination_key')
+        key = self.light_on_the_set('Illumination by key', 'illumination_key')
         self.assertLess(np.ptp(key.astype(int), axis=-1)[60:-120].max(), 3, 'one light is shown at unit white')
         self.assertGreater(np.abs(key - whole).mean(), 5)
 
     def test_it_follows_light_edits(self):
         studio = self.open_edits()
-        before = self.show('Illumination by key', 'illumination_before_edit')
+        before = self.light_on_the_set('Illumination by key', 'illumination_before_edit')
         self.add('gain')
         x0, y0, x1, y1 = studio.item('parameters.gain')
         studio.drag((round(x0 + .25 * (x1 - x0)), (y0 + y1) // 2), (x0 + 4, (y0 + y1) // 2))
@@ -60,7 +58,7 @@ class Illumination(StudioTest):
 
     def test_the_choice_is_saved_with_the_session(self):
         studio = self.open_sample()
-        self.show('Illumination by key', 'illumination_saved')
+        self.light_on_the_set('Illumination by key', 'illumination_saved')
         view = self.save_as('light')[1]['studio']
         self.assertEqual((view['subject'], view['subject_index']), ('illumination', 0))
 

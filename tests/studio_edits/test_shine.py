@@ -66,18 +66,14 @@ class Shine(StudioTest):
 
     def test_the_viewer_shows_a_light_s_highlights(self):
         studio = self.glossy(1)
-        studio.click('bar.subject')
-        studio.click('subject.Highlights of left')
-        studio.move(640, 705)
+        self.show('Highlights of left', 'Highlights')
         studio.settle()
         shown = studio.picture('shine_highlights')
         studio.screenshot('shine_highlights')
         height, width = shown.shape[:2]
         self.assertGreater(shown[height // 2, round(.3 * width)].min(), 100)
         self.assertLess(shown[height // 2, round(.6 * width)].max(), 10)
-        studio.click('bar.subject')
-        studio.click('subject.left without highlights')
-        studio.move(640, 705)
+        self.show('left without highlights', 'Highlights')
         studio.settle()
         self.assertLess(studio.picture('shine_diffuse')[height // 2, round(.3 * width), 2], 150)
 

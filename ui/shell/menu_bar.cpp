@@ -7,6 +7,7 @@
 #include "ui/kit/action_widgets.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/mixer/light_menu.h"
+#include "ui/viewer/subject_menu.h"
 #include "ui/viewer/viewer_bar.h"
 
 namespace swaplight {

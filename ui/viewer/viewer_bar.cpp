@@ -5,42 +5,16 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "core/ocio/color_config.h"
 #include "core/set/set_color_space.h"
-#include "core/view/subject_image.h"
 #include "ui/control/viewer_request.h"
 #include "ui/kit/action_widgets.h"
 #include "ui/viewer/bar_tools.h"
+#include "ui/viewer/subject_menu.h"
 
 namespace swaplight {
 namespace {
-
-using Kind = ViewSubject::Kind;
-
-bool subjectLine(ViewerContext& studio, const ViewSubject& subject, bool current) {
-  const std::string words = subjectWords(studio, subject);
-  const bool clicked = ImGui::MenuItem(words.c_str(), nullptr, current);
-  markItem({"subject.", words});
-  return clicked;
-}
-
-/// The light on the set without its texture: of all lights as they are set, of each at unit white.
-void illuminationLines(ViewerContext& studio, const OpenSet& set, const ViewSubject& current,
-                       const std::function<void(const ViewSubject&)>& choose) {
-  const auto line = [&](const ViewSubject& subject, const char* tip) {
-    if (subjectLine(studio, subject, current == subject)) choose(subject);
-    tooltip(tip);
-  };
-  line({Kind::Lighting, 0},
-       "The light on the set as you have set it, as if everything were painted one grey.");
-  for (int light = 0; light < set.solved().lightCount(); ++light)
-    line(
-        {Kind::Illumination, light},
-        "This light on the set at unit white, without texture, as if everything were painted one grey. Large "
-        "surfaces of another grey may still show.");
-}
 
 std::string compareWords(CompareState::Mode mode) {
   constexpr std::array<const char*, 5> words = {"A", "Wipe", "Split", "A \u2212 B", "B"};
@@ -98,54 +72,6 @@ void drawLooks(ViewerContext& studio, const DisplayChoice& shown) {
 }
 
 }  // namespace
-
-void drawSubjectMenu(ViewerContext& studio, bool sideB) {
-  CompareState& compare = studio.view.compare;
-  const ViewSubject current = sideB ? compare.subject : studio.view.subject;
-  const OpenSet* set = studio.set();
-  if (!set) return;
-  const auto choose = [&](const ViewSubject& subject) {
-    (sideB ? compare.subject : studio.view.subject) = subject;
-  };
-  if (!sideB) {
-    if (subjectLine(studio, {}, current == ViewSubject{})) choose({});
-  } else {
-    const bool relit = current.kind == Kind::Relit;
-    if (ImGui::MenuItem("Unit white", nullptr, relit && !compare.rig)) {
-      choose({});
-      compare.rig.reset();
-    }
-    markItem("subject_b.white");
-    if (ImGui::MenuItem("Current lighting", nullptr, relit && compare.rig.has_value()))
-      studio.actions.run("compare.keep");
-    markItem("subject_b.now");
-    tooltip("Stores the current lighting as B, to compare your changes with.");
-  }
-  ImGui::Separator();
-  for (int shot = 0; shot < set->solved().capture.shotCount(); ++shot)
-    if (subjectLine(studio, {Kind::Photograph, shot}, current == ViewSubject{Kind::Photograph, shot}))
-      choose({Kind::Photograph, shot});
-  ImGui::Separator();
-  for (const Kind kind : {Kind::Contribution, Kind::Highlight, Kind::Diffuse, Kind::Beta, Kind::Visibility}) {
-    if (ofHighlights({kind, 0}) && set->solved().highlights.empty()) continue;
-    const SolvedSet& of = kind == Kind::Visibility ? *set->original : set->solved();
-    for (int light = 0; light < of.lightCount(); ++light)
-      if (subjectLine(studio, {kind, light}, current == ViewSubject{kind, light})) choose({kind, light});
-    ImGui::Separator();
-  }
-  illuminationLines(studio, *set, current, choose);
-  ImGui::Separator();
-  const auto line = [&](Kind kind) {
-    if (subjectLine(studio, {kind, 0}, current == ViewSubject{kind, 0})) choose({kind, 0});
-  };
-  line(Kind::Reflectance);
-  const bool open = ImGui::BeginMenu("Diagnostics");
-  markItem("subject.Diagnostics");
-  tooltip("How well the photographs fit, and how far each pixel can be trusted.");
-  if (!open) return;
-  for (const Kind kind : {Kind::Residual, Kind::Sigma, Kind::Flags}) line(kind);
-  ImGui::EndMenu();
-}
 
 void drawDisplayMenu(ViewerContext& studio) {
   const ColorConfig& config = *studio.colors.config();

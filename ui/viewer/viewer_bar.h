@@ -9,7 +9,5 @@ void drawViewerBar(ViewerContext& studio);
 
 /// The lines of the menu of displays and views.
 void drawDisplayMenu(ViewerContext& studio);
-/// The lines of the menu of subjects, for A or B.
-void drawSubjectMenu(ViewerContext& studio, bool sideB);
 
 }  // namespace swaplight
