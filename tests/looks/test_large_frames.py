@@ -54,6 +54,13 @@ class SameBytes(LargeFrameTest):
         cli.write_image(self.frame, np.where(highlights, 6e4, 0) * np.ones(3))
         self.assert_parts_are_the_whole(['bloom,radius=2,amount=1,spread=1'], '--type', 'float', sides=(613,))
 
+    def test_of_a_wide_glow_on_a_smaller_picture(self):
+        """Highlights as above."""
+        highlights = np.random.default_rng(8).uniform(0, 1, (60, 400, 1)) < .005
+        cli.write_image(self.frame, np.where(highlights, 6e4, 0) * np.ones(3))
+        for radius in (35, 80):
+            self.assert_parts_are_the_whole([f'halation,radius={radius},threshold=0,amount=1'], '--type', 'float', sides=(50, 97))
+
     def test_of_parts_whose_halo_is_more_than_a_texture(self):
         """A frame that a part of the usual side and its halo would make a texture wider than Mesa's 16384."""
         cli.write_image(self.frame, np.random.default_rng(7).uniform(0, 1, (8, 30000, 3)), 'half')

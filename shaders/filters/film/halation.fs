@@ -20,7 +20,7 @@
   "SWAPLIGHT": {
     "SPACE": "scene_linear",
     "WHERE": ["shot", "light", "frame"],
-    "HALO": "ceil(4 * $radius * $WIDTH / 1920) + 4",
+    "HALO": "ceil(5.5 * $radius * $WIDTH / 1920) + 4",
     "SAMPLING": "nearest",
     "UNIT": {"radius": "px of 1920"},
     "TOOLTIP": {"amount": "The part of the bright light that is scattered", "threshold": "Light above this is scattered; 1 is white", "radius": "Standard deviation", "tint": "The part of each channel"}
