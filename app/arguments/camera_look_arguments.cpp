@@ -85,6 +85,11 @@ void CameraLookArguments::addTo(CLI::App& verb) {
       ->check(NumberRange(0.01, 10000))
       ->type_name("X")
       ->group(kGroup);
+  verb.add_option("--tile", m_options.tileSide,
+                  "Longest side of the parts in which a large frame is filtered (default: 4096 pixels)")
+      ->check(NumberRange(16, 16384))
+      ->type_name("N")
+      ->group(kGroup);
 }
 
 std::shared_ptr<CameraLook> CameraLookArguments::look(const std::optional<Session>& session,

@@ -4,7 +4,6 @@
 #include "core/base/json.h"
 #include "core/export/filtered_frame.h"
 #include "core/file/same_file.h"
-#include "core/image/images_in_files.h"
 #include "core/ocio/chosen_config.h"
 
 namespace swaplight {
@@ -20,11 +19,6 @@ FilterPipeline pipelineOf(const LookArguments& arguments) {
   if (arguments.request.look.empty())
     pipeline.name = !arguments.name.empty() ? arguments.name : fs::path(arguments.save).stem().string();
   return pipeline;
-}
-
-/// A frame as large as a part lies in memory, a larger one beside the result.
-size_t bytesOfPart(int side) {
-  return 3 * sizeof(float) * static_cast<size_t>(side) * static_cast<size_t>(side);
 }
 
 }  // namespace
@@ -44,7 +38,7 @@ int applyFilters(const LookArguments& arguments, Terminal& terminal) {
       readyLook(pipeline, typed ? "--filter" : arguments.request.look, typed,
                 {arguments.time.framesPerSecond, arguments.tileSide, arguments.mostSeconds}, terminal);
 
-  const ImagesInFiles large(fs::path(arguments.output).parent_path(), bytesOfPart(arguments.tileSide));
+  const std::unique_ptr<const ImagesInFiles> large = largeImagesBeside(arguments.output, arguments.tileSide);
   FilteredImage frame = readFrame(file, arguments.alpha);
   const int width = frame.image.width(), height = frame.image.height();
   const std::string space = frame.image.spec().colorSpace;

@@ -2,6 +2,7 @@
 #include "app/arguments/display_arguments.h"
 #include "app/arguments/grade_arguments.h"
 #include "app/arguments/lighting_arguments.h"
+#include "app/arguments/look_frame.h"
 #include "app/arguments/sequence_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -83,6 +84,8 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
   if (arguments.sequence.given() && arguments.cameraLook.frameGiven())
     throw InputError("--frame is the number of a still: leave it out, -F numbers the frames");
   const std::shared_ptr<CameraLook> look = arguments.cameraLook.look(session, terminal);
+  const std::unique_ptr<const ImagesInFiles> large =  // the set, too: lights are read one after the other
+      look ? largeImagesBeside(arguments.frame, arguments.cameraLook.partSide()) : nullptr;
   output.cameraLook = look;
   output.frameNumber = arguments.cameraLook.frame();
   if (arguments.sequence.given())

@@ -2,9 +2,11 @@
 import os
 
 import numpy as np
+import OpenImageIO as oiio
 
 import cli
 
+SET = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../samples/three_point/capture.json')
 # Ten filters: wide halos, alpha that one makes and another sees, passes over the whole frame, light and codes.
 TEN = ['exposure,stops=0.5', 'halation,radius=20', 'bloom,radius=6', 'local-contrast,radius=8', 'film-grain',
        'chromatic-aberration', 'vignette', 'review,contrast=1.3,sharpness=1.5', 'gaussian-blur,sigma=6', 'auto-levels']
@@ -79,12 +81,12 @@ class Refused(LargeFrameTest):
 
 
 class Memory(LargeFrameTest):
-    def peak(self, *options):
+    def peak(self, *options, verb=('look', 'apply')):
         """Megabytes that the program held at most."""
         script = ('import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL);'
                   'print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)')
         stages = [part for stage in ('exposure,stops=1', 'film-grain', 'vignette') for part in ('--filter', stage)]
-        out = cli.subprocess.run([cli.sys.executable, '-c', script, cli.PROGRAM, 'look', 'apply', self.frame, *stages, '-o',
+        out = cli.subprocess.run([cli.sys.executable, '-c', script, cli.PROGRAM, *verb, self.frame, *stages, '-o',
                                   self.path('out.exr'), *map(str, options)], capture_output=True, text=True, check=True)
         return int(out.stdout) / 1024
 
@@ -93,6 +95,23 @@ class Memory(LargeFrameTest):
         whole, parts = self.peak(), self.peak('--tile', 256)
         picture = 1500 * 2250 * 12 / 2**20
         self.assertLess(parts, whole - 3 * picture)
+
+    def test_a_set_that_is_relit_lies_beside_the_frame(self):
+        """Three lights at 2400 x 1350, of a small set's copies side by side: the same bytes."""
+        self.succeed('solve', SET, '-o', self.path('small.exr'))
+        small = oiio.ImageInput.open(self.path('small.exr'))
+        spec, pixels = oiio.ImageSpec(small.spec()), np.tile(small.read_image('half'), (5, 5, 1))
+        small.close()
+        spec.height, spec.width = spec.full_height, spec.full_width = pixels.shape[:2]
+        large = oiio.ImageOutput.create(self.frame)
+        self.assertTrue(large.open(self.frame, spec) and large.write_image(pixels))
+        large.close()
+        relit = ('relight', '--light', 'key=3200K,+1st')
+        whole, bytes_of_whole = self.peak(verb=relit), cli.sha256(self.path('out.exr'))
+        parts = self.peak('--tile', 256, verb=relit)
+        self.assertEqual(cli.sha256(self.path('out.exr')), bytes_of_whole)
+        contributions = 3 * 2400 * 1350 * 12 / 2**20
+        self.assertLess(parts, whole - contributions)
 
     def test_no_file_stays(self):
         before = set(os.listdir(os.path.dirname(self.frame)))
