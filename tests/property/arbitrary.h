@@ -205,7 +205,8 @@ inline SolveOptions anySolveOptions() {
 
 /// What JSON keeps as it is: whole numbers of choices become their filter's when it is known.
 inline FilterValue anyFilterValue() {
-  switch (anyInt(0, 4)) {
+  const auto any = [] { return anyFloat(-4, 4); };
+  switch (anyInt(0, 7)) {
     case 0:
       return anyBool();
     case 1:
@@ -214,6 +215,12 @@ inline FilterValue anyFilterValue() {
       return FilterPoint{anyFloat(0, 1), anyFloat(0, 1)};
     case 3:
       return FilterColor{anyFloat(0, 1), anyFloat(0, 1), anyFloat(0, 1), anyFloat(0, 1)};
+    case 4:
+      return FilterVector{any(), any(), any()};
+    case 5:
+      return FilterMatrix{{any(), any(), any()}, {any(), any(), any()}, {any(), any(), any()}};
+    case 6:
+      return FilterCurve{{0, any()}, {anyFloat(0.1F, 0.9F), any()}, {1, any()}};
     default:
       return anyText();
   }
