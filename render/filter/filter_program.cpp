@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/filter/glsl_translation.h"
 #include "core/filter/size_expression.h"
+#include "render/filter/filter_uniforms.h"
 #include "render/gl/gl_info.h"
 #include "render/gl/gl_scope.h"
 
@@ -38,52 +39,6 @@ double evaluate(const Filter& filter, std::span<const FilterValue> values, const
       if (filter.inputs[i].name == name) return numberOf(values[i]);
     return {};
   });
-}
-
-UniformValue vectorUniform(const FilterVector& v) {
-  if (v.size() == 2) return glm::vec2(v[0], v[1]);
-  if (v.size() == 3) return glm::vec3(v[0], v[1], v[2]);
-  return glm::vec4(v[0], v[1], v[2], v[3]);
-}
-
-/// From rows, so that `matrix * vector` has a row a result.
-template <typename Matrix>
-Matrix matrixOf(const FilterMatrix& rows) {
-  Matrix matrix;
-  for (int row = 0; row < Matrix::length(); ++row)
-    for (int column = 0; column < Matrix::length(); ++column)
-      matrix[column][row] = rows[static_cast<size_t>(row)][static_cast<size_t>(column)];
-  return matrix;
-}
-
-UniformValue matrixUniform(const FilterMatrix& rows) {
-  if (rows.size() == 2) return matrixOf<glm::mat2>(rows);
-  if (rows.size() == 3) return matrixOf<glm::mat3>(rows);
-  return matrixOf<glm::mat4>(rows);
-}
-
-/// By tests of the type and not by std::visit, whose unreachable branch leaves an empty function that lld
-/// gives the unwinding table of its neighbour: what the neighbour throws would end the program.
-UniformValue uniformFrom(const FilterValue& value) {
-  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? 1 : 0;
-  if (const auto* choice = std::get_if<int>(&value)) return *choice;
-  if (const auto* number = std::get_if<float>(&value)) return *number;
-  if (const auto* point = std::get_if<FilterPoint>(&value)) return glm::vec2((*point)[0], (*point)[1]);
-  if (const auto* color = std::get_if<FilterColor>(&value))
-    return glm::vec4((*color)[0], (*color)[1], (*color)[2], (*color)[3]);
-  if (const auto* vector = std::get_if<FilterVector>(&value)) return vectorUniform(*vector);
-  if (const auto* matrix = std::get_if<FilterMatrix>(&value)) return matrixUniform(*matrix);
-  throw std::logic_error("a picture or a curve is no uniform");
-}
-
-void setCurve(const ShaderProgram& program, const std::string& name, const FilterCurve& curve) {
-  if (!program.hasUniform("isf_count_" + name)) return;
-  const std::vector<double> slopes = curveSlopes(curve);
-  std::vector<glm::vec3> points;
-  for (size_t i = 0; i < curve.size(); ++i)
-    points.emplace_back(curve[i][0], curve[i][1], static_cast<float>(slopes[i]));
-  program.set({{"isf_points_" + name, std::span<const glm::vec3>(points)},
-               {"isf_count_" + name, static_cast<int>(points.size())}});
 }
 
 bool read(std::span<const ShaderProgram> passes, const std::string& image) {
@@ -176,17 +131,6 @@ FilterWindow FilterProgram::windowOf(const FilterPass& pass, std::span<const Fil
   return window;
 }
 
-void FilterProgram::setInputs(const ShaderProgram& program, const Drawing& drawing) const {
-  for (size_t i = 0; i < m_filter->inputs.size(); ++i) {
-    const std::string name = glslName(m_filter->inputs[i].name);
-    const bool picture = std::holds_alternative<std::string>(drawing.values[i]);
-    if (const auto* curve = std::get_if<FilterCurve>(&drawing.values[i]))
-      setCurve(program, name, *curve);
-    else if (!picture && program.hasUniform(name))
-      program.set({{name, uniformFrom(drawing.values[i])}});
-  }
-}
-
 void FilterProgram::drawPass(int index, const FilterTexture& target, Drawing& drawing) const {
   const FilterPass& pass = m_filter->passes[static_cast<size_t>(index)];
   const ShaderProgram& program = m_programs[static_cast<size_t>(index)];
@@ -195,7 +139,8 @@ void FilterProgram::drawPass(int index, const FilterTexture& target, Drawing& dr
     if (program.hasUniform(name)) program.set({{name, value}});
   };
   const BoundProgram use(program.id(), m_vertexArray.id());
-  setInputs(program, drawing);
+  for (size_t i = 0; i < m_filter->inputs.size(); ++i)
+    setFilterInput(program, m_filter->inputs[i], drawing.values[i]);
   BoundTextures bound;
   for (const std::string& image : m_images) {
     const FilterTexture* texture = nullptr;

@@ -60,7 +60,6 @@ class FilterProgram {
                                       const FilterWindow& input) const;
   void drawPass(int index, const FilterTexture& target, Drawing& drawing) const;
   void drawStrips(const FilterTexture& target, Drawing& drawing) const;
-  void setInputs(const ShaderProgram& program, const Drawing& drawing) const;
 
   std::shared_ptr<const Filter> m_filter;
   std::vector<std::string> m_images;
