@@ -25,6 +25,9 @@ template <int kN>
   const int n = lights;
   const int tested = n == 2 ? 1 : n;  // of two shares, one says all
   const float cut = 1 / (band.rejectChi2 * float(tested));
+  // The biweight of two values of the variance v is nearly a normal one of rejectChi2 v / 2 a share: of noise
+  // alone, that leaves so much of the variance.
+  const float keptNoise = 1 / (1 + 2 * cut);
   const long first = long(row) * band.stride;
   for (int x = 0; x < width; x += kLanes) {
     const long at = first + x;
@@ -38,6 +41,8 @@ template <int kN>
     }
     Lanes total = splat(0);
     Lanes squares = splat(0);
+    Lanes spread = splat(0);
+    Lanes noise = splat(0);
     for (int dy = -kPoolRadius; dy <= kPoolRadius; ++dy)
       for (int dx = -kPoolRadius; dx <= kPoolRadius; ++dx) {
         const long there = at + (long(dy) * band.stride + dx) * band.step;
@@ -52,17 +57,30 @@ template <int kN>
         const Lanes near = larger(1 - step * step * band.guideScale, splat(0));
         const Lanes both = alike * near;
         const Lanes weight = both * both * load(band.precision + there);
+        const Lanes weighted = weight * theirs;
         total += weight;
-        squares += weight * weight * theirs;
+        squares += weight * weighted;
+        noise += weighted;
+        spread += weight * difference;
         for (int i = 0; i < tested; ++i) sum[i] += weight * load(band.share[i] + there);
       }
     total = 1 / larger(total, splat(1e-30F));
-    for (int i = 0; i < tested; ++i) share[i] = sum[i] * total;
+    // The squared distance from the mean, a share: spread was from the pixel.
+    spread *= total;
+    for (int i = 0; i < tested; ++i) {
+      sum[i] = sum[i] * total - share[i];
+      spread -= sum[i] * sum[i];
+    }
+    // What it is more than noise is the neighbourhood's own, and a pixel keeps as much of its own.
+    const Lanes real = larger(spread * (1 / float(tested)) - keptNoise * noise * total, splat(0));
+    const Lanes kept = real / (real + variance);
+    const Lanes given = 1 - kept;
+    for (int i = 0; i < tested; ++i) share[i] += given * sum[i];
     if (n == 2) share[1] = 1 - share[0];
     if (band.clampAtZero) clampAtZero<kN>(n, share);
     for (int i = 0; i < n; ++i) store(pooled[i] + x, share[i]);
     const Lanes known = squares * total * total * band.overlap + band.hiddenVariance * variance;
-    store(left + x, smaller(known, variance));
+    store(left + x, smaller(given * given * known + kept * variance, variance));
   }
 }
 

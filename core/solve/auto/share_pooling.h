@@ -21,9 +21,11 @@ struct SharePooling {
 
 /// What a pixel's neighbours say of its proportions, where noise hides them: the mean of those that do not
 /// differ from it by more than noise explains and are about as bright, each weighted by how well it is known.
-/// So nothing happens where the photographs are clear, and edges, in the proportions or in the picture, stay.
-/// (The sigma filter, Lee 1983, with Tukey's biweight instead of a step; called with steps 1, 2, ... it is
-/// the edge-stopping a-trous transform of Dammertz et al. 2010.)
+/// A pixel moves there by the part of the neighbourhood's variance that is noise: what is left is real
+/// (relief, grain of the surface). So nothing happens where the photographs are clear, and edges, in the
+/// proportions or in the picture, stay. (The sigma filter, Lee 1983, with Tukey's biweight instead of a step,
+/// around the local linear minimum mean square error, Lee 1980; called with steps 1, 2, ... it is the
+/// edge-stopping a-trous transform of Dammertz et al. 2010.)
 ///
 /// `shares`: a plane a light, sum 1, signed (cut off at 0 they would have a mean above 0 in a shadow).
 /// `variance`: of beta, a plane, > 0. `guide`: a plane. `pooled` (a plane a light) receives the shares,

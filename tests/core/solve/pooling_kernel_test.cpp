@@ -50,7 +50,7 @@ struct Scene {
   [[nodiscard]] Pixel expected(int x) const {
     const int tested = lights == 2 ? 1 : lights;
     Pixel out{std::vector<double>(size_t(lights))};
-    double total = 0, squares = 0;
+    double total = 0, squares = 0, spread = 0, noiseThere = 0;
     for (int dy = -kPoolRadius; dy <= kPoolRadius; ++dy)
       for (int dx = -kPoolRadius; dx <= kPoolRadius; ++dx) {
         const long there = x + (long(dy) * stride + dx) * band.step;
@@ -62,26 +62,35 @@ struct Scene {
         const double near =
             std::max(0.0, 1 - square(double(band.guide[there]) - band.guide[x]) * band.guideScale);
         const double weight = square(alike * near) * band.precision[there];
+        spread += weight * difference, noiseThere += weight * band.variance[there];
         total += weight, squares += weight * weight * band.variance[there];
         for (int i = 0; i < lights; ++i) out.share[size_t(i)] += weight * band.share[i][there];
       }
+    // Around the mean, not around the pixel; what the biweight leaves of noise is taken off.
+    spread /= total;
+    for (int i = 0; i < tested; ++i) spread -= square(out.share[size_t(i)] / total - band.share[i][x]);
+    const double keptNoise = 1 / (1 + 2 / (double(band.rejectChi2) * tested));
+    const double real = std::max(spread / tested - keptNoise * noiseThere / total, 0.0);
+    const double kept = real / (real + band.variance[x]);
     double sum = 0;
-    for (double& share : out.share) {
-      share /= total;
+    for (int i = 0; i < lights; ++i) {
+      double& share = out.share[size_t(i)];
+      share = (1 - kept) * share / total + kept * band.share[i][x];
       if (band.clampAtZero) share = std::max(share, 0.0);
       sum += share;
     }
     if (band.clampAtZero)
       for (double& share : out.share) share /= sum;
+    const double pooled =
+        squares / (total * total) * band.overlap + double(band.hiddenVariance) * band.variance[x];
     out.left =
-        std::min(squares / (total * total) * band.overlap + double(band.hiddenVariance) * band.variance[x],
-                 double(band.variance[x]));
+        std::min(square(1 - kept) * pooled + kept * double(band.variance[x]), double(band.variance[x]));
     return out;
   }
   static double square(double x) { return x * x; }
 };
 
-TEST(PoolingKernel, IsTheSigmaFilterAtEveryLevel) {
+TEST(PoolingKernel, IsTheSigmaFilterOfWhatIsNoiseAtEveryLevel) {
   for (const int lights : {2, 3, 4, 7, 16})
     for (const int step : {1, 2})
       for (const bool cut : {false, true}) {

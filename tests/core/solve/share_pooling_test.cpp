@@ -97,6 +97,25 @@ TEST(SharePooling, LeavesAloneWhatIsCertain) {
     EXPECT_FLOAT_EQ(scene.pooled.plane(0)[p], scene.shares.plane(0)[p]);
 }
 
+TEST(SharePooling, KeepsReliefThatIsNotMuchMoreThanTheNoise) {
+  Scene scene;
+  std::mt19937 random(7);
+  std::normal_distribution<float> gauss;
+  Image truth = scene.shares.clone();
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const float a = .5F + 2 * kSigma * gauss(random);
+      truth.span().at(0, x, y) = a;
+      scene.shares.span().at(0, x, y) = a + kSigma * gauss(random);
+      scene.shares.span().at(1, x, y) = 1 - scene.shares.view().at(0, x, y);
+    }
+  scene.pool();
+  double sum = 0;
+  for (size_t p = 0; p < truth.pixelCount(); ++p)
+    sum += std::pow(scene.pooled.plane(0)[p] - truth.plane(0)[p], 2);
+  EXPECT_LT(std::sqrt(sum / double(truth.pixelCount())), kSigma) << "no worse than the pixels on their own";
+}
+
 TEST(SharePooling, IsTheSameForLightsInAnotherOrder) {
   Scene scene;
   scene.pool({.step = 2, .rejectChi2 = 4});
