@@ -111,7 +111,7 @@ double solverSpeed(const std::string& solver, const BenchScene& scene, SolvedSet
     best = bestSeconds(seconds, [&] {
       const ShotSignal signal(scene.pixels, context.lighting, context.noise,
                               std::vector<float>(size_t(context.lighting.shots), 1.0F));
-      solveAuto(context, signal, {}, {}, set, {});
+      solveAuto(context, signal, {}, true, {}, set, {});
     });
   } else {
     const auto estimator = info.make(context);

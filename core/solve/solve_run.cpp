@@ -49,6 +49,9 @@ SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
 /// Amplification up to which lights count as photographed one at a time.
 constexpr double kOneByOne = 1.1;
 
+/// Part of the misfit's variance below which no motion of the camera explains it.
+constexpr double kSurelyNotMoved = .02;
+
 /// Relative standard error of an unknown colour above which it is said to be hardly determined.
 constexpr double kUnsure = 0.1;
 
@@ -241,22 +244,44 @@ void SolveRun::fitLightColors() {
   if (m_options.colorUncertainty >= 0) return;
   m_report.colorUncertainty = colorUncertaintyOf(fit, m_tuning.colors);
   const float usual = m_report.noiseGiven ? 0 : usualColorUncertainty(m_report.noise, m_tuning.colors);
-  if (usual <= 0) return;
-  judgeColors(usual);
+  if (usual > 0) judgeColors(usual);
 }
 
-/// Where the noise is not told: what of the matte model's misfit is the colours' error. The rest is the set's
-/// own, no error that it may hide in.
+/// Where the noise is not told: how wrong the colours are, and what of the matte model's misfit that
+/// explains. The rest is the set's own, no error that it may hide in.
 void SolveRun::judgeColors(float usual) {
   const ColorEvidenceTuning& tuning = m_tuning.colorEvidence;
-  const float visible = std::max(m_report.colorUncertainty,
-                                 colorErrorEverywhere(m_context, *m_signal, tuning, m_tuning.colors));
-  const std::optional<float> judged =
-      colorUncertaintyByEvidence({m_context.lighting, m_ownNoise}, *m_signal, visible, tuning);
-  m_report.colorUncertainty = judged.value_or(std::max(m_report.colorUncertainty, usual));
-  if (!judged) return;
-  const float explained = *judged / std::max(visible, float(tuning.smallest));
-  m_context.noise = withModelError(m_ownNoise, m_context.noise, std::min(explained * explained, 1.0F));
+  const float fitted = m_report.colorUncertainty;
+  const float everywhere = colorErrorEverywhere(m_context, *m_signal, tuning, m_tuning.colors);
+  // Blocks of a JPEG have lost colour, which is no error of the lights': it spoils the fit, and neighbours
+  // differ by little of it.
+  const bool blocks = !pixels().codingError.empty();
+  const std::optional<float> judged = colorUncertaintyByEvidence(
+      {m_context.lighting, m_ownNoise}, *m_signal, blocks ? std::max(fitted, everywhere) : fitted, tuning);
+  // Where no light is blocked anywhere the fit alone speaks, if there are photographs enough.
+  const bool few = m_context.lighting.shots < m_context.lighting.lights;
+  const float unseen = few || blocks ? usual : float(tuning.unseen);
+  m_report.colorUncertainty = judged.value_or(std::max(fitted, unseen));
+  const auto level = float(tuning.level);
+  const float own = m_ownNoise.variance(level);
+  const float excess = m_context.noise.variance(level) - own;
+  if (!blocks && excess < -.5F * own) return;  // there was nothing to measure the pixels' own by
+  // Where no misfit is smooth enough to be the colours', they explain of it what their error does to a pixel.
+  const float seen = std::max(fitted, everywhere) > float(tuning.unseen)
+                         ? m_report.colorUncertainty / std::max(fitted, everywhere)
+                         : m_report.colorUncertainty * level / std::sqrt(std::max(excess, 1e-12F));
+  const float part = std::min(seen * seen, 1.0F);
+  m_context.noise = withModelError(m_ownNoise, m_context.noise, part);
+}
+
+/// Misfit at edges is a moved camera's only where that explains any of it: relief and gloss are at edges,
+/// too. Photographs that were moved onto one another, and JPEGs, are never quite alike there.
+bool SolveRun::mayHaveMoved() const {
+  if (m_options.align || !pixels().codingError.empty()) return true;
+  const auto& causes = m_report.causes.all;
+  const auto moved = std::find_if(causes.begin(), causes.end(),
+                                  [](const CauseEvidence& one) { return one.cause == Cause::Moved; });
+  return moved == causes.end() || moved->explained > kSurelyNotMoved;
 }
 
 void SolveRun::separateLights() {
@@ -264,7 +289,8 @@ void SolveRun::separateLights() {
   m_set.carried = m_photographs.carried;
   if (m_info.model != Model::Auto)
     return solvePixelwise(m_info, m_context, *m_signal, m_set, m_progress.part(0.1F, 0.9F));
-  const float shift = solveAuto(m_context, *m_signal, m_report.shifts, m_tuning.automatic, m_set, m_progress);
+  const float shift =
+      solveAuto(m_context, *m_signal, m_report.shifts, mayHaveMoved(), m_tuning.automatic, m_set, m_progress);
   // Gloss, grain and wrong colours are at edges, too.
   if (shift > 0 && (m_report.causes.all.empty() || m_options.align))
     m_report.warnings.emplace_back(

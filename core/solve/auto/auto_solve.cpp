@@ -81,8 +81,8 @@ void ignoreMisfitOutside(const std::vector<ShotShift>& shifts, ImageSpan misfit)
 }  // namespace
 
 float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
-                const std::vector<ShotShift>& shifts, const AutoTuning& tuning, SolvedSet& set,
-                const Progress& progress) {
+                const std::vector<ShotShift>& shifts, bool mayHaveMoved, const AutoTuning& tuning,
+                SolvedSet& set, const Progress& progress) {
   Shrinkage shrinkage(context, signal, tuning.shrinkage);
   const int lights = context.lighting.lights;
   const int runs = int((signal.pixelCount() + kRun - 1) / kRun);
@@ -121,7 +121,8 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
   });
 
   const int freedom = shrinkage.matte().freedom();
-  const float squaredShift = squaredEdgeShift(signal, context.noise, waiting.misfit, freedom, tuning.edges);
+  const float squaredShift =
+      mayHaveMoved ? squaredEdgeShift(signal, context.noise, waiting.misfit, freedom, tuning.edges) : 0;
   float* factor = squaredShift > 0 ? planeOf(waiting.edgeFactor) : nullptr;
   if (factor) {
     edgeNoiseFactor(signal, context.noise, squaredShift, waiting.edgeFactor);

@@ -15,9 +15,9 @@ namespace swaplight {
 /// too. Fills contributions, residual, sigma and model of `set`.
 /// Returns how far the shots seem to lie from one another, in pixels (0: nothing to see; edge_noise.h).
 /// `shifts`: what the shots were moved by; beyond their edges the matte model is all that is asked of a
-/// pixel.
+/// pixel. `mayHaveMoved`: whether misfit at edges may be that of shots that do not lie on one another.
 float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
-                const std::vector<ShotShift>& shifts, const AutoTuning& tuning, SolvedSet& set,
-                const Progress& progress);
+                const std::vector<ShotShift>& shifts, bool mayHaveMoved, const AutoTuning& tuning,
+                SolvedSet& set, const Progress& progress);
 
 }  // namespace swaplight

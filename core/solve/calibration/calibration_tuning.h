@@ -118,6 +118,9 @@ struct ColorEvidenceTuning {
   double lowest = .02;          ///< quantile of the blocks that stands for where a light is blocked
   double quiet = .2;            ///< quantile of the blocks' misfit that wrong colours alone may have
   double lowestOfNoise = 2.05;  ///< standard errors by which noise lowers that quantile at most
+  double unseen = .005;         ///< error that the fit of the colours does not show
+  double alone = .1;            ///< how often the colours' error is all that their fit shows
+  double level = .1;            ///< signal at which the misfit is held against what the colours explain
   double visibleFreedom = 4;    ///< directions of colour errors that the matte model shows, at least
   double smallest = .002, largest = .15;  ///< standard errors that are weighed
 
@@ -128,6 +131,9 @@ struct ColorEvidenceTuning {
                       std::pair{"bright", &T::bright},
                       std::pair{"lowest", &T::lowest},
                       std::pair{"quiet", &T::quiet},
+                      std::pair{"unseen", &T::unseen},
+                      std::pair{"alone", &T::alone},
+                      std::pair{"level", &T::level},
                       std::pair{"visible_freedom", &T::visibleFreedom},
                       std::pair{"lowest_of_noise", &T::lowestOfNoise},
                       std::pair{"smallest", &T::smallest},

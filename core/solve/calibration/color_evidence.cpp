@@ -72,15 +72,26 @@ void addLowest(const EstimatorContext& context, const ColorEvidenceTuning& tunin
   }
 }
 
+/// The density of log `visible` where the colours are wrong by u: seldom they are all that is seen,
+/// and it is u but for the chance of few degrees of freedom; or other causes add to it, by any factor. Of
+/// what is too little to be seen, that it is no more.
+double chanceOf(const ColorEvidenceTuning& tuning, double visible, double u) {
+  const double ratio = std::pow(std::max(visible, tuning.unseen) / u, 2);
+  const double deviations = normalOfChiSquare(tuning.visibleFreedom, ratio);
+  if (visible <= tuning.unseen) return normalBelow(deviations);
+  const double slope = std::sqrt(2 * tuning.visibleFreedom);  // of it along log u
+  const double alone = slope * std::exp(-.5 * deviations * deviations) / std::sqrt(2 * M_PI);
+  const double among = normalBelow(deviations) / std::log(tuning.largest / tuning.smallest);
+  return tuning.alone * alone + (1 - tuning.alone) * among;
+}
+
 /// The logarithm of the chance of both witnesses where the colours are wrong by u.
 double logLikelihood(const ColorEvidenceTuning& tuning, const std::vector<Lowest>& lowest, double visible,
                      double u) {
   double log = 0;
   for (const Lowest& low : lowest)
     log += std::log(std::max(normalBelow(low.z / std::hypot(u, low.noise)), 1e-30));
-  // That errors of u show as little as `visible`.
-  const double ratio = std::pow(std::max(visible, tuning.smallest) / u, 2);
-  return log + std::log(std::max(normalBelow(normalOfChiSquare(tuning.visibleFreedom, ratio)), 1e-30));
+  return log + std::log(std::max(chanceOf(tuning, visible, u), 1e-30));
 }
 
 }  // namespace

@@ -19,9 +19,10 @@ namespace swaplight {
 /// nothing goes below zero the colours are right, however much the matte model misses: that is bounced light,
 /// gloss, or lamps of another hue.
 ///
-/// `visible`, the error of the colours that the matte model's misfit asks for, is the other witness: errors
-/// do not show less than they do by chance (chi-square of few degrees of freedom), but other causes add to
-/// it.
+/// `visible`, the error of the colours that a fit of them to the photographs finds (colorUncertaintyOf), is
+/// the other witness: seldom it is theirs alone, and then u but for chance (chi-square of few
+/// degrees of freedom); or other causes add to it. What is too little for the fit to see only says that u is
+/// no larger.
 ///
 /// The prior is flat in log u; returns exp of the posterior's mean. `context.noise` is that of the pixels'
 /// own (residual_noise.h). Nothing where fewer shots than lights, too few bright blocks, no channel that

@@ -57,11 +57,10 @@ NoiseModel residualNoise(const EstimatorContext& context, const NoiseModel& leas
         std::max(factor * context.noise.variance(float(y)), double(least.variance(float(y))));
     points.push_back({y, target});
   }
-  const std::array<double, 3> x = fitVariance(points);
+  const auto [constant, linear] = varianceBelow(points);
   NoiseModel model = context.noise;
-  model.constant = std::max(float(x[0]), least.constant);
-  model.linear = std::max(float(x[1]), least.linear);
-  model.square = std::max(float(x[2]), context.noise.square);
+  model.constant = std::max(float(constant), least.constant);
+  model.linear = std::max(float(linear), least.linear);
   return model;
 }
 

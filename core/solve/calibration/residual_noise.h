@@ -12,9 +12,11 @@ namespace swaplight {
 /// shading or relief in it, and second differences of that over neighbouring pixels hold no error that is
 /// smooth: gloss, bounced light, wrong colours. The quietest fifth of the blocks, in bins of brightness,
 /// gives the noise; in no bin it is above the spatial estimate (both are too large at worst), nor below
-/// `least`, the quantisation of the files. Where means of 2 x 2 pixels vary more than independent noise would
-/// (JPEG, demosaicing), the noise of a pixel is raised by that. Returns the spatial estimate where the fit
-/// leaves no freedom or the set is too small.
+/// `least`, the quantisation of the files. Fine relief, gloss and bounced light only add to a bin, and a
+/// camera's noise is constant + linear (photon transfer): what lies below all bins is its noise
+/// (varianceBelow). Where means of 2 x 2 pixels vary more than independent noise would (JPEG, demosaicing),
+/// the noise of a pixel is raised by that. Returns the spatial estimate where the fit leaves no freedom or
+/// the set is too small.
 [[nodiscard]] NoiseModel residualNoise(const EstimatorContext& context, const NoiseModel& least,
                                        const ShotSignal& signal, const ResidualNoiseTuning& tuning = {});
 

@@ -1,5 +1,7 @@
 #include "core/solve/model/variance_fit.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/linear/decompositions.h"
@@ -31,6 +33,38 @@ std::array<double, 3> fitVariance(std::span<const VariancePoint> points) {
     for (size_t j = 0; j < columns.size(); ++j) best[size_t(columns[j])] = x[long(j)];
   }
   return best;
+}
+
+std::array<double, 2> varianceBelow(std::span<const VariancePoint> points) {
+  const auto slopeAt = [&](double constant) {
+    double slope = INFINITY;
+    for (const auto& [y, variance] : points)
+      if (y > 0) slope = std::min(slope, (variance - constant) / y);
+    return std::isfinite(slope) ? std::max(slope, 0.0) : 0.0;
+  };
+  const auto sumAt = [&](double constant) {
+    const double slope = slopeAt(constant);
+    double sum = 0;
+    for (const auto& [y, variance] : points)
+      sum += std::log(std::max(constant + slope * std::max(y, 0.0), 1e-30));
+    return sum;
+  };
+  double least = 0;
+  double most = INFINITY;
+  for (const auto& point : points) most = std::min(most, point.variance);
+  if (!std::isfinite(most)) return {};
+  // The sum is concave.
+  constexpr int kThirds = 60;
+  for (int j = 0; j < kThirds; ++j) {
+    const double a = least + (most - least) / 3;
+    const double b = most - (most - least) / 3;
+    if (sumAt(a) < sumAt(b))
+      least = a;
+    else
+      most = b;
+  }
+  const double constant = (least + most) / 2;
+  return {constant, slopeAt(constant)};
 }
 
 }  // namespace swaplight

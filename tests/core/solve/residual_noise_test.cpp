@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/solve/model/variance_fit.h"
 #include "tests/support/synthetic_capture.h"
 
 namespace swaplight {
@@ -51,6 +52,20 @@ TEST(ResidualNoise, IsAboutTheSpatialEstimateAtMostAndNeverBelowTheFiles) {
     EXPECT_LT(found.variance(y), 2 * context.noise.variance(y));
     EXPECT_GE(coarse.variance(y), least.variance(y));
   }
+}
+
+TEST(ResidualNoise, LiesBelowWhatEveryLevelShows) {
+  // .25 + 2 y, and at two levels something beside the noise.
+  std::vector<VariancePoint> points;
+  for (const double y : {.1, .2, .3, .5, .8}) points.push_back({y, .25 + 2 * y});
+  points[1].variance *= 3;
+  points[3].variance *= 1.5;
+  const auto [constant, linear] = varianceBelow(points);
+  EXPECT_NEAR(constant, .25, .01);
+  EXPECT_NEAR(linear, 2, .05);
+  for (const VariancePoint& point : points)
+    EXPECT_LE(constant + linear * point.signal, point.variance * 1.001);
+  EXPECT_EQ(varianceBelow({})[0], 0);
 }
 
 TEST(ResidualNoise, OfTheMisfitOnlyTheModelsErrorIsHeldAgainstAPixel) {
