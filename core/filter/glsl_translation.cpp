@@ -51,9 +51,19 @@ bool isNewGlsl(const std::string& number) {
   return error == std::errc::result_out_of_range || version >= 130;
 }
 
-/// A switch statement is legal where a program asks for a newer GLSL than ISF's; then words keep their
-/// meaning.
-bool asksForNewGlsl(const Tokens& tokens) {
+/// Whole numbers without a sign: in GLSL 1.20 there are none, and no name is followed by another.
+bool hasUnsignedType(const Tokens& tokens) {
+  for (size_t at = 0; at < tokens.size(); ++at) {
+    if (tokens[at].is("uvec2") || tokens[at].is("uvec3") || tokens[at].is("uvec4")) return true;
+    if (!tokens[at].is("uint")) continue;
+    const size_t next = nextToken(tokens, at + 1);
+    if (next < tokens.size() && tokens[next].kind == GlslToken::Kind::Word) return true;
+  }
+  return false;
+}
+
+/// Written for a newer GLSL than ISF's: words such as switch and uint keep their meaning.
+bool isForNewGlsl(const Tokens& tokens) {
   for (size_t at = 0; at < tokens.size(); ++at) {
     if (!tokens[at].is("#")) continue;
     const size_t word = nextToken(tokens, at + 1);
@@ -62,7 +72,7 @@ bool asksForNewGlsl(const Tokens& tokens) {
     if (number < tokens.size() && tokens[number].kind == GlslToken::Kind::Number)
       return isNewGlsl(tokens[number].text);
   }
-  return false;
+  return hasUnsignedType(tokens);
 }
 
 /// Directives that the translation's own replace: to blanks, up to the end of the line.
@@ -128,7 +138,7 @@ void replaceImageNames(Tokens& tokens, const std::set<std::string>& images) {
 std::string translateBody(const std::string& source, const std::set<std::string>& images, bool vertex,
                           bool maySkipBounds, bool& elsewhere) {
   Tokens tokens = glslTokens(source);
-  const bool modern = asksForNewGlsl(tokens);
+  const bool modern = isForNewGlsl(tokens);
   dropDirectives(tokens);
   elsewhere = replaceImageCalls(tokens, images) || elsewhere;
   replaceImageNames(tokens, images);

@@ -61,6 +61,10 @@ TEST(GlslTranslation, AsksAFilterWhichGlslItIs) {
   EXPECT_FALSE(keepsWords("#version 120"));
   EXPECT_FALSE(keepsWords("#version 99"));
   EXPECT_FALSE(keepsWords("#version"));
+  // Types that ISF's GLSL does not have: written for a newer one without saying so.
+  EXPECT_TRUE(keepsWords("const uvec4 glyph = uvec4(0u);"));
+  EXPECT_TRUE(keepsWords("uint digits(float x) { return uint(x); }"));
+  EXPECT_FALSE(keepsWords("float uint = 1.0;"));
   EXPECT_FALSE(keepsWords("#version core"));
   EXPECT_FALSE(keepsWords("// #version 330"));
 }
