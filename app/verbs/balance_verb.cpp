@@ -174,9 +174,9 @@ int run(const BalanceCommand& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
   work.json = {{"photograph", arguments.photograph}, {"output", arguments.output}};
   if (!arguments.set.empty()) {
-    balanceWithSet(arguments, work, progress.part(0, 0.9F));
+    balanceWithSet(arguments, work, progress.part(0, 0.7F));
   } else {
-    loadPlain(arguments, work, progress.part(0, 0.5F));
+    loadPlain(arguments, work, progress.part(0, 0.7F));
     if (!arguments.colors.empty()) balanceWithColors(arguments, work);
     if (!arguments.method.empty()) {
       work.picture = balanceByMethod(work.picture, work.clip, arguments.method, work.white, work.weights);
@@ -184,7 +184,7 @@ int run(const BalanceCommand& arguments, Terminal& terminal) {
     }
   }
   if (!arguments.grey.empty()) balanceByCard(work, arguments.grey);
-  if (arguments.chart) balanceByChart(work, white, progress.part(0.5F, 0.9F));
+  if (arguments.chart) balanceByChart(work, white, progress.part(0.7F, 0.9F));
   if (camera) correctCamera(work, *camera, arguments.camera, white);
   sayWarnings(work.warnings, terminal);
   work.json["warnings"] = work.warnings;

@@ -45,8 +45,7 @@ void balanceByChart(BalanceWork& work, const WhitePoint& white, const Progress& 
   if (!corners)
     throw InputError(
         "{}: no chart found: all of a Macbeth chart of 24 patches must be seen, sharp, and its patches some "
-        "15 pixels "
-        "wide; or give a grey place (--grey X,Y)",
+        "15 pixels wide; or give a grey place (--grey X,Y)",
         work.photograph);
   const ChartFit fit = fitChart(readChart(work.picture, work.clip, *corners));
   work.picture = balanceByColor(work.picture, fit.light, work.white, work.weights);
@@ -64,8 +63,7 @@ void checkWhiteFor(const CameraFile& camera, const ColorConfig& config, const Wh
   if (std::min({color.r, color.g, color.b}) < kLeastOfWhite)
     throw InputError(
         "--white {}: has nothing of one of the camera's channels, which its matrix divides by: name one that "
-        "is less "
-        "far from D65",
+        "is less far from D65",
         textFromWhitePoint(white));
 }
 

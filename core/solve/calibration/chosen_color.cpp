@@ -85,8 +85,7 @@ class Brightness {
     if (error(line, position) <= kMost) return;
     throw InputError(
         "no colour that the photographs allow lets through {:.0f} % of the light: those allowed let through "
-        "{:.0f} to "
-        "{:.0f} %, or {:.0f} to {:.0f} % with the lamps exchanged",
+        "{:.0f} to {:.0f} %, or {:.0f} to {:.0f} % with the lamps exchanged",
         100 * m_wanted, 100 * std::min(of(line, 0), of(line, 1)), 100 * std::max(of(line, 0), of(line, 1)),
         100 * std::min(of(line.opposite(), 0), of(line.opposite(), 1)),
         100 * std::max(of(line.opposite(), 0), of(line.opposite(), 1)));
