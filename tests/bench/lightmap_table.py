@@ -64,6 +64,7 @@ def maps_of(program, names, pictures, smooth):
         for amount in smooth:
             subprocess.run([program, 'lightmap', solved, '-o', folder + '/map.exr', '--type', 'float', '-q', '--smooth',
                             str(amount)], check=True)
+            oiio.ImageCache().invalidate(folder + '/map.exr')  # kept, where it changed within the second
             found = read(folder + '/map.exr')
             maps.append([found[name + '.G'] for name in names])
         return maps

@@ -246,6 +246,7 @@ class Studio:
 
     def double_click(self, x, y):
         self.move(x, y)
+        self.no_double_click(x, y)  # with the click before it, the first of the two would be the second
         self.act('click', '--repeat', '2', '--delay', '80', '1')
         self.last_click = (x, y, time.time())
 

@@ -94,11 +94,15 @@ class Colors(StudioTest):
         studio.screenshot('view_exported')
         session, _ = self.save_as('shown')
         capture = os.path.join(SAMPLES, 'three_point', 'capture.json')
-        for source, options, same in ((session, [], True), (capture, ['--view', 'AgX'], True), (capture, [], False)):
-            said = subprocess.run([PROGRAM, 'relight', source, *options, '-o', self.path('b.png')], check=True,
+        for name, source, options, same in (('session.png', session, [], True),
+                                            ('agx.png', capture, ['--view', 'AgX'], True),
+                                            ('plain.png', capture, [], False)):
+            # Each has a name of its own: OpenImageIO keeps what it has read of a file changed within the second.
+            path = self.path(name)
+            said = subprocess.run([PROGRAM, 'relight', source, *options, '-o', path], check=True,
                                   capture_output=True, text=True).stderr
             self.assertIn('seen through sRGB \u00b7 AgX' if same else 'seen through sRGB\n', said)
-            a, b = (oiio.ImageBuf(path).get_pixels(oiio.UINT8) for path in (frame, self.path('b.png')))
+            a, b = (oiio.ImageBuf(file).get_pixels(oiio.UINT8) for file in (frame, path))
             self.assertEqual(np.array_equal(a, b), same)
 
     def test_the_built_in_looks_are_in_sight_in_a_small_window(self):
