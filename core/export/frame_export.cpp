@@ -3,6 +3,7 @@
 #include "core/base/json.h"
 #include "core/export/filtered_frame.h"
 #include "core/file/json_file.h"
+#include "core/relight/relative_light.h"
 #include "core/relight/relight.h"
 #include "core/session/session_parts.h"
 
@@ -23,13 +24,15 @@ FrameOptions frameOptionsFor(const DisplayChoice& display, const std::filesystem
 void exportFrame(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
                  const std::filesystem::path& file, FrameOptions options, const Progress& progress) {
   progress.update(0, "relighting");
-  Image frame = relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient);
+  const std::vector<Rgb> factors = rigFactors(config, rig, set.colorSpace());
+  Image frame = relight(set, factors, rig.ambient);
   options.write.text["swaplight/rig"] = jsonText(jsonFromRig(rig));
   if (!options.write.carried) options.write.carried = set.carried;
   FilteredImage seen{std::move(frame), FilterSpace::SceneLinear};
   if (options.cameraLook) {
     options.write.text["swaplight/cameraLook"] = jsonText(jsonFromPipeline(options.cameraLook->pipeline()));
     progress.update(0.3F, "filtering");
+    if (options.cameraLook->wantsLight()) seen.light = relativeLight(set, factors, rig.ambient);
     const auto toDisplay = displayFromScene(config, set.colorSpace(), options);
     seen =
         options.cameraLook->apply(std::move(seen), toDisplay, options.frameNumber, progress.part(0.3F, 0.6F));

@@ -13,6 +13,7 @@
 #include "core/image/half.h"
 #include "core/image/io/image_write.h"
 #include "core/ocio/color_config.h"
+#include "core/relight/relative_light.h"
 
 namespace swaplight {
 namespace {
@@ -115,12 +116,11 @@ PartToWrite dataPart(const std::string& name, const Image& image, const std::vec
 }
 
 /// The sum as the camera look shows it, as light of this colour space.
-Image seenThroughLook(const ColorConfig& config, const Image& sum, const std::string& colorSpace,
+Image seenThroughLook(const ColorConfig& config, FilteredImage sum, const std::string& colorSpace,
                       const LayerOptions& options, const Progress& progress) {
   FrameOptions frame;
   frame.seenThrough = options.seenThrough;
-  Image seen = lightOf(options.cameraLook->apply({sum.clone(), FilterSpace::SceneLinear},
-                                                 displayFromScene(config, colorSpace, frame),
+  Image seen = lightOf(options.cameraLook->apply(std::move(sum), displayFromScene(config, colorSpace, frame),
                                                  options.frameNumber, progress));
   const std::string space = seen.spec().colorSpace;
   if (space != colorSpace) config.convert(seen.span(), space, colorSpace);
@@ -209,7 +209,10 @@ void exportLayers(const ColorConfig& config, const SolvedSet& set, const Rig& ri
     layers.highlights = shining(config, set, highlightSources(config, set, rig), colorSpace);
   if (options.cameraLook) {
     progress.update(0.2F, "filtering");
-    layers.seen = seenThroughLook(config, layers.sum, colorSpace, options, progress.part(0.2F, 0.4F));
+    FilteredImage sum{layers.sum.clone(), FilterSpace::SceneLinear};
+    if (options.cameraLook->wantsLight())
+      sum.light = relativeLight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient);
+    layers.seen = seenThroughLook(config, std::move(sum), colorSpace, options, progress.part(0.2F, 0.4F));
     written.text["swaplight/cameraLook"] = jsonText(jsonFromPipeline(options.cameraLook->pipeline()));
   }
   std::vector<PartToWrite> parts = partsOf(set, layers, written);

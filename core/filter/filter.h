@@ -59,6 +59,10 @@ struct FilterImport {
 ///     "SAMPLING": "nearest",                          IMG_PIXEL reads one pixel; without: interpolates
 ///     "OVERVIEW": "overview",                         the name of an image that holds the frame's averages,
 ///                                                     at most kOverviewSide pixels a side
+///     "LIGHT": "setLight",                            the name of an image that holds, over the whole frame,
+///                                                     how much more the set's lights give than at unit white
+///                                                     (FilteredImage::light); one pixel, black, where no
+///                                                     lights are known
 ///     "WHERE": ["shot", "light", "frame"],            where a pipeline may use it; without: frame
 ///     "INPUTS": [{"NAME": "gains", "TYPE": "vector", "DEFAULT": [1, 1, 1], "MIN": 0, "MAX": 4}],
 ///                                                     parameters of the types vector (vec2 to vec4), matrix
@@ -80,6 +84,7 @@ struct Filter {
   std::optional<std::string> halo;  ///< an expression, in pixels; nothing: the whole frame
   bool nearest = false;
   std::string overview;  ///< the image's name; empty: none
+  std::string light;     ///< the image's name; empty: none
   std::vector<std::string> where = {"frame"};
   std::vector<std::string> notes;  ///< what of it has no meaning for a still picture, for people
 

@@ -222,6 +222,7 @@ void readOwnKey(Filter& filter, JsonFields& fields) {
     throw InputError("{}: \"SAMPLING\" is \"{}\", expected linear or nearest", key.where(), sampling);
   filter.nearest = sampling == "nearest";
   if (key.find("OVERVIEW")) filter.overview = nameOf(key, "OVERVIEW");
+  if (key.find("LIGHT")) filter.light = nameOf(key, "LIGHT");
   if (const Json* where = key.find("WHERE")) {
     filter.where.clear();
     for (const Json& place : *where) {
@@ -262,7 +263,8 @@ void checkNames(const Filter& filter, const std::string& name) {
   std::vector<std::string> names;
   for (const FilterInput& input : filter.inputs) names.push_back(input.name);
   for (const FilterImport& import : filter.imports) names.push_back(import.name);
-  if (!filter.overview.empty()) names.push_back(filter.overview);
+  for (const std::string& given : {filter.overview, filter.light})
+    if (!given.empty()) names.push_back(given);
   std::sort(names.begin(), names.end());
   if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
     throw InputError("{}: two inputs are called \"{}\"; rename one", name, *twice);

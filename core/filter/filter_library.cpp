@@ -140,6 +140,11 @@ std::string FilterLibrary::namesLike(const std::string& name) const {
   return names.empty() ? "" : "; did you mean " + names + "?";
 }
 
+bool wantsLight(std::span<const ResolvedStage> stages) {
+  return std::any_of(stages.begin(), stages.end(),
+                     [](const ResolvedStage& stage) { return !stage.filter->light.empty(); });
+}
+
 ResolvedStage resolveStage(const FilterLibrary& library, const FilterStage& stage, const fs::path& folder,
                            const std::string& where) {
   ResolvedStage resolved;

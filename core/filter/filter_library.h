@@ -59,6 +59,9 @@ struct ResolvedStage {
   std::vector<FilterValue> values;  ///< as filter->inputs
 };
 
+/// One of the filters asks for FilteredImage::light.
+[[nodiscard]] bool wantsLight(std::span<const ResolvedStage> stages);
+
 /// `where` begins the message. Throws InputError: no such filter or parameter (lists those there are), a
 /// value of the wrong type or out of range.
 [[nodiscard]] ResolvedStage resolveStage(const FilterLibrary& library, const FilterStage& stage,

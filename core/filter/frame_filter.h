@@ -24,6 +24,8 @@ class FrameFilter {
                                             const std::function<void(ImageSpan)>& displayFromScene,
                                             int frameNumber, const Progress& progress = {}) = 0;
   [[nodiscard]] virtual const FilterPipeline& pipeline() const = 0;
+  /// One of its filters asks for FilteredImage::light.
+  [[nodiscard]] virtual bool wantsLight() const { return false; }
 };
 
 }  // namespace swaplight

@@ -221,6 +221,7 @@ std::vector<std::string> imagesOf(const Filter& filter) {
   for (const FilterPass& pass : filter.passes) add(pass.target);
   for (const FilterImport& import : filter.imports) add(import.name);
   add(filter.overview);
+  add(filter.light);
   return images;
 }
 

@@ -18,8 +18,9 @@ namespace swaplight {
 /// becomes `isf_notANumber` (float, 0 unless it is set).
 struct GlslTranslation {
   std::string vertex, fragment;
-  std::vector<std::string> images;  ///< samplers: inputImage, inputs, targets, imports, the overview
-  bool looksElsewhere = false;      ///< it reads other pixels than the one it writes
+  std::vector<std::string>
+      images;                   ///< samplers: inputImage, inputs, targets, imports, the overview, the light
+  bool looksElsewhere = false;  ///< it reads other pixels than the one it writes
 };
 
 struct TranslationOptions {

@@ -35,6 +35,7 @@ class CameraLook : public FrameFilter {
                                     const std::function<void(ImageSpan)>& displayFromScene, int frameNumber,
                                     const Progress& progress = {}) override;
   [[nodiscard]] const FilterPipeline& pipeline() const override { return m_pipeline; }
+  [[nodiscard]] bool wantsLight() const override { return swaplight::wantsLight(m_stages); }
 
   /// The filters that are drawn, in their order.
   [[nodiscard]] const std::vector<ResolvedStage>& stages() const { return m_stages; }

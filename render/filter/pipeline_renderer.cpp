@@ -27,6 +27,12 @@ void mapColors(ImageSpan image, float (*function)(float)) {
   });
 }
 
+std::shared_ptr<const FilterTexture> wholeTexture(const Image& image) {
+  FilterTexture texture(FilterWindow::whole(image.width(), image.height()));
+  texture.upload(image.view());
+  return std::make_shared<const FilterTexture>(std::move(texture));
+}
+
 float clampedCode(float code) {
   return code > 0 ? std::min(code, 1.0F) : 0;  // also what is not a number
 }
@@ -149,9 +155,7 @@ std::shared_ptr<const FilterTexture> PipelineRenderer::pictureFrom(const std::fi
     if (image.width() > most || image.height() > most)
       throw InputError("{}: is {} x {} pixels, the graphics driver takes {} a side; make it smaller",
                        file.string(), image.width(), image.height(), most);
-    FilterTexture texture(FilterWindow::whole(image.width(), image.height()));
-    texture.upload(image.view());
-    picture = std::make_shared<const FilterTexture>(std::move(texture));
+    picture = wholeTexture(image);
   }
   return picture;
 }
@@ -168,7 +172,8 @@ FilterPictures PipelineRenderer::picturesFromFiles(const ResolvedStage& stage) {
   return pictures;
 }
 
-FilterPictures PipelineRenderer::picturesOf(const ResolvedStage& stage, const Image& frame) {
+FilterPictures PipelineRenderer::picturesOf(const ResolvedStage& stage, const Image& frame,
+                                            const Image& light) {
   const Filter& filter = *stage.filter;
   FilterPictures pictures = picturesFromFiles(stage);
   if (!filter.overview.empty()) {
@@ -177,11 +182,9 @@ FilterPictures PipelineRenderer::picturesOf(const ResolvedStage& stage, const Im
     const auto side = [&](int whole) {
       return std::max(1, static_cast<int>(std::lround(static_cast<float>(whole) * scale)));
     };
-    const Image small = shrunkImage(frame, side(frame.width()), side(frame.height()));
-    FilterTexture texture(FilterWindow::whole(small.width(), small.height()));
-    texture.upload(small.view());
-    pictures[filter.overview] = std::make_shared<const FilterTexture>(std::move(texture));
+    pictures[filter.overview] = wholeTexture(shrunkImage(frame, side(frame.width()), side(frame.height())));
   }
+  if (!filter.light.empty() && light.pixelCount() > 0) pictures[filter.light] = wholeTexture(light);
   return pictures;
 }
 
@@ -205,8 +208,9 @@ void PipelineRenderer::drawParts(const Image& from, Image& to, const Run& run, c
   }
 }
 
-void PipelineRenderer::drawRun(Image& image, std::span<const ResolvedStage> stages,
+void PipelineRenderer::drawRun(FilteredImage& frame, std::span<const ResolvedStage> stages,
                                const PipelineOptions& options, const Progress& progress) {
+  Image& image = frame.image;
   const bool mixed = std::any_of(stages.begin(), stages.end(), [](const ResolvedStage& stage) {
     return kindFor(*stage.filter) == TextureKind::Coordinates;
   });
@@ -216,7 +220,7 @@ void PipelineRenderer::drawRun(Image& image, std::span<const ResolvedStage> stag
     const std::vector<FilterValue>& values = stages[i].values;
     const int halo = ofStage(i, [&] { return compiled.halo(values, image.width(), image.height()); });
     run.planned.push_back({&compiled, values, halo});
-    run.pictures.push_back(ofStage(i, [&] { return picturesOf(stages[i], image); }));
+    run.pictures.push_back(ofStage(i, [&] { return picturesOf(stages[i], image, frame.light); }));
   }
   const int longest = std::max(image.width(), image.height());
   std::vector<PartGroup> groups{{0, stages.size(), 0, longest}};  // a filter that sees all is drawn alone
@@ -279,7 +283,7 @@ FilteredImage PipelineRenderer::apply(FilteredImage frame, std::span<const Resol
       return static_cast<float>(stage) / static_cast<float>(stages.size());
     };
     try {
-      drawRun(frame.image, std::span(stages).subspan(begin, end - begin), options,
+      drawRun(frame, std::span(stages).subspan(begin, end - begin), options,
               progress.part(share(begin), share(end)));
       begin = end;
     } catch (const BrokenStage& broken) {  // the picture is as it was before the run

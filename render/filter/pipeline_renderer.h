@@ -71,10 +71,10 @@ class PipelineRenderer {
   struct Run;
   static void drawParts(const Image& from, Image& to, const Run& run, const PartGroup& group,
                         const Progress& progress);
-  void drawRun(Image& image, std::span<const ResolvedStage> stages, const PipelineOptions& options,
+  void drawRun(FilteredImage& frame, std::span<const ResolvedStage> stages, const PipelineOptions& options,
                const Progress& progress);
   FilterPictures picturesFromFiles(const ResolvedStage& stage);
-  FilterPictures picturesOf(const ResolvedStage& stage, const Image& frame);
+  FilterPictures picturesOf(const ResolvedStage& stage, const Image& frame, const Image& light);
   std::shared_ptr<const FilterTexture> pictureFrom(const std::filesystem::path& file, FilterSpace space);
 
   std::map<std::pair<const Filter*, TextureKind>, std::unique_ptr<FilterProgram>> m_programs;

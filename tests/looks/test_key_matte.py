@@ -19,10 +19,10 @@ class KeyMatte(CliTest):
         self.succeed('look', 'apply', frame, '--filter', filter + ',show=1', '-o', self.path('matte.png'), '--type', 'uint16')
         return read_rgb(self.path('matte.png'))[..., 0]
 
-    def matte_of_mask(self, **shape):
+    def matte_of_mask(self, lights=FACTORS, **shape):
         """From a frame whose light is taken away where the mask is: frame (1 - matte)."""
         edits = {'format': 'swaplight-edits', 'version': 1, 'edits': [
-            {'operation': 'gain', 'gain': 0, 'meaning': 'add', 'mask': [{'shape': 'key', 'lights': FACTORS, **shape}]}]}
+            {'operation': 'gain', 'gain': 0, 'meaning': 'add', 'mask': [{'shape': 'key', 'lights': lights, **shape}]}]}
         with open(self.path('edits.json'), 'w') as file:
             json.dump(edits, file)
         self.succeed('relight', SET, *LIGHTS, '--edits', self.path('edits.json'), '-o', self.path('edited.exr'), '--type', 'float')
@@ -38,6 +38,14 @@ class KeyMatte(CliTest):
     def test_a_chroma_key(self):
         seen = self.matte_of_filter('chroma-key,key=0.85:0.6:0.5,inner=0.05,outer=0.12')
         self.compare(seen, *self.matte_of_mask(color=[.85, .6, .5], **{'from': .05, 'to': .12}))
+
+    def test_a_chroma_key_as_under_white(self):
+        """In a frame of a set the key is pulled as if the lights were at unit white."""
+        key = 'chroma-key,key=0.85:0.6:0.5,inner=0.05,outer=0.12,show=1'
+        self.succeed('relight', SET, *LIGHTS, '-o', self.path('frame.exr'), '--type', 'float')
+        self.succeed('relight', SET, *LIGHTS, '--filter', key, '-o', self.path('matte.png'), '--type', 'uint16')
+        self.compare(read_rgb(self.path('matte.png'))[..., 0],
+                     *self.matte_of_mask(lights={}, color=[.85, .6, .5], **{'from': .05, 'to': .12}))
 
     def test_a_luma_key(self):
         seen = self.matte_of_filter('luma-key,low=0.2,high=0.6')

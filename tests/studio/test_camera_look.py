@@ -6,6 +6,7 @@ import time
 import unittest
 
 import numpy as np
+import OpenImageIO as oiio
 
 from drop_files import drop_files
 from studio_session import PROGRAM, SAMPLES, StudioTest, read_png
@@ -101,6 +102,34 @@ class CameraLook(StudioTest):
         subprocess.run([PROGRAM, 'relight', session, '-o', other, '-q'], check=True)
         np.testing.assert_array_equal(read_png(out), read_png(other))
         self.assertGreater(read_png(out).mean(), 128)
+
+    def test_a_plate_is_lit_by_the_sets_lights_as_in_the_frame_that_relight_writes(self):
+        """What the key takes away stands in the light that falls there: blue from the back, little else."""
+        shown = {}
+        for amount in (0, 1):
+            session = self.path(f'plate{amount}.swaplight')
+            with open(session, 'w') as file:
+                json.dump({'format': 'swaplight-session', 'version': 1,
+                           'source': os.path.join(SAMPLES, 'three_point', 'capture.json'),
+                           'rig': {'format': 'swaplight-rig', 'version': 1, 'lights': [
+                               {'name': 'key', 'color': 'rgb:1/0.3/0.1', 'stops': 1},
+                               {'name': 'fill', 'color': 'rgb:0.1/0.2/1', 'stops': 1}]},
+                           'camera_look': {'format': 'swaplight-look', 'version': 1, 'name': 'plate', 'filters': [{'filter': 'chroma-key', 'parameters': {
+                               'key': [.85, .6, .5, 1], 'inner': .05, 'outer': .12, 'background': [.5, .5, .5, 1],
+                               'plateLight': amount}}]}}, file)
+            studio = self.start(session)
+            studio.wait_ready()
+            self.move_away()
+            shown[amount] = self.seen(f'plate_light_{amount}')
+            whole = studio.picture(f'plate_light_whole_{amount}')
+            self.assertTrue(studio.quit())
+            frame = self.path(f'plate{amount}.png')
+            subprocess.run([PROGRAM, 'relight', session, '-o', frame, '-q'], check=True)
+            height, width = whole.shape[:2]
+            written = oiio.ImageBufAlgo.resize(oiio.ImageBuf(frame), 'box', roi=oiio.ROI(0, width, 0, height)).get_pixels(oiio.FLOAT)
+            middle = (slice(height // 4, height // 2), slice(width // 3, None))
+            self.assertLess(np.abs(whole[middle] - 255 * written[middle]).mean(), 3)
+        self.assertGreater(np.abs(shown[1] - shown[0]).mean(), 5)
 
     def test_a_held_key_shows_the_plain_picture(self):
         studio = self.open_look()

@@ -36,9 +36,11 @@ std::optional<MaskShape> keyMatteOf(const ResolvedStage& stage, const Rig& rig,
   } else {
     return std::nullopt;
   }
-  for (size_t i = 0; i < std::min(rig.lights.size(), factors.size()); ++i)
-    key.lights[rig.lights[i].light] = factors[i];
-  key.ambient = rig.ambient;
+  if (!valueNamed<bool>(stage, "underWhite").value_or(false)) {
+    for (size_t i = 0; i < std::min(rig.lights.size(), factors.size()); ++i)
+      key.lights[rig.lights[i].light] = factors[i];
+    key.ambient = rig.ambient;
+  }
   matte.shape = std::move(key);
   return matte;
 }

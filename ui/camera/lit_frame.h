@@ -10,4 +10,8 @@ namespace swaplight {
 /// From any thread.
 [[nodiscard]] Image litFrame(const SeenRequest& request, float scale);
 
+/// How much more light the request's lights give than at unit white: FilteredImage::light of the frame at
+/// that scale. From any thread.
+[[nodiscard]] Image relativeLight(const SeenRequest& request, float scale);
+
 }  // namespace swaplight

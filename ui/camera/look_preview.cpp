@@ -172,8 +172,9 @@ LookPreview::Drawn LookPreview::draw(const Drawing& drawing, const Progress& pro
     return std::chrono::duration<double>(Clock::now() - from).count();
   };
   const SeenRequest& request = drawing.request;
-  Image light = litFrame(request, drawing.scale);
-  const std::string space = light.spec().colorSpace;
+  FilteredImage frame{litFrame(request, drawing.scale), FilterSpace::SceneLinear};
+  if (wantsLight(drawing.stages)) frame.light = relativeLight(request, drawing.scale);
+  const std::string space = frame.image.spec().colorSpace;
   Drawn drawn;
   drawn.leftOut = drawing.leftOut;
   PipelineOptions options;
@@ -188,8 +189,7 @@ LookPreview::Drawn LookPreview::draw(const Drawing& drawing, const Progress& pro
   silent.stop = progress.stop;
   FilterEngine& engine = drawing.engine->get();
   const Clock::time_point filtersBegin = Clock::now();
-  FilteredImage seen =
-      engine.apply({std::move(light), FilterSpace::SceneLinear}, drawing.stages, options, silent);
+  FilteredImage seen = engine.apply(std::move(frame), drawing.stages, options, silent);
   drawn.filterSeconds = secondsSince(filtersBegin);
   drawn.image = std::move(seen.image);
   drawn.pyramid.emplace(drawn.image.view());

@@ -112,11 +112,9 @@ void LookThumbnails::start(const std::string& key, const Entry& entry, FilterLib
   m_job.start(
       [drawn = Drawn{m_light, key, entry.look, m_frameNumber, 0, entry.height, {}}, stages, broken,
        request = *m_frame, engine = m_engine](const Progress& progress) mutable {
-        if (!drawn.light) {
-          const int whole = request.live->read().pictures().width();
-          const float scale = std::min(1.0F, static_cast<float>(kDrawnWidth) / static_cast<float>(whole));
-          drawn.light = std::make_shared<const Image>(litFrame(request, scale));
-        }
+        const int whole = request.live->read().pictures().width();
+        const float scale = std::min(1.0F, static_cast<float>(kDrawnWidth) / static_cast<float>(whole));
+        if (!drawn.light) drawn.light = std::make_shared<const Image>(litFrame(request, scale));
         const Image& light = *drawn.light;
         drawn.width = std::max(1, static_cast<int>(std::lround(static_cast<double>(drawn.height) *
                                                                light.width() / std::max(light.height(), 1))));
@@ -128,8 +126,9 @@ void LookThumbnails::start(const std::string& key, const Entry& entry, FilterLib
                                     namedDisplay(*request.config, request.display));
         };
         try {
-          FilteredImage seen =
-              engine->get().apply({light.clone(), FilterSpace::SceneLinear}, stages, options, progress);
+          FilteredImage frame{light.clone(), FilterSpace::SceneLinear};
+          if (wantsLight(stages)) frame.light = relativeLight(request, scale);
+          FilteredImage seen = engine->get().apply(std::move(frame), stages, options, progress);
           if (seen.space != FilterSpace::Display)
             options.displayFromScene(seen.image.span().channelRange(0, 3));
           drawn.rgba = rgbaOf(shrunkImage(seen.image, drawn.width, drawn.height));
