@@ -49,9 +49,6 @@ SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
 /// Amplification up to which lights count as photographed one at a time.
 constexpr double kOneByOne = 1.1;
 
-/// Part of the misfit's variance below which no motion of the camera explains it.
-constexpr double kSurelyNotMoved = .02;
-
 /// Relative standard error of an unknown colour above which it is said to be hardly determined.
 constexpr double kUnsure = 0.1;
 
@@ -265,7 +262,8 @@ void SolveRun::judgeColors(float usual) {
   const auto level = float(tuning.level);
   const float own = m_ownNoise.variance(level);
   const float excess = m_context.noise.variance(level) - own;
-  if (!blocks && excess < -.5F * own) return;  // there was nothing to measure the pixels' own by
+  if (!blocks && excess < -float(tuning.unmeasured) * own)
+    return;  // there was nothing to measure the pixels' own by
   // Where no misfit is smooth enough to be the colours', they explain of it what their error does to a pixel.
   const float seen = std::max(fitted, everywhere) > float(tuning.unseen)
                          ? m_report.colorUncertainty / std::max(fitted, everywhere)
@@ -281,7 +279,7 @@ bool SolveRun::mayHaveMoved() const {
   const auto& causes = m_report.causes.all;
   const auto moved = std::find_if(causes.begin(), causes.end(),
                                   [](const CauseEvidence& one) { return one.cause == Cause::Moved; });
-  return moved == causes.end() || moved->explained > kSurelyNotMoved;
+  return moved == causes.end() || moved->explained > m_tuning.notMoved;
 }
 
 void SolveRun::separateLights() {

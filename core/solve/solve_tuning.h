@@ -18,6 +18,7 @@ struct SolveTuning {
   AmbientTuning ambient;
   MotionTuning motion;
   float tooDarkSigma = .25F;  ///< quality.sigma above which a pixel's beta is its neighbours'
+  double notMoved = .02;  ///< part of the misfit's variance below which no motion explains misfit at edges
 
   static constexpr auto fields() {
     using T = SolveTuning;
@@ -29,7 +30,8 @@ struct SolveTuning {
                       std::pair{"color_evidence", &T::colorEvidence},
                       std::pair{"ambient", &T::ambient},
                       std::pair{"motion", &T::motion},
-                      std::pair{"too_dark_sigma", &T::tooDarkSigma}};
+                      std::pair{"too_dark_sigma", &T::tooDarkSigma},
+                      std::pair{"not_moved", &T::notMoved}};
   }
 };
 

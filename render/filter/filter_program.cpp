@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/filter/glsl_translation.h"
+#include "core/filter/glsl/glsl_translation.h"
 #include "core/filter/size_expression.h"
 #include "render/filter/filter_uniforms.h"
 #include "render/gl/gl_info.h"

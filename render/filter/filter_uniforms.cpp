@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/curve.h"
-#include "core/filter/glsl_translation.h"
+#include "core/filter/glsl/glsl_translation.h"
 
 namespace swaplight {
 namespace {

@@ -5,8 +5,8 @@
 
 namespace swaplight {
 
-/// Sets what a translated shader (core/filter/glsl_translation.h) reads of an input, if it does. The program
-/// is in use. Pictures are bound as textures by who draws.
+/// Sets what a translated shader (core/filter/glsl/glsl_translation.h) reads of an input, if it does. The
+/// program is in use. Pictures are bound as textures by who draws.
 void setFilterInput(const ShaderProgram& program, const FilterInput& input, const FilterValue& value);
 
 }  // namespace swaplight

@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "core/filter/filter_file.h"
-#include "core/filter/glsl_translation.h"
+#include "core/filter/glsl/glsl_translation.h"
 #include "core/filter/size_expression.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -121,6 +121,8 @@ struct ColorEvidenceTuning {
   double unseen = .005;         ///< error that the fit of the colours does not show
   double alone = .1;            ///< how often the colours' error is all that their fit shows
   double level = .1;            ///< signal at which the misfit is held against what the colours explain
+  double unmeasured = .5;       ///< part of the pixels' own noise; where the misfit lies that far below it,
+                                ///< nothing was there to measure the noise by
   double visibleFreedom = 4;    ///< directions of colour errors that the matte model shows, at least
   double smallest = .002, largest = .15;  ///< standard errors that are weighed
 
@@ -134,6 +136,7 @@ struct ColorEvidenceTuning {
                       std::pair{"unseen", &T::unseen},
                       std::pair{"alone", &T::alone},
                       std::pair{"level", &T::level},
+                      std::pair{"unmeasured", &T::unmeasured},
                       std::pair{"visible_freedom", &T::visibleFreedom},
                       std::pair{"lowest_of_noise", &T::lowestOfNoise},
                       std::pair{"smallest", &T::smallest},

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "core/filter/glsl_translation.h"
+#include "core/filter/glsl/glsl_translation.h"
 #include "core/filter/size_expression.h"
 
 namespace swaplight {

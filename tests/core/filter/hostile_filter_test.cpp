@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/filter/filter_file.h"
-#include "core/filter/glsl_translation.h"
+#include "core/filter/glsl/glsl_translation.h"
 #include "tests/support/temporary_folder.h"
 
 // Filters are downloaded. Nothing in one may crash the program or keep it busy.

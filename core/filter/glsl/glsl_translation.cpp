@@ -1,4 +1,4 @@
-#include "core/filter/glsl_translation.h"
+#include "core/filter/glsl/glsl_translation.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <regex>
 #include <set>
 
-#include "core/filter/glsl_loops.h"
-#include "core/filter/glsl_tokens.h"
+#include "core/filter/glsl/glsl_loops.h"
+#include "core/filter/glsl/glsl_tokens.h"
 
 namespace swaplight {
 namespace {

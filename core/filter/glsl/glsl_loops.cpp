@@ -1,4 +1,4 @@
-#include "core/filter/glsl_loops.h"
+#include "core/filter/glsl/glsl_loops.h"
 
 #include <algorithm>
 #include <array>

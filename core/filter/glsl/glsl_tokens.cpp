@@ -1,4 +1,4 @@
-#include "core/filter/glsl_tokens.h"
+#include "core/filter/glsl/glsl_tokens.h"
 
 #include <cctype>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/filter/glsl_tokens.h"
+#include "core/filter/glsl/glsl_tokens.h"
 
 namespace swaplight {
 
