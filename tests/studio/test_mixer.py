@@ -159,6 +159,17 @@ class Mixer(StudioTest):
         _, lights = self.save()
         self.assertEqual(lights['key']['label'], 'Big one')
 
+    def test_the_menu_of_a_light_turns_it_off_and_on(self):
+        studio = self.open_sample()
+        before = studio.picture('mixer_menu_on')
+        for off, name in ((True, 'off'), (False, 'on')):
+            studio.click('mixer.back.chip', button=3)
+            studio.screenshot('mixer_light_menu')
+            studio.click('light_menu.off')
+            studio.move(*studio.point('viewer.picture', .5, .02))
+            self.assertEqual(np.abs(studio.picture('mixer_menu_' + name) - before).max() > 10, off)
+            self.assertEqual(self.save(name)[1]['back'].get('on', True), not off)
+
     def test_a_group_has_a_fader(self):
         studio = self.open_sample()
         studio.click('mixer.key.chip', button=3)

@@ -135,6 +135,13 @@ void drawLightMenu(LightsContext& studio, size_t light) {
     editLights(studio, light, locked ? "unlink" : "link",
                [&](LightSetting& setting) { setting.ratioLock = !locked; });
   markItem("light_menu.link");
+  const bool on = studio.document().rig.lights[light].on;
+  if (ImGui::MenuItem("Off", nullptr, !on))
+    editLights(studio, light, on ? "off" : "on", [&](LightSetting& setting) { setting.on = !on; });
+  markItem("light_menu.off");
+  tooltip(
+      "A light that was photographed stays in the set; off, it gives nothing to the picture or to any "
+      "export.");
   ImGui::Separator();
   for (const char* id : {"light.copy", "light.paste", "light.reset"}) actionMenuItem(studio.actions, id);
   ImGui::Separator();

@@ -109,8 +109,8 @@ void drawHandle(const ShapeHandle& handle, ImVec2 at, bool lit) {
 }  // namespace
 
 bool handlesShown(const EditingContext& studio) {
-  const bool free = studio.tool == &kStencil || (!studio.tool && studio.layout.edits);
-  if (!free || studio.layout.hidden) return false;
+  const bool placing = studio.tool == &kStencil && !studio.layout.hidden;
+  if (!placing && !handlesAreFree(studio)) return false;
   const Edit* edit = chosenEdit(studio);
   return edit && !edit->mask.empty() && !handlesOf(edit->mask.front()).empty();
 }

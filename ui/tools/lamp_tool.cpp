@@ -38,8 +38,7 @@ LampInHand heldLamp(const PreparedEdit& prepared) {
 /// nothing to drag.
 const PreparedEdit* lampInHand(EditingContext& studio) {
   const Edit* edit = chosenEdit(studio);
-  const bool free = !studio.tool && studio.layout.edits && !studio.layout.hidden;
-  if (!free || !edit || !edit->on || !isDragged(edit->operation)) return nullptr;
+  if (!handlesAreFree(studio) || !edit || !edit->on || !isDragged(edit->operation)) return nullptr;
   std::shared_ptr<const PreparedEdit>& shown = studio.editing.lamp.shown;
   if (auto now = studio.edits.prepared(*edit)) shown = std::move(now);
   const bool same = shown && shown->edit->lights == edit->lights &&
