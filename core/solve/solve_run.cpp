@@ -10,6 +10,7 @@
 #include "core/base/json.h"
 #include "core/set/fill.h"
 #include "core/solve/auto/auto_solve.h"
+#include "core/solve/auto/clipped_light.h"
 #include "core/solve/calibration/ambient_light.h"
 #include "core/solve/calibration/color_evidence.h"
 #include "core/solve/calibration/color_fit.h"
@@ -306,6 +307,9 @@ void SolveRun::completePixels() {
     for (Image& contribution : m_set.contributions) fillFromNeighbours(contribution, missing);
     updateBeta(m_set);
   }
+  if (m_info.model == Model::Auto &&
+      restoreClippedLight(m_context, *m_signal, m_tuning.automatic.clipped, m_set) > 0)
+    updateBeta(m_set);
   flagOutside(m_report.shifts, m_set);
   fillDarkBeta(m_set);
   if (m_options.denoise == Denoise::Guided) {

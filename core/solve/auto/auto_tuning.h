@@ -68,16 +68,29 @@ struct NeighbourhoodTuning {
   }
 };
 
+/// Of pixels that are clipped in too many shots (clipped_light.h).
+struct ClippedLightTuning {
+  double modelError = .03;  ///< part of a value by which what is not clipped may miss the model
+  double spread = .5;       ///< of the pixel's light: how far it strays from its neighbours' proportions
+
+  static constexpr auto fields() {
+    using T = ClippedLightTuning;
+    return std::tuple{std::pair{"model_error", &T::modelError}, std::pair{"spread", &T::spread}};
+  }
+};
+
 struct AutoTuning {
   EdgeNoiseTuning edges;
   PoolingTuning pooling;
   ShrinkageTuning shrinkage;
   NeighbourhoodTuning neighbourhood;
+  ClippedLightTuning clipped;
 
   static constexpr auto fields() {
     using T = AutoTuning;
     return std::tuple{std::pair{"edges", &T::edges}, std::pair{"pooling", &T::pooling},
-                      std::pair{"shrinkage", &T::shrinkage}, std::pair{"neighbourhood", &T::neighbourhood}};
+                      std::pair{"shrinkage", &T::shrinkage}, std::pair{"neighbourhood", &T::neighbourhood},
+                      std::pair{"clipped", &T::clipped}};
   }
 };
 

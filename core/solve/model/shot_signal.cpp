@@ -150,27 +150,46 @@ void ShotSignal::run(size_t first, int count, bool mask, std::vector<float>& scr
     if (m_flags[first + size_t(p)]) repair(first + size_t(p), mask, scratch.data() + p, padded);
 }
 
+bool ShotSignal::isUsable(size_t pixel, size_t shot, int channel) const {
+  const float y = m_pixels->shots[shot].plane(channel)[pixel];
+  return !isBroken(y, m_lowest) && y < m_pixels->clipLevel[shot];
+}
+
+/// Without the values that are clipped or broken there are enough, in every channel one.
+bool ShotSignal::hasEnough(size_t pixel) const {
+  int good = 0;
+  int inChannel[3] = {};
+  for (size_t k = 0; k < m_pixels->shots.size(); ++k)
+    for (int c = 0; c < 3; ++c)
+      if (isUsable(pixel, k, c)) ++good, ++inChannel[c];
+  return good >= m_needed && inChannel[0] > 0 && inChannel[1] > 0 && inChannel[2] > 0;
+}
+
+ShotSignal::Reading ShotSignal::reading(size_t pixel, int shot, int channel) const {
+  const size_t k = size_t(shot);
+  const float y = m_pixels->shots[k].plane(channel)[pixel];
+  if (isBroken(y, m_lowest)) return {0, true};
+  const float ambient = m_pixels->ambient ? m_exposure[k] * m_pixels->ambient->plane(channel)[pixel] : 0;
+  return {y - (std::isfinite(ambient) ? ambient : 0), y >= m_pixels->clipLevel[k]};
+}
+
+std::vector<uint8_t> ShotSignal::undetermined() const {
+  std::vector<uint8_t> marks(m_flags.size());
+  for (size_t p = 0; p < marks.size(); ++p) marks[p] = m_flags[p] & kClipped && !hasEnough(p);
+  return marks;
+}
+
 /// `values`: those of the pixel, [shot * 3 + channel] `stride` apart.
 void ShotSignal::repair(size_t pixel, bool mask, float* values, size_t stride) const {
   const auto& shots = m_pixels->shots;
-  const auto isUsable = [&](size_t k, int c) {
-    const float y = shots[k].plane(c)[pixel];
-    return !isBroken(y, m_lowest) && y < m_pixels->clipLevel[k];
-  };
-  int good = 0;
-  int inChannel[3] = {};
-  for (size_t k = 0; k < shots.size(); ++k)
-    for (int c = 0; c < 3; ++c)
-      if (isUsable(k, c)) ++good, ++inChannel[c];
-  const bool dropClipped =
-      mask && good >= m_needed && inChannel[0] > 0 && inChannel[1] > 0 && inChannel[2] > 0;
+  const bool dropClipped = mask && hasEnough(pixel);
   for (size_t k = 0; k < shots.size(); ++k)
     for (int c = 0; c < 3; ++c) {
       const float y = shots[k].plane(c)[pixel];
       const auto at = [&](size_t shot) -> float& { return values[(shot * 3 + size_t(c)) * stride]; };
       // The next shorter exposure that is usable, else the shortest.
       int shorter = m_shorter[k];
-      while (shorter >= 0 && !isUsable(size_t(shorter), c) && m_shorter[size_t(shorter)] >= 0)
+      while (shorter >= 0 && !isUsable(pixel, size_t(shorter), c) && m_shorter[size_t(shorter)] >= 0)
         shorter = m_shorter[size_t(shorter)];
       const bool told = shorter >= 0 && !isBroken(shots[size_t(shorter)].plane(c)[pixel], m_lowest);
       const bool broken = isBroken(y, m_lowest), clipped = !broken && y >= m_pixels->clipLevel[k];

@@ -27,6 +27,17 @@ class ShotSignal {
   /// ones what a shorter exposure says.
   void run(size_t first, int count, bool mask, std::vector<float>& scratch, PixelRun& run) const;
 
+  /// A value of a shot, as run() gives it; clipped ones are what the light is at least, broken ones say 0 at
+  /// least.
+  struct Reading {
+    float light = 0;
+    bool clipped = false;
+  };
+  [[nodiscard]] Reading reading(size_t pixel, int shot, int channel) const;
+  /// One byte a pixel: 1 where run() leaves clipped values standing because too few are usable. Empty where
+  /// there are none.
+  [[nodiscard]] std::vector<uint8_t> undetermined() const;
+
   /// The mean signal of each shot, over an even sample of usable pixels.
   [[nodiscard]] std::vector<Rgb> meanSignal() const;
 
@@ -35,6 +46,8 @@ class ShotSignal {
   [[nodiscard]] size_t pixelCount() const { return m_pixelCount; }
 
  private:
+  [[nodiscard]] bool isUsable(size_t pixel, size_t shot, int channel) const;
+  [[nodiscard]] bool hasEnough(size_t pixel) const;
   void repair(size_t pixel, bool mask, float* values, size_t stride) const;
 
   const CapturePixels* m_pixels;
