@@ -18,7 +18,7 @@ constexpr int kTileSide = 1024;  ///< between tiles a picture that nobody waits 
 constexpr double kMostSeconds = 5;
 
 /// How long a frame of the interface waits for a draft: until it has to be on the screen.
-constexpr std::chrono::milliseconds kMostWait{16};
+constexpr std::chrono::milliseconds kMostWait{20};
 
 std::vector<std::string> filtersOf(const FilterPipeline& look) {
   std::vector<std::string> filters;
