@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -74,6 +75,15 @@ std::array<float, 2> pairFromJson(const Json& json, const std::string& where) {
   if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number())
     throw InputError("{}: found {}, expected [x, y].", where, describeJson(json));
   return {json[0].get<float>(), json[1].get<float>()};
+}
+
+std::array<int, 2> pixelFromJson(const Json& json, const std::string& where) {
+  constexpr float kFarthest = 1e6F;
+  const std::array<float, 2> pixel = pairFromJson(json, where);
+  for (const float number : pixel)
+    if (!(std::abs(number) <= kFarthest))
+      throw InputError("{}: is {}, expected a pixel of the picture.", where, json.dump());
+  return {static_cast<int>(pixel[0]), static_cast<int>(pixel[1])};
 }
 
 }  // namespace swaplight

@@ -30,6 +30,9 @@ void readValue(JsonFields& fields, const char* key, const Scale& scale, Rgb& col
 
 /// [x, y]
 [[nodiscard]] std::array<float, 2> pairFromJson(const Json& json, const std::string& where);
+/// A pixel [x, y], of the picture or not, within a million of its corner; fractions are cut off. Throws
+/// InputError that begins with `where`.
+[[nodiscard]] std::array<int, 2> pixelFromJson(const Json& json, const std::string& where);
 
 /// Adds the fields of an edit or a shape to `json`.
 template <typename Owner>

@@ -41,10 +41,10 @@ void ShadowShape::readMore(JsonFields& fields, int /*width*/, int /*height*/) {
   light = fields.text("light").value_or("");
   const Json* at = fields.find("at");
   if (!at) return;
-  const auto pixel = pairFromJson(*at, fields.where() + ": at");
+  const auto pixel = pixelFromJson(*at, fields.where() + ": at");
   region = true;
-  x = static_cast<int>(pixel[0]);
-  y = static_cast<int>(pixel[1]);
+  x = pixel[0];
+  y = pixel[1];
 }
 
 MaskRaster ShadowShape::draw(const LightShadows& shadows) const {

@@ -55,9 +55,9 @@ void SimilarShape::writeMore(Json& json) const {
 void SimilarShape::readMore(JsonFields& fields, int /*width*/, int /*height*/) {
   const Json* at = fields.find("at");
   if (!at) throw InputError("{}: \"at\" is missing, expected [x, y].", fields.where());
-  const auto pixel = pairFromJson(*at, fields.where() + ": at");
-  x = static_cast<int>(pixel[0]);
-  y = static_cast<int>(pixel[1]);
+  const auto pixel = pixelFromJson(*at, fields.where() + ": at");
+  x = pixel[0];
+  y = pixel[1];
   connected = fields.boolean("connected").value_or(true);
 }
 

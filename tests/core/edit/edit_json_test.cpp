@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -113,6 +114,14 @@ TEST(EditJson, SaysWhereSomethingIsWrong) {
               HasSubstr("pixel of the picture"));
   EXPECT_THAT(message(R"({"edits": [], "shadow_marks": {"key": 3}})"), HasSubstr("list of marks"));
   EXPECT_THAT(message(R"({"edits": [], "shadow_marks": 3})"), HasSubstr("by light"));
+  for (const char* shape : {"similar", "shadow"})
+    for (const char* at : {"[1e39, 2]", "[3, -1e9]"})
+      EXPECT_THAT(
+          message(
+              fmt::format(R"({{"edits": [{{"operation": "fill", "mask": [{{"shape": "{}", "at": {}}}]}}]}})",
+                          shape, at)
+                  .c_str()),
+          HasSubstr("pixel of the picture"));
   EXPECT_THAT(message(R"({"edits": [{"operation": "curve", "points": [[0, 1], 3]}]})"), HasSubstr("[x, y]"));
   EXPECT_THAT(
       message(
