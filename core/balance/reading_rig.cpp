@@ -20,7 +20,7 @@ Json numberOrNull(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json jsonFromKnown(const Rgb& color) {
+Json numbersOrNull(const Rgb& color) {
   return {numberOrNull(color.r), numberOrNull(color.g), numberOrNull(color.b)};
 }
 
@@ -45,8 +45,8 @@ LightSetting settingOf(const ColorConfig& config, LightSetting setting, const st
 }
 
 Json jsonFromLamp(const ColorConfig& config, const std::string& colorSpace, const ReadLamp& lamp) {
-  Json json{{"color", jsonFromKnown(lamp.color)},
-            {"standard_error", jsonFromKnown(lamp.error)},
+  Json json{{"color", numbersOrNull(lamp.color)},
+            {"standard_error", numbersOrNull(lamp.error)},
             {"luminance", lamp.luminance},
             {"luminance_error", numberOrNull(lamp.luminanceError)},
             {"stops", lamp.on ? Json(std::log2(lamp.luminance)) : Json(nullptr)},

@@ -11,6 +11,7 @@ over lights of what the estimate gives where the truth gives less than a tenth o
 light. With --against, the other program's figures for the same pixels stand beside.
 """
 import argparse
+import json
 import os
 import subprocess
 import sys
@@ -36,9 +37,8 @@ def figures(estimate, truth, where):
             float(beta[absent].mean()) if absent.any() else float('nan'))
 
 
-def truth_of(score, capture, size):
+def truth_of(score, capture):
     """The contributions that the capture was made of, brighter than full scale where they are."""
-    import json
     with open(capture) as file:
         manifest = json.load(file)
     folder = os.path.dirname(capture)
@@ -70,7 +70,6 @@ def main():
                 continue
             for noise in asked.noise.split(','):
                 for bright in map(float, asked.bright.split(',')):
-                    total = None
                     with tempfile.TemporaryDirectory() as work:
                         tables.shown_gain = lambda folder, names: 1 / max(float(np.percentile(sum(
                             score.rgb(score.read(f'{folder}/T_{n}.exr')) for n in names), bright)), 1e-9)
@@ -80,7 +79,7 @@ def main():
                         except subprocess.CalledProcessError as error:
                             print(f'| {name} | {count} | {error} |')
                             continue
-                        names, truth = truth_of(score, capture, asked.size)
+                        names, truth = truth_of(score, capture)
                         solves = []
                         for i, program in enumerate(programs):
                             out = os.path.join(work, f'{i}.exr')

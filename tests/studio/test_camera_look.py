@@ -104,7 +104,7 @@ class CameraLook(StudioTest):
         self.assertGreater(read_png(out).mean(), 128)
 
     def test_a_plate_is_lit_by_the_sets_lights_as_in_the_frame_that_relight_writes(self):
-        """What the key takes away stands in the light that falls there: blue from the back, little else."""
+        """Where the key has taken the set away the background stands in the light that falls there."""
         shown = {}
         for amount in (0, 1):
             session = self.path(f'plate{amount}.swaplight')
@@ -114,9 +114,10 @@ class CameraLook(StudioTest):
                            'rig': {'format': 'swaplight-rig', 'version': 1, 'lights': [
                                {'name': 'key', 'color': 'rgb:1/0.3/0.1', 'stops': 1},
                                {'name': 'fill', 'color': 'rgb:0.1/0.2/1', 'stops': 1}]},
-                           'camera_look': {'format': 'swaplight-look', 'version': 1, 'name': 'plate', 'filters': [{'filter': 'chroma-key', 'parameters': {
-                               'key': [.85, .6, .5, 1], 'inner': .05, 'outer': .12, 'background': [.5, .5, .5, 1],
-                               'plateLight': amount}}]}}, file)
+                           'camera_look': {'format': 'swaplight-look', 'version': 1, 'name': 'plate', 'filters': [
+                               {'filter': 'chroma-key', 'parameters': {
+                                   'key': [.85, .6, .5, 1], 'inner': .05, 'outer': .12, 'background': [.5, .5, .5, 1],
+                                   'plateLight': amount}}]}}, file)
             studio = self.start(session)
             studio.wait_ready()
             self.move_away()
@@ -126,7 +127,8 @@ class CameraLook(StudioTest):
             frame = self.path(f'plate{amount}.png')
             subprocess.run([PROGRAM, 'relight', session, '-o', frame, '-q'], check=True)
             height, width = whole.shape[:2]
-            written = oiio.ImageBufAlgo.resize(oiio.ImageBuf(frame), 'box', roi=oiio.ROI(0, width, 0, height)).get_pixels(oiio.FLOAT)
+            written = oiio.ImageBufAlgo.resize(oiio.ImageBuf(frame), 'box', roi=oiio.ROI(0, width, 0, height))
+            written = written.get_pixels(oiio.FLOAT)
             middle = (slice(height // 4, height // 2), slice(width // 3, None))
             self.assertLess(np.abs(whole[middle] - 255 * written[middle]).mean(), 3)
         self.assertGreater(np.abs(shown[1] - shown[0]).mean(), 5)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -15,23 +16,23 @@ namespace {
 constexpr int kSweeps = 60;
 constexpr double kSettled = 1e-5;  ///< of the light: change in a sweep
 
-/// A shot's value in a channel of a pixel.
-struct Reading {
-  double value = 0;
-  bool clipped = false;  ///< the light is at least this
-};
+using Reading = ShotSignal::Reading;
 
-/// A channel of a pixel: readings, the lights' colours in their shots, and the neighbours' proportions.
+/// A channel of a pixel: what the shots read there, and the neighbours' proportions.
 class Channel {
  public:
-  Channel(const LightingMatrix& lighting, int channel, const NoiseModel& noise,
-          const ClippedLightTuning& tuning, const std::vector<Reading>& readings,
-          const std::vector<double>& proportions)
-      : m_lights(lighting.lights), m_readings(readings), m_proportions(proportions), m_tuning(tuning) {
-    for (size_t k = 0; k < readings.size(); ++k) {
-      const double y = readings[k].value, part = tuning.modelError * y;
-      m_weights.push_back(1 / (double(noise.variance(float(y))) + part * part + 1e-12));
-      for (int i = 0; i < m_lights; ++i) m_colors.push_back(lighting.color(int(k), i)[channel]);
+  Channel(const EstimatorContext& context, int channel, const ClippedLightTuning& tuning,
+          const std::vector<Reading>& readings, const std::vector<double>& proportions)
+      : m_lighting(context.lighting),
+        m_channel(channel),
+        m_tuning(tuning),
+        m_readings(readings),
+        m_proportions(proportions),
+        m_proportionsSquared(
+            std::inner_product(proportions.begin(), proportions.end(), proportions.begin(), 0.0)) {
+    for (const Reading& reading : readings) {
+      const double part = tuning.modelError * double(reading.light);
+      m_weights.push_back(1 / (double(context.noise.variance(reading.light)) + part * part + 1e-12));
     }
   }
 
@@ -48,10 +49,12 @@ class Channel {
   }
 
  private:
+  [[nodiscard]] double color(size_t shot, int light) const {
+    return double(m_lighting.color(int(shot), light)[m_channel]);
+  }
   [[nodiscard]] double predicted(size_t shot, const std::vector<double>& light) const {
     double sum = 0;
-    for (int i = 0; i < m_lights; ++i)
-      sum += m_colors[shot * size_t(m_lights) + size_t(i)] * light[size_t(i)];
+    for (int i = 0; i < m_lighting.lights; ++i) sum += color(shot, i) * light[size_t(i)];
     return sum;
   }
 
@@ -62,9 +65,9 @@ class Channel {
       const double unit = predicted(k, m_proportions);
       if (!(unit > 0)) continue;
       if (m_readings[k].clipped) {
-        least = std::max(least, m_readings[k].value / unit);
+        least = std::max(least, double(m_readings[k].light) / unit);
       } else {
-        above += m_weights[k] * unit * m_readings[k].value;
+        above += m_weights[k] * unit * double(m_readings[k].light);
         below += m_weights[k] * unit * unit;
       }
     }
@@ -73,21 +76,20 @@ class Channel {
 
   /// Each light by itself, the others held. Returns the largest change.
   [[nodiscard]] double sweep(std::vector<double>& light, double prior) const {
-    double bb = 0, changed = 0;
-    for (const double share : m_proportions) bb += share * share;
-    for (int i = 0; i < m_lights; ++i) {
+    double changed = 0;
+    for (int i = 0; i < m_lighting.lights; ++i) {
       const double share = m_proportions[size_t(i)];
       double along = 0;
-      for (int j = 0; j < m_lights; ++j)
+      for (int j = 0; j < m_lighting.lights; ++j)
         if (j != i) along += m_proportions[size_t(j)] * light[size_t(j)];
       // |T - b (b T) / bb|^2 = |T|^2 - (b T)^2 / bb
-      double curve = prior * (1 - share * share / bb), wanted = prior * share * along / bb;
+      double curve = prior * (1 - share * share / m_proportionsSquared),
+             wanted = prior * share * along / m_proportionsSquared;
       for (size_t k = 0; k < m_readings.size(); ++k) {
-        const double color = m_colors[k * size_t(m_lights) + size_t(i)];
-        const double all = predicted(k, light);
-        if (m_readings[k].clipped && all >= m_readings[k].value) continue;
-        curve += m_weights[k] * color * color;
-        wanted += m_weights[k] * color * (m_readings[k].value - all + color * light[size_t(i)]);
+        const double own = color(k, i), all = predicted(k, light);
+        if (m_readings[k].clipped && all >= double(m_readings[k].light)) continue;
+        curve += m_weights[k] * own * own;
+        wanted += m_weights[k] * own * (double(m_readings[k].light) - all + own * light[size_t(i)]);
       }
       if (!(curve > 0)) continue;
       const double now = std::max(wanted / curve, 0.0);
@@ -97,11 +99,13 @@ class Channel {
     return changed;
   }
 
-  int m_lights;
+  const LightingMatrix& m_lighting;
+  int m_channel;
+  const ClippedLightTuning& m_tuning;
   const std::vector<Reading>& m_readings;
   const std::vector<double>& m_proportions;
-  const ClippedLightTuning& m_tuning;
-  std::vector<double> m_weights, m_colors;
+  double m_proportionsSquared;
+  std::vector<double> m_weights;
 };
 
 /// The light of each of the set's lights, all channels together, with the marked pixels as their neighbours
@@ -135,10 +139,8 @@ size_t restoreClippedLight(const EstimatorContext& context, const ShotSignal& si
   const int lights = context.lighting.lights, shots = context.lighting.shots;
   const Image around = neighboursLight(set, std::move(clipped));
   parallelRows(int(pixels.size()), 64, [&](int begin, int end) {
-    std::vector<double> proportions;
-    std::vector<Reading> readings;
-    proportions.resize(size_t(lights));
-    readings.resize(size_t(shots));
+    std::vector<double> proportions(static_cast<size_t>(lights));
+    std::vector<Reading> readings(static_cast<size_t>(shots));
     for (int each = begin; each < end; ++each) {
       const size_t p = pixels[size_t(each)];
       double sum = 0;
@@ -146,12 +148,8 @@ size_t restoreClippedLight(const EstimatorContext& context, const ShotSignal& si
       if (!(sum > 0)) continue;  // nothing is known around it
       for (double& share : proportions) share /= sum;
       for (int c = 0; c < 3; ++c) {
-        for (int k = 0; k < shots; ++k) {
-          const ShotSignal::Reading reading = signal.reading(p, k, c);
-          readings[size_t(k)] = {reading.light, reading.clipped};
-        }
-        const std::vector<double> light =
-            Channel(context.lighting, c, context.noise, tuning, readings, proportions).light();
+        for (int k = 0; k < shots; ++k) readings[size_t(k)] = signal.reading(p, k, c);
+        const std::vector<double> light = Channel(context, c, tuning, readings, proportions).light();
         for (int i = 0; i < lights && !light.empty(); ++i) {
           float& contribution = set.contributions[size_t(i)].plane(c)[p];
           contribution = std::lerp(float(light[size_t(i)]), contribution, separated);
