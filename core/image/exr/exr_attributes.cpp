@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kMostAttributes = 1 << 16;
 constexpr size_t kLongestName = 255;
+constexpr int64_t kLongestSide = 1 << 17;  // as of every picture
 constexpr uint32_t kMultiPart = 0x1000;
 
 /// Attributes of these types have one size, which OpenEXR reads whatever the header says.
@@ -110,6 +111,17 @@ bool skipValue(HeaderWalk& walk, std::string_view type, uint32_t size) {
   return (sized == kSizedTypes.end() || sized->bytes == size) && walk.skip(size);
 }
 
+/// Passes over the window of the pixels, whose sides it gives. OpenEXR makes room for its lines as soon as the
+/// file is opened, for every part, whichever is asked for.
+bool skipWindow(HeaderWalk& walk, std::array<int64_t, 2>& sides) {
+  std::array<uint32_t, 4> corners{};
+  for (uint32_t& corner : corners)
+    if (!walk.number(corner)) return false;
+  for (size_t i = 0; i < 2; ++i)
+    sides[i] = int64_t{static_cast<int32_t>(corners[i + 2])} - static_cast<int32_t>(corners[i]) + 1;
+  return true;
+}
+
 std::string headerFault(HeaderWalk& walk, bool& empty) {
   std::string name, type;
   empty = true;
@@ -119,6 +131,14 @@ std::string headerFault(HeaderWalk& walk, bool& empty) {
     empty = false;
     uint32_t size = 0;
     if (!walk.name(type) || !walk.number(size)) return "its header is cut";
+    if (name == "dataWindow" && type == "box2i" && size == 16) {
+      std::array<int64_t, 2> sides{};
+      if (!skipWindow(walk, sides)) return "its header is cut";
+      if (std::ranges::any_of(sides, [](int64_t side) { return side < 1 || side > kLongestSide; }))
+        return "the header says that the picture has " + std::to_string(sides[0]) + " x " +
+               std::to_string(sides[1]) + " pixels, expected sides from 1 to " + std::to_string(kLongestSide);
+      continue;
+    }
     if (!skipValue(walk, type, size))
       return "the header says " + name + " has " + std::to_string(size) + " bytes, which is wrong";
   }

@@ -65,6 +65,20 @@ TEST(ExrAttributes, ANumberIsAsLongAsItsType) {
   }
 }
 
+// OpenEXR asks for the lines of every part while the file is opened.
+TEST(ExrAttributes, ThePixelsWindowHasSidesOfAPicture) {
+  const TemporaryFolder folder;
+  const std::string bytes = pictureBytes(folder);
+  const size_t right = sizeAt(bytes, "dataWindow", "box2i") + 4 + 8;
+  const auto withRight = [&](const std::string& number) {
+    std::string changed = bytes;
+    return changed.replace(right, 4, number);
+  };
+  EXPECT_EQ(faultOf(folder, withRight(std::string{-1, -1, 1, 0})), "");
+  EXPECT_THAT(faultOf(folder, withRight(std::string{0, 0, 2, 0})), HasSubstr("131073 x 3 pixels"));
+  EXPECT_THAT(faultOf(folder, withRight(std::string(4, '\xff'))), HasSubstr("0 x 3 pixels"));
+}
+
 TEST(ExrAttributes, APreviewHasThePixelsItSays) {
   const TemporaryFolder folder;
   const std::string bytes = pictureBytes(folder);
