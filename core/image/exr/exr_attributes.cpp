@@ -81,13 +81,15 @@ class HeaderWalk {
   int64_t m_size = 0;
 };
 
-/// Passes over a list of channels, which OpenEXR reads up to the empty name that ends it.
+/// Passes over a list of channels, which OpenEXR reads up to the empty name that ends it. A channel has one
+/// of three types: OpenImageIO ends the process at another one.
 bool skipChannels(HeaderWalk& walk) {
-  constexpr uint32_t kTypeAndSampling = 16;
+  constexpr uint32_t kTypes = 3, kSampling = 12;
   std::string channel;
   while (walk.name(channel)) {
     if (channel.empty()) return true;
-    if (!walk.skip(kTypeAndSampling)) return false;
+    uint32_t type = 0;
+    if (!walk.number(type) || type >= kTypes || !walk.skip(kSampling)) return false;
   }
   return false;
 }
@@ -111,8 +113,8 @@ bool skipValue(HeaderWalk& walk, std::string_view type, uint32_t size) {
   return (sized == kSizedTypes.end() || sized->bytes == size) && walk.skip(size);
 }
 
-/// Passes over the window of the pixels, whose sides it gives. OpenEXR makes room for its lines as soon as the
-/// file is opened, for every part, whichever is asked for.
+/// Passes over the window of the pixels, whose sides it gives. OpenEXR makes room for its lines as soon as
+/// the file is opened, for every part, whichever is asked for.
 bool skipWindow(HeaderWalk& walk, std::array<int64_t, 2>& sides) {
   std::array<uint32_t, 4> corners{};
   for (uint32_t& corner : corners)
@@ -140,7 +142,7 @@ std::string headerFault(HeaderWalk& walk, bool& empty) {
       continue;
     }
     if (!skipValue(walk, type, size))
-      return "the header says " + name + " has " + std::to_string(size) + " bytes, which is wrong";
+      return "the header's " + name + ", of " + std::to_string(size) + " bytes, is not what it should be";
   }
   return "its header has no end";
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/base/error.h"
 #include "core/image/io/image_io.h"
 #include "tests/support/temporary_folder.h"
 
@@ -47,10 +48,20 @@ TEST(ExrAttributes, AListOfChannelsIsAsLongAsItSays) {
   for (const int change : {-1, 1, -18}) {
     std::string damaged = bytes;
     damaged[at] = static_cast<char>(damaged[at] + change);
-    EXPECT_THAT(faultOf(folder, damaged), HasSubstr("the header says channels has")) << change;
+    EXPECT_THAT(faultOf(folder, damaged), HasSubstr("the header's channels, of")) << change;
   }
   bytes.replace(bytes.find("key.R") + 5, 1, "x");  // no zero after its name: the list has no end there
   EXPECT_NE(faultOf(folder, bytes), "");
+}
+
+// OpenImageIO 2.4 ends the process at a type that it does not know.
+TEST(ExrAttributes, AChannelIsOfAKnownType) {
+  const TemporaryFolder folder;
+  std::string bytes = pictureBytes(folder);
+  const size_t type = sizeAt(bytes, "channels", "chlist") + 4 + 2;  // behind "R"
+  bytes[type] = 3;
+  EXPECT_THAT(faultOf(folder, bytes), HasSubstr("channels"));
+  EXPECT_THROW((void)readImageSpec(folder / "damaged.exr"), InputError);
 }
 
 TEST(ExrAttributes, ANumberIsAsLongAsItsType) {
