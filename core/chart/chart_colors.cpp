@@ -13,8 +13,23 @@
 namespace swaplight {
 namespace {
 
-/// A file of the shots' format is in their colour space; another one in what it says, or, with codes, in what
-/// they are coded in.
+/// What all charts' exposures are taken over: nothing where none says its.
+std::optional<double> commonExposure(const ShotFolder& folder, const std::vector<ChartShot>& charts) {
+  for (const ChartShot& chart : charts) static_cast<void>(exposureOver(chart, charts.front()));
+  if (charts.empty() || !charts.front().exposureStops) return std::nullopt;
+  const auto& shots = folder.shots.front().exposureStops;
+  return shots ? shots : charts.front().exposureStops;
+}
+
+/// Of a chart whose light was exposed 1 / `over` times as much.
+ShotColor lightOf(const ColorConfig& config, const ChartShot& chart, double over,
+                  const std::string& colorSpace) {
+  const Rgb light = convertColor(config, chart.fit.light, chart.colorSpace, linearSpaceOf(colorSpace));
+  return shotColorFromRgb(glm::max(light * float(over), Rgb(0)));
+}
+
+}  // namespace
+
 std::string colorSpaceOfChart(const ColorConfig& config, const ShotFolder& folder,
                               const std::string& colorSpace, const std::filesystem::path& file) {
   ImageFileInfo info;
@@ -26,15 +41,12 @@ std::string colorSpaceOfChart(const ColorConfig& config, const ShotFolder& folde
   return isResponseFile(colorSpace) ? (folder.folder / colorSpace).string() : colorSpace;
 }
 
-/// What all charts' exposures are taken over: nothing where none says its.
-std::optional<double> commonExposure(const ShotFolder& folder, const std::vector<ChartShot>& charts) {
-  for (const ChartShot& chart : charts) static_cast<void>(exposureOver(chart, charts.front()));
-  if (charts.empty() || !charts.front().exposureStops) return std::nullopt;
+ShotColor lightOfChart(const ColorConfig& config, const ShotFolder& folder, const std::string& colorSpace,
+                       const ChartShot& chart) {
   const auto& shots = folder.shots.front().exposureStops;
-  return shots ? shots : charts.front().exposureStops;
+  const bool both = shots && chart.exposureStops;
+  return lightOf(config, chart, both ? std::exp2(*shots - *chart.exposureStops) : 1, colorSpace);
 }
-
-}  // namespace
 
 std::vector<ChartColor> chartColors(const ColorConfig& config, const ShotFolder& folder,
                                     const std::string& colorSpace, const std::vector<std::string>& names,
@@ -55,11 +67,9 @@ std::vector<ChartColor> chartColors(const ColorConfig& config, const ShotFolder&
   const std::optional<double> common = commonExposure(folder, charts);
   std::vector<ChartColor> colors;
   for (const ChartShot& chart : charts) {
-    const auto over = float(common ? std::exp2(*common - *chart.exposureStops) : 1);
-    const Rgb light = convertColor(config, chart.fit.light, chart.colorSpace, linearSpaceOf(colorSpace));
+    const double over = common ? std::exp2(*common - *chart.exposureStops) : 1;
     const auto k = std::find(files.begin(), files.end(), chart.file) - files.begin();
-    colors.push_back(
-        {names[size_t(k)], shotColorFromRgb(glm::max(light * over, Rgb(0))), chart.fit.warnings});
+    colors.push_back({names[size_t(k)], lightOf(config, chart, over, colorSpace), chart.fit.warnings});
   }
   return colors;
 }

@@ -2,77 +2,48 @@
 
 #include <algorithm>
 
-#include "core/balance/photograph.h"
 #include "core/base/machine_error.h"
-#include "core/capture/capture_pixels.h"
-#include "core/chart/chart_finder.h"
-#include "core/image/io/image_io.h"
-#include "core/intake/shot_folder.h"
+#include "core/chart/chart_photograph.h"
 
 namespace swaplight {
 namespace {
 
-constexpr double kLeastAtPlace =
-    .5;  // of a chart where it must be: under a gel that lets one channel through
+ChartPhotograph load(const ColorConfig& config, const std::filesystem::path& file,
+                     const ChartReadingOptions& options, const Progress& progress) {
+  return readChartPhotograph(config, file, options.colorSpaceOf ? options.colorSpaceOf(file) : "", progress);
+}
 
-/// What was read, where there is a chart.
+/// What was read of a photograph: nothing where its chart is still to be looked for in another one's place.
 struct Tried {
-  ChartShot shot;
-  int width = 0, height = 0;
-  bool done = false;
+  std::filesystem::path file;
+  std::optional<ChartShot> shot;
 };
-
-CapturePixels load(const ColorConfig& config, const std::filesystem::path& file,
-                   const ChartReadingOptions& options, const Progress& progress) {
-  return loadPhotograph(config, file, options.colorSpaceOf ? options.colorSpaceOf(file) : "", progress);
-}
-
-ChartShot fitted(ChartShot shot, const CapturePixels& photograph) {
-  shot.fit = fitChart(readChart(photograph.shots.front(), photograph.clipLevel.front(), shot.corners));
-  return shot;
-}
 
 /// Looks for the chart, or at the corners told.
 Tried tried(const ColorConfig& config, const std::filesystem::path& file, const ChartReadingOptions& options,
             const Progress& progress) {
-  const CapturePixels photograph = load(config, file, options, progress.part(0, .4F));
-  const Image& picture = photograph.shots.front();
-  const float clip = photograph.clipLevel.front();
-  Tried one{
-      {file, picture.spec().colorSpace, {}, !options.corners, {}, {}, {}}, picture.width(), picture.height()};
-  ImageFileInfo info;
-  static_cast<void>(readImageSpec(file, &info));
-  one.shot.exposureStops = statedExposure(info);
-  const auto corners = options.corners ? orientedCorners(picture, clip, *options.corners)
-                                       : findChart(picture, clip, progress.part(.4F, 1));
-  if (!corners) return one;
-  one.shot.corners = *corners;
-  one.shot = fitted(std::move(one.shot), photograph);
-  one.done = true;
-  return one;
+  const ChartPhotograph photograph = load(config, file, options, progress.part(0, .4F));
+  if (options.corners) return {file, chartAt(photograph, *options.corners)};
+  return {file, foundChart(photograph, progress.part(.4F, 1))};
 }
 
-/// The chart of a photograph in which it is not found, where it is in another one.
-ChartShot readAt(const ColorConfig& config, const Tried& missing, const std::vector<Tried>& all,
+/// The chart of a photograph in which it is not found, where it is in the first other one of its size.
+ChartShot readAt(const ColorConfig& config, const std::filesystem::path& file, const std::vector<Tried>& all,
                  const ChartReadingOptions& options, const Progress& progress) {
-  const auto other = std::find_if(all.begin(), all.end(), [&](const Tried& one) {
-    return one.done && one.width == missing.width && one.height == missing.height;
-  });
-  const InputError none(
+  const auto wasFound = [](const Tried& one) { return one.shot.has_value(); };
+  if (std::any_of(all.begin(), all.end(), wasFound)) {
+    const ChartPhotograph photograph = load(config, file, options, progress);
+    const auto other = std::find_if(all.begin(), all.end(), [&](const Tried& one) {
+      return one.shot && one.shot->width == photograph.picture().width() &&
+             one.shot->height == photograph.picture().height();
+    });
+    if (other != all.end())
+      if (const auto shot = chartAsIn(photograph, *other->shot)) return *shot;
+  }
+  throw InputError(
       "no chart found: all of a Macbeth chart of 24 patches must be seen, sharp, and its patches some 15 "
-      "pixels wide; or tell its four corners (swaplight chart --corners X,Y,X,Y,X,Y,X,Y)");
-  if (other == all.end()) throw none;
-  const CapturePixels photograph = load(config, missing.shot.file, options, progress);
-  ChartShot shot = missing.shot;
-  shot.found = false;
-  shot.corners = other->shot.corners;
-  shot.asIn = other->shot.file;
-  const ChartReading reading =
-      readChart(photograph.shots.front(), photograph.clipLevel.front(), shot.corners);
-  if (chartLikeness(reading) < kLeastAtPlace) throw none;
-  shot = fitted(std::move(shot), photograph);
-  shot.fit.warnings.push_back("no chart found: taken to be where it is in " + shot.asIn.filename().string());
-  return shot;
+      "pixels wide; or tell its four corners (swaplight chart --corners X,Y,X,Y,X,Y,X,Y; in the studio, Read "
+      "a colour chart)");
 }
 
 /// Does the work of a file. What is wrong names it, and is thrown or left to `options`.
@@ -104,8 +75,9 @@ std::vector<ChartShot> readChartShots(const ColorConfig& config,
   }
   std::vector<ChartShot> shots;
   for (const Tried& one : all)
-    naming(one.shot.file, options, [&] {
-      shots.push_back(one.done ? one.shot : readAt(config, one, all, options, Progress{{}, progress.stop}));
+    naming(one.file, options, [&] {
+      shots.push_back(one.shot ? *one.shot
+                               : readAt(config, one.file, all, options, Progress{{}, progress.stop}));
     });
   return shots;
 }

@@ -17,7 +17,8 @@ namespace swaplight {
 /// A photograph with a chart in it.
 struct ChartShot {
   std::filesystem::path file;
-  std::string colorSpace;  ///< linear: of its light and matrix
+  int width = 0, height = 0;  ///< of the photograph
+  std::string colorSpace;     ///< linear: of its light and matrix
   ChartCorners corners{};
   bool found = true;           ///< by itself; else where it was told, or as in another photograph
   std::filesystem::path asIn;  ///< that one, where it is not found in this one; else empty

@@ -25,11 +25,15 @@ GelLists& gelLists() {
   return instance;
 }
 
+std::filesystem::path tablesFolder() {
+  return dataFolder() / "gels";
+}
+
 std::vector<std::filesystem::path> personsTables() {
   std::vector<std::filesystem::path> files;
   if (std::filesystem::exists(dataFolder() / "gels.csv")) files.push_back(dataFolder() / "gels.csv");
   std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(dataFolder() / "gels", none))
+  for (const auto& entry : std::filesystem::directory_iterator(tablesFolder(), none))
     if (entry.path().extension() == ".csv") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
@@ -43,6 +47,16 @@ std::vector<Gel> readGels() {
   }
   all.insert(all.end(), builtInGels().begin(), builtInGels().end());
   return all;
+}
+
+/// A table in the person's folder, whose gels are known from now on.
+void keepTable(const std::filesystem::path& name, const std::string& text) {
+  std::error_code ignored;
+  std::filesystem::create_directories(tablesFolder(), ignored);
+  writeFile(tablesFolder() / name, text);
+  GelLists& gels = gelLists();
+  const std::lock_guard lock(gels.mutex);
+  gels.lists.push_back(readGels());
 }
 
 }  // namespace
@@ -61,13 +75,16 @@ std::string readGelTable(const std::filesystem::path& csv) {
 size_t importGels(const std::filesystem::path& csv) {
   const std::string text = readGelTable(csv);
   const size_t count = gelsFromCsv(text, csv.string()).size();
-  std::error_code ignored;
-  std::filesystem::create_directories(dataFolder() / "gels", ignored);
-  writeFile(dataFolder() / "gels" / csv.filename(), text);
-  GelLists& gels = gelLists();
-  const std::lock_guard lock(gels.mutex);
-  gels.lists.push_back(readGels());
+  keepTable(csv.filename(), text);
   return count;
+}
+
+const Gel& addMeasuredGel(const GelLabel& label, const Rgb& filter) {
+  const std::filesystem::path table = tablesFolder() / "measured.csv";
+  const std::string before = std::filesystem::exists(table) ? readGelTable(table) : "";
+  const std::string text = withMeasuredGel(before, table.string(), label, filter);
+  keepTable(table.filename(), text);
+  return findGel(gelsFromCsv(text, table.string()).back().id);
 }
 
 const Gel& findGel(const std::string& id) {

@@ -77,4 +77,8 @@ struct GelLabel {
 [[nodiscard]] std::string withMeasuredGel(const std::string& table, const std::string& fileName,
                                           const GelLabel& label, const Rgb& filter);
 
+/// The same in measured.csv among the person's tables in the data folder, from where it is among the gels at
+/// once. Returns the gel. Throws InputError as above, and where the folder cannot be written.
+const Gel& addMeasuredGel(const GelLabel& label, const Rgb& filter);
+
 }  // namespace swaplight

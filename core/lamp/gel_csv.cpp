@@ -186,8 +186,8 @@ std::string withMeasuredGel(const std::string& table, const std::string& fileNam
     throw InputError("the gel {} lets nothing through: its photograph is black where the other is lit", id);
   if (transmission > kMostPassed)
     throw InputError(
-        "the gel {} lets more through than there was ({:.0f} %): are --without and PHOTO swapped, or exposed "
-        "differently?",
+        "the gel {} lets more through than there was ({:.0f} %): are the photographs with and without it "
+        "swapped, or exposed differently?",
         id, 100 * transmission);
   const Chromaticity xy = xyFromRec709(filter);
   std::string text = table.find_first_not_of(" \t\r\n") == std::string::npos ? kNewTable : table;

@@ -4,9 +4,16 @@ keyboard is where it was before. What was found is printed as a table, and kept 
 import json
 import os
 import shutil
+import sys
 import unittest
 
-from studio_session import ARTEFACTS, SAMPLES, StudioTest
+import numpy as np
+import OpenImageIO as oiio
+
+from studio_session import ARTEFACTS, HERE, SAMPLES, StudioTest
+
+sys.path.append(os.path.join(HERE, '../intake'))
+from made_chart import photograph as chart_photograph
 
 PATIENCE = 30  # seconds
 MOST_STOPS = 80
@@ -305,6 +312,23 @@ class Manners(StudioTest):
         self.assertEqual(studio.state('wizard.cell.0.1.text'), 'L201')
         self.row('New capture', 'cancels, keeps what was typed', 'solves; not what cannot be solved',
                  f'{len(seen)} stops, round', told)
+
+    def test_the_chart_dialog(self):
+        studio = self.open_sample()
+        chart = self.path('chart.exr')
+        pixels = np.ascontiguousarray(chart_photograph(np.array([.8, .7, .6])), np.float32)
+        out = oiio.ImageBuf(oiio.ImageSpec(*pixels.shape[1::-1], 3, 'float'))
+        out.set_pixels(oiio.ROI(), pixels)
+        out.write(chart)
+
+        def opener():
+            self.run_action('colour chart')
+            studio.item('chooser.name')
+            studio.key('ctrl+a')
+            studio.type(chart)
+            studio.key('Return')
+        row = self.dialog('Colour chart', opener, 'chart.picture', {'chart.save', 'chart.gel.without', 'chart.close'})
+        self.row(*row)
 
     def test_a_list_in_a_dialog_closes_before_the_dialog(self):
         studio = self.open_sample()

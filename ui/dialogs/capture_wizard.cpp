@@ -62,8 +62,9 @@ void CaptureWizard::readCharts(const ColorConfig& config, const CaptureDraft& dr
 void CaptureWizard::start(std::shared_ptr<const ColorConfig> config, const fs::path& folder) {
   close();
   m_folder = folder;
+  m_config = std::move(config);
   m_reading.start(
-      [config = std::move(config), folder](const Progress& progress) {
+      [config = m_config, folder](const Progress& progress) {
         Photographs found;
         found.folder = scanShotFolder(*config, folder);
         // Any name does for looking at the pictures; the person gives the lights theirs.
@@ -109,6 +110,7 @@ void CaptureWizard::close() {
   m_exposuresWrong.clear();
   m_guess.clear();
   m_picking.reset();
+  m_chartFor.reset();
   m_frame = {};
   m_cropping.reset();
   m_replace = false;
@@ -344,7 +346,7 @@ void CaptureWizard::drawWarnings(const std::vector<std::string>& warnings, float
   markState("wizard.warnings.text", fmt::format("{}", fmt::join(warnings, " | ")));
 }
 
-void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, const Solve& solve) {
+void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, const Answers& answers) {
   const bool exists = fs::exists(m_found->folder.folder / "capture.json");
   const float button = px(kFooterButton);
   const float buttons = footerWidth();
@@ -376,13 +378,13 @@ void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, con
     options.correctTone =
         options.correctTone && linearity() && linearity()->answer == LinearityEvidence::Answer::Curved;
     close();
-    solve(written, options);
+    answers.solve(written, options);
   } catch (const std::exception& error) {
     messages.error(error.what());
   }
 }
 
-void CaptureWizard::draw(Messages& messages, const Solve& solve) {
+void CaptureWizard::draw(Messages& messages, const Answers& answers) {
   if (!m_folder) return;
   if (!ImGui::IsPopupOpen(kWizardTitle)) ImGui::OpenPopup(kWizardTitle);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -413,11 +415,13 @@ void CaptureWizard::draw(Messages& messages, const Solve& solve) {
     ImGui::Separator();
     drawWarnings(warned, room);
     ImGui::Separator();
-    drawFooter(wrong, messages, solve);
+    drawFooter(wrong, messages, answers);
   }
+  const auto chartFor = std::exchange(m_chartFor, std::nullopt);
   if (!m_folder) ImGui::CloseCurrentPopup();
   endTabStops();
   ImGui::EndPopup();
+  if (m_folder && chartFor) answers.readChart(chartQuestion(chartFor->first, chartFor->second));
 }
 
 }  // namespace swaplight

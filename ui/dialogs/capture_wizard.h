@@ -38,10 +38,19 @@ class CaptureWizard {
   }
   /// To be called often: takes what the threads have finished.
   void update(Messages& messages);
-  /// Opens the capture that was written.
-  using Solve = std::function<void(const std::filesystem::path&, const SolveOptions&)>;
+  /// A chart that is to be read for a light of a photograph.
+  struct ChartQuestion {
+    std::filesystem::path folder;  ///< where its photograph will lie
+    std::function<std::string(const std::filesystem::path&)> colorSpaceOf;
+    std::function<void(const ChartShot&)> use;
+  };
+  struct Answers {
+    /// Opens the capture that was written.
+    std::function<void(const std::filesystem::path&, const SolveOptions&)> solve;
+    std::function<void(const ChartQuestion&)> readChart;
+  };
   /// Draws the dialog.
-  void draw(Messages& messages, const Solve& solve);
+  void draw(Messages& messages, const Answers& answers);
 
  private:
   /// What was found in the folder.
@@ -108,7 +117,7 @@ class CaptureWizard {
   void drawFrame();
   void drawCell(size_t row, size_t light);
   /// What a click may put there.
-  void drawChoices(WizardCell& cell);
+  void drawChoices(size_t row, size_t light);
   void drawGuess();
   [[nodiscard]] std::string typedColors() const;
   /// Looks in a thread whether the photographs hold light.
@@ -120,9 +129,11 @@ class CaptureWizard {
   /// What is to be said about the pictures and the colours.
   [[nodiscard]] std::vector<std::string> warnings() const;
   void drawWarnings(const std::vector<std::string>& warnings, float height);
-  void drawFooter(const std::string& wrong, Messages& messages, const Solve& solve);
+  void drawFooter(const std::string& wrong, Messages& messages, const Answers& answers);
+  [[nodiscard]] ChartQuestion chartQuestion(size_t row, size_t light);
 
   std::function<void()> m_wake;
+  std::shared_ptr<const ColorConfig> m_config;
   std::optional<std::filesystem::path> m_folder;
   Job<Photographs> m_reading;
   Job<RotationGuess> m_guessing;
@@ -143,7 +154,8 @@ class CaptureWizard {
   std::string m_filter;  ///< typed into the list of gels
   std::optional<std::pair<size_t, size_t>>
       m_picking;  ///< row, light: the cell whose colour a click takes from its shot
-  std::optional<std::pair<size_t, bool>> m_toUse;  ///< a row that was ticked or unticked
+  std::optional<std::pair<size_t, size_t>> m_chartFor;  ///< the cell that wants a chart's light
+  std::optional<std::pair<size_t, bool>> m_toUse;       ///< a row that was ticked or unticked
   CaptureFrame m_frame;
   std::optional<std::pair<float, float>> m_cropping;  ///< where a drag over a thumbnail began, 0..1
   bool m_replace = false;

@@ -168,8 +168,23 @@ void CaptureWizard::drawThumbnail(size_t row) {
            pixel(mouse.y - at.y, size.y, m_found->pixels->height()));
 }
 
-void CaptureWizard::drawChoices(Cell& cell) {
+CaptureWizard::ChartQuestion CaptureWizard::chartQuestion(size_t row, size_t light) {
+  const CaptureDraft draft = emptyDraft(m_lights);
+  return {draft.folder.folder,
+          [config = m_config, draft](const std::filesystem::path& file) {
+            return colorSpaceOfChart(*config, draft.folder, draft.colorSpace, file);
+          },
+          [this, draft, row, light](const ChartShot& chart) {
+            const bool there = row < m_rows.size() && light < m_rows[row].cells.size();
+            if (!m_found || !there) return;
+            m_rows[row].cells[light] = {lightOfChart(*m_config, draft.folder, draft.colorSpace, chart).text,
+                                        false};
+          }};
+}
+
+void CaptureWizard::drawChoices(size_t row, size_t light) {
   if (!ImGui::BeginPopup("##gels")) return;
+  Cell& cell = m_rows[row].cells[light];
   for (const char* word : {"white", "off", "unknown", "?a"}) {
     if (ImGui::Selectable(fmt::format("      {}", word).c_str(), cell.text == word)) cell = {word, false};
     markItem({"wizard.choose.", word});
@@ -182,6 +197,11 @@ void CaptureWizard::drawChoices(Cell& cell) {
     markItem({"wizard.choose.", chart.file});
     tooltip("The light in this photograph of a colour chart");
   }
+  if (ImGui::Selectable("      a colour chart \u2026")) m_chartFor = std::pair(row, light);
+  markItem("wizard.choose.chart");
+  tooltip(
+      "Choose a photograph of a colour chart that this light alone shines on; where the chart is not found, "
+      "show its corners.");
   ImGui::Separator();
   ImGui::BeginChild("##list", ImVec2(px(346), px(260)));
   if (const auto chosen = gelChoices(cell.text, m_filter)) {
@@ -232,7 +252,7 @@ void CaptureWizard::drawCell(size_t row, size_t light) {
     ImGui::OpenPopup("##gels");
   markItem({mark, ".list"});
   endNoTabStops();
-  drawChoices(cell);
+  drawChoices(row, light);
   ImGui::PopID();
 }
 

@@ -38,6 +38,13 @@ std::string sizeText(uintmax_t bytes) {
 
 }  // namespace
 
+const std::vector<std::string>& photographExtensions() {
+  static const std::vector<std::string> all = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg",
+                                               ".hdr", ".dng", ".cr2", ".cr3",  ".nef", ".arw",
+                                               ".raf", ".orf", ".rw2", ".pef",  ".x3f"};
+  return all;
+}
+
 void FileChooser::ask(Question question) {
   m_question = std::move(question);
   m_opened = false;

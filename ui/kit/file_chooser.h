@@ -8,6 +8,9 @@
 
 namespace swaplight {
 
+/// Of photographs, raw ones too.
+[[nodiscard]] const std::vector<std::string>& photographExtensions();
+
 /// A dialog that chooses a file, and needs no desktop environment.
 class FileChooser {
  public:

@@ -111,11 +111,17 @@ void endTabStops() {
   ImGui::PopItemFlag();
 }
 
+void restartTabRound() {
+  ImGui::NavInitWindow(GImGui->CurrentWindow, true);
+}
+
 void beginNoTabStops() {
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNavDefaultFocus, true);  // from where Tab would not go on
 }
 
 void endNoTabStops() {
+  ImGui::PopItemFlag();
   ImGui::PopItemFlag();
 }
 

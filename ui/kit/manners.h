@@ -23,6 +23,8 @@ void mannersFrame();
 /// After a dialog was begun, and before it is ended: all of it can be reached by Tab.
 void beginTabStops();
 void endTabStops();
+/// A dialog shows other things from here on: Tab begins at the first of them.
+void restartTabRound();
 /// What is drawn between them is left out by Tab: it can be had otherwise.
 void beginNoTabStops();
 void endNoTabStops();

@@ -31,8 +31,7 @@ void askForPhotograph(LightsContext& studio, LampReader& lamps, FileChooser& cho
   FileChooser::Question question;
   question.title = "Another photograph of this set, by the same camera at the same place";
   question.button = "Read lamps";
-  question.extensions = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".hdr", ".dng", ".cr2",
-                         ".cr3", ".nef", ".arw", ".raf",  ".orf", ".rw2",  ".pef", ".x3f"};
+  question.extensions = photographExtensions();
   question.folder = studio.document().source.parent_path();
   question.answer = [&studio, &lamps](const std::filesystem::path& file) {
     if (studio.set()) lamps.start(studio.colors.config(), studio.set()->original, file);

@@ -36,6 +36,9 @@ void StudioWindow::addFileActions() {
   m_actions.add({"file.new", "New from photographs \u2026", "Ctrl+N",
                  "Start from a folder of photographs: describe the lights, then solve.",
                  [this] { whenSaved([this] { askForPhotographs(); }); }});
+  m_actions.add({"file.chart", "Read a colour chart \u2026", "",
+                 "Read the light, the camera's matrix or a gel off a photograph of a colour chart.",
+                 [this] { askForChart({}); }});
   m_actions.add({"file.open", "Open …", "Ctrl+O", "Open a capture, a solved set or a session.",
                  [this] { askForFile(); }});
   m_actions.add(

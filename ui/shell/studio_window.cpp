@@ -106,6 +106,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
       m_panels(allPanels()),
       m_export(stateFolder() / "export.json"),
       m_wizard([&window] { window.wake(); }),
+      m_chart([&window] { window.wake(); }),
       m_tourSample(options.samplesFolder / "three_point" / "capture.json"),
       m_keys(configFolder() / "keys.txt") {
   m_chooser.beginIn(m_place.folder);
@@ -206,10 +207,25 @@ void StudioWindow::askForPhotographs() {
   FileChooser::Question question;
   question.title = "Choose the folder of photographs";
   question.button = "Use folder";
-  question.extensions = {".exr", ".png", ".tif", ".tiff", ".jpg", ".jpeg", ".hdr", ".dng", ".cr2",
-                         ".cr3", ".nef", ".arw", ".raf",  ".orf", ".rw2",  ".pef", ".x3f"};
+  question.extensions = photographExtensions();
   question.forFolder = true;
   question.answer = [this](const fs::path& folder) { m_wizard.start(m_colors.config(), folder); };
+  m_chooser.ask(std::move(question));
+}
+
+void StudioWindow::askForChart(const CaptureWizard::ChartQuestion& asked) {
+  FileChooser::Question question;
+  question.title = "A photograph of a colour chart (24 patches), lit by one light";
+  question.button = "Read chart";
+  question.extensions = photographExtensions();
+  question.folder = asked.folder;
+  question.answer = [this, asked](const fs::path& file) {
+    try {
+      m_chart.start(m_colors.config(), file, asked.colorSpaceOf ? asked.colorSpaceOf(file) : "", asked.use);
+    } catch (const std::exception& error) {
+      m_messages.error(error.what());
+    }
+  };
   m_chooser.ask(std::move(question));
 }
 
@@ -279,6 +295,7 @@ void StudioWindow::update() {
   m_lamps.update(m_lights);
   m_keeper.update(m_lights);
   m_wizard.update(m_messages);
+  m_chart.update(m_messages);
   m_subjects.update(m_messages);
   m_seen.update(m_messages);
   m_gallery.update(m_messages);
@@ -316,9 +333,11 @@ double StudioWindow::restSeconds() const {
 }
 
 void StudioWindow::drawDialogs() {
-  m_wizard.draw(m_messages, [this](const fs::path& capture, const SolveOptions& solve) {
-    m_session.open(capture, solve);
-  });
+  if (m_chart.isOpen()) return m_chart.draw(m_messages, m_chooser);  // one may have asked for it
+  m_wizard.draw(
+      m_messages,
+      {[this](const fs::path& capture, const SolveOptions& solve) { m_session.open(capture, solve); },
+       [this](const CaptureWizard::ChartQuestion& question) { askForChart(question); }});
   m_export.draw(
       *m_colors.config(), m_editor.document(),
       {[this](const ExportRequest& request) { exportAs(request); }, [this] { askForExportName(); }});
@@ -326,8 +345,8 @@ void StudioWindow::drawDialogs() {
 
 unsigned StudioWindow::openDialogs() const {
   unsigned open = 0;
-  for (const bool one : {m_chooser.isOpen(), m_export.isOpen(), m_wizard.isOpen(), m_unsaved.isOpen(),
-                         m_palette.isOpen(), m_keys.isOpen()})
+  for (const bool one : {m_chooser.isOpen(), m_export.isOpen(), m_wizard.isOpen(), m_chart.isOpen(),
+                         m_unsaved.isOpen(), m_palette.isOpen(), m_keys.isOpen()})
     open = 2 * open + (one ? 1 : 0);
   return open;
 }

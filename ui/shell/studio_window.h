@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/chart/chart_dialog.h"
 #include "ui/control/export_controller.h"
 #include "ui/control/lights_context.h"
 #include "ui/control/viewer_context.h"
@@ -53,7 +54,7 @@ class StudioWindow {
   /// Something is being read, solved, guessed, looked for, saved or exported.
   [[nodiscard]] bool busy() const {
     return m_sets.busy() || m_wizard.busy() || m_edits.busy() || m_shadows.busy() || m_session.saving() ||
-           m_exports.busy() || m_lamps.busy() || m_seen.busy() || m_gallery.busy();
+           m_chart.busy() || m_exports.busy() || m_lamps.busy() || m_seen.busy() || m_gallery.busy();
   }
 
   /// Ends the studio, after asking what to do with unsaved work.
@@ -83,6 +84,7 @@ class StudioWindow {
   void askForFile();
   void askForOtherSet();
   void askForPhotographs();
+  void askForChart(const CaptureWizard::ChartQuestion& question);
   void askForSaveName(const std::function<void()>& then);
   void askForExport(std::optional<ExportKind> kind = {});
   void askForExportName();
@@ -149,6 +151,7 @@ class StudioWindow {
   FileChooser m_chooser;
   ExportDialog m_export;
   CaptureWizard m_wizard;
+  ChartDialog m_chart;
   UnsavedDialog m_unsaved;
   RecoveryDialog m_recovery;
   Tour m_tour;

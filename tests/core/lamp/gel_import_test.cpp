@@ -27,5 +27,22 @@ TEST(GelImport, AnImportedTableIsThereAtOnceAndNextTime) {
   unsetenv("XDG_DATA_HOME");
 }
 
+TEST(GelImport, AMeasuredGelIsAmongTheGelsAtOnceAndNotTwice) {
+  const test::TemporaryFolder folder;
+  setenv("XDG_DATA_HOME", folder.path().c_str(), 1);
+  const Gel first = addMeasuredGel({"House", "901", "Brick"}, {.6F, .2F, .1F});
+  EXPECT_EQ(first.source, Gel::Source::Measured);
+  EXPECT_NEAR(first.filter.g / first.filter.r, 1 / 3.0, 1e-3);
+  const Gel second = addMeasuredGel({"House", "902", "Sea"}, {.1F, .3F, .5F});
+  EXPECT_EQ(findGel(first.id).name, "Brick");
+  EXPECT_EQ(findGel(second.id).name, "Sea");
+  EXPECT_NE(test::inputError([] {
+              addMeasuredGel({"House", "901", "Brick"}, {.6F, .2F, .1F});
+            }).find("already"),
+            std::string::npos);
+  EXPECT_FALSE(test::inputError([] { addMeasuredGel({"House", "903", "None"}, {0, 0, 0}); }).empty());
+  unsetenv("XDG_DATA_HOME");
+}
+
 }  // namespace
 }  // namespace swaplight
