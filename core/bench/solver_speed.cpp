@@ -9,6 +9,7 @@
 #include "core/bench/bench_scene.h"
 #include "core/simd/simd.h"
 #include "core/solve/auto/auto_solve.h"
+#include "core/solve/auto/local_evidence.h"
 #include "core/solve/estimators/two_lights.h"
 
 namespace swaplight {
@@ -112,6 +113,7 @@ double solverSpeed(const std::string& solver, const BenchScene& scene, SolvedSet
       const ShotSignal signal(scene.pixels, context.lighting, context.noise,
                               std::vector<float>(size_t(context.lighting.shots), 1.0F));
       solveAuto(context, signal, {}, true, {}, set, {});
+      followLocalEvidence(context, 0, signal, {}, set);
     });
   } else {
     const auto estimator = info.make(context);

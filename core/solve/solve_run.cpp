@@ -11,6 +11,7 @@
 #include "core/set/fill.h"
 #include "core/solve/auto/auto_solve.h"
 #include "core/solve/auto/clipped_light.h"
+#include "core/solve/auto/local_evidence.h"
 #include "core/solve/calibration/ambient_light.h"
 #include "core/solve/calibration/color_evidence.h"
 #include "core/solve/calibration/color_fit.h"
@@ -141,6 +142,8 @@ void SolveRun::calibrateNoise() {
   if (!m_report.noiseGiven) {
     m_ownNoise = residualNoise(m_context, codingNoise(pixels()), *m_signal, m_tuning.ownNoise);
     m_context.noise = calibratedNoise(m_context, *m_signal, m_tuning.noise);
+  } else {
+    m_ownNoise = m_context.noise;
   }
 }
 
@@ -151,8 +154,7 @@ void SolveRun::seekCauses() {
   const bool oneByOne = std::all_of(amplification.begin(), amplification.end(),
                                     [](double times) { return times > 0 && times <= kOneByOne; });
   if (!m_unknownColors.empty() || m_info.model == Model::Single || oneByOne) return;
-  m_report.causes =
-      misfitCauses({m_context.lighting, m_report.noiseGiven ? m_context.noise : m_ownNoise}, *m_signal);
+  m_report.causes = misfitCauses({m_context.lighting, m_ownNoise}, *m_signal);
   if (const std::string words = wordsFor(m_report.causes); !words.empty()) warn({words});
 }
 
@@ -290,6 +292,10 @@ void SolveRun::separateLights() {
     return solvePixelwise(m_info, m_context, *m_signal, m_set, m_progress.part(0.1F, 0.9F));
   const float shift =
       solveAuto(m_context, *m_signal, m_report.shifts, mayHaveMoved(), m_tuning.automatic, m_set, m_progress);
+  // Photographs that do not lie on one another, and JPEGs, differ by more than noise says.
+  if (shift == 0 && m_report.shifts.empty() && pixels().codingError.empty())
+    followLocalEvidence({m_context.lighting, m_ownNoise}, m_report.colorUncertainty, *m_signal,
+                        m_tuning.automatic.evidence, m_set);
   // Gloss, grain and wrong colours are at edges, too.
   if (shift > 0 && (m_report.causes.all.empty() || m_options.align))
     m_report.warnings.emplace_back(

@@ -55,7 +55,7 @@ class SolveRun {
   Capture m_capture;  ///< with the ambient light as a light, where it is solved for
   std::vector<UnknownColor> m_unknownColors;
   EstimatorContext m_context;
-  NoiseModel m_ownNoise;  ///< of the pixels alone, where nobody told it
+  NoiseModel m_ownNoise;  ///< of the pixels alone
   SolveReport m_report;
   std::optional<CapturePixels> m_aligned;
   std::optional<ShotSignal> m_signal;

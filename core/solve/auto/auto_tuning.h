@@ -79,18 +79,40 @@ struct ClippedLightTuning {
   }
 };
 
+/// Of what the photographs show beyond all that (local_evidence.h).
+struct LocalEvidenceTuning {
+  int radius = 4;            ///< pixels, of the window
+  double leastSeen = .2;     ///< of the best seen direction: what is seen less is left alone
+  double unknownNoise = .1;  ///< part of noise that is not known, in a direction that is seen half as well
+  double smallColorError =
+      .01;  ///< an uncertainty of the colours that is smaller was hardly seen, and counts less
+  double leastMoved = .05;  ///< of the variance of noise; below, a direction shows nothing
+  int windows = 400;        ///< that say so
+
+  static constexpr auto fields() {
+    using T = LocalEvidenceTuning;
+    return std::tuple{std::pair{"radius", &T::radius},
+                      std::pair{"least_seen", &T::leastSeen},
+                      std::pair{"unknown_noise", &T::unknownNoise},
+                      std::pair{"small_color_error", &T::smallColorError},
+                      std::pair{"least_moved", &T::leastMoved},
+                      std::pair{"windows", &T::windows}};
+  }
+};
+
 struct AutoTuning {
   EdgeNoiseTuning edges;
   PoolingTuning pooling;
   ShrinkageTuning shrinkage;
   NeighbourhoodTuning neighbourhood;
+  LocalEvidenceTuning evidence;
   ClippedLightTuning clipped;
 
   static constexpr auto fields() {
     using T = AutoTuning;
-    return std::tuple{std::pair{"edges", &T::edges}, std::pair{"pooling", &T::pooling},
+    return std::tuple{std::pair{"edges", &T::edges},         std::pair{"pooling", &T::pooling},
                       std::pair{"shrinkage", &T::shrinkage}, std::pair{"neighbourhood", &T::neighbourhood},
-                      std::pair{"clipped", &T::clipped}};
+                      std::pair{"evidence", &T::evidence},   std::pair{"clipped", &T::clipped}};
   }
 };
 
