@@ -92,7 +92,7 @@ Json jsonFromMisfitCauses(const MisfitCauses& causes) {
                    {"behind", one.behind},
                    {"size", one.size}});
   for (const Cause cause : causes.likely) likely.push_back(causeName(cause));
-  return {{"likely", likely}, {"all", all}};
+  return {{"likely", likely}, {"unnamed", causes.unnamed}, {"all", all}};
 }
 
 MisfitCauses misfitCausesFromJson(const Json& json) {
@@ -105,6 +105,7 @@ MisfitCauses misfitCausesFromJson(const Json& json) {
     for (const Json& name : json["likely"])
       if (const auto cause = name.is_string() ? causeFromName(name.get<std::string>()) : std::nullopt)
         causes.likely.push_back(*cause);
+  causes.unnamed = json.contains("unnamed") && json["unnamed"] == true;
   return causes;
 }
 
@@ -121,6 +122,11 @@ std::string wordsFor(const MisfitCauses& causes) {
     found.push_back(fmt::format(fmt::runtime(textOf(cause).found), spokenSize(*evidence)));
     remedies.emplace_back(remedyOf(cause, causes));
   }
+  if (found.empty() && causes.unnamed)
+    return "the photographs do not go together as told, and it cannot be told why: a tone curve of the "
+           "camera, "
+           "other colours of the lights or ambient light. Photograph raw, check which lamp had which gel, or "
+           "take one more photograph under other light";
   if (found.empty()) return "";
   if (found.size() == 1)
     return fmt::format("the photographs look as under {}: {}", found.front(), remedies.front());

@@ -34,6 +34,8 @@ struct MisfitCauses {
   /// Those that may be it, the best first. None: no misfit that matters. More than one: it cannot be told
   /// which.
   std::vector<Cause> likely;
+  /// Something is wrong all over the picture, and none of them is surely it.
+  bool unnamed = false;
 
   /// The one cause there is evidence for.
   [[nodiscard]] bool is(Cause cause) const { return likely.size() == 1 && likely.front() == cause; }
@@ -46,7 +48,8 @@ struct MisfitCauses {
 
 /// "colors", "ambient", "tone", "moved", "field".
 [[nodiscard]] const char* causeName(Cause cause);
-/// For a person: what the photographs look like, and what to do about it. Empty without a likely cause.
+/// For a person: what the photographs look like, and what to do about it. Empty where
+/// nothing is wrong.
 [[nodiscard]] std::string wordsFor(const MisfitCauses& causes);
 
 }  // namespace swaplight

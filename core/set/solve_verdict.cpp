@@ -87,7 +87,8 @@ SolveVerdict verdictOf(const SolveReport& report) {
     return {SolveVerdict::Word::Fair, {"the report does not say how well the lights are known"}};
   verdict.word = std::max(wordOf(report.sigmaMedian, kError), colorWord(report));
   // Sigma knows noise and colours, no other cause: what explains much of the misfit is not good.
-  if (!report.causes.likely.empty()) verdict.word = std::max(verdict.word, SolveVerdict::Word::Fair);
+  if (!report.causes.likely.empty() || report.causes.unnamed)
+    verdict.word = std::max(verdict.word, SolveVerdict::Word::Fair);
   if (verdict.word == SolveVerdict::Word::Good) return verdict;
   addColorReasons(report, verdict.reasons);
   addPictureReasons(report, verdict.reasons);

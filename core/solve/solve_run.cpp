@@ -245,6 +245,9 @@ void SolveRun::fitLightColors() {
   m_report.colorUncertainty = colorUncertaintyOf(fit, m_tuning.colors);
   const float usual = m_report.noiseGiven ? 0 : usualColorUncertainty(m_report.noise, m_tuning.colors);
   if (usual > 0) judgeColors(usual);
+  if (!isUnnamed(m_report.causes, m_report.colorUncertainty)) return;
+  m_report.causes.unnamed = true;
+  warn({wordsFor(m_report.causes)});
 }
 
 /// Where the noise is not told: how wrong the colours are, and what of the matte model's misfit that

@@ -245,4 +245,10 @@ MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& sig
   return causes;
 }
 
+bool isUnnamed(const MisfitCauses& causes, double colorUncertainty, const CauseTuning& tuning) {
+  return causes.likely.empty() && colorUncertainty > tuning.unnamedColors &&
+         std::ranges::any_of(
+             causes.all, [&](const CauseEvidence& one) { return one.explained > tuning.unnamedExplained; });
+}
+
 }  // namespace swaplight

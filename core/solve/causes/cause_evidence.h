@@ -22,4 +22,9 @@ namespace swaplight {
 [[nodiscard]] MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& signal,
                                         const CauseTuning& tuning = {});
 
+/// Whether something is wrong all the same where none is likely: `colorUncertainty` is what the photographs
+/// make of the colours' error (color_evidence.h).
+[[nodiscard]] bool isUnnamed(const MisfitCauses& causes, double colorUncertainty,
+                             const CauseTuning& tuning = {});
+
 }  // namespace swaplight

@@ -195,6 +195,28 @@ TEST(CauseEvidence, IsKeptWithTheReportAndLowersTheVerdict) {
   EXPECT_NE(wordsFor(causes).find("cannot be told which"), std::string::npos);
 }
 
+// Light that the colours as told make negative, all over the picture, is no bounced light: something is wrong,
+// though none of the causes is surely it.
+TEST(CauseEvidence, SaysThatSomethingIsWrongWhereNoneCanBeNamed) {
+  MisfitCauses causes;
+  causes.all = {{Cause::Ambient, .9, .4, 7, 0, -.1}, {Cause::Tone, .7, .3, 6, 3, .2}};
+  EXPECT_TRUE(isUnnamed(causes, .15));
+  EXPECT_FALSE(isUnnamed(causes, .01)) << "bounced light";
+  causes.likely = {Cause::Tone};
+  EXPECT_FALSE(isUnnamed(causes, .15)) << "it has a name";
+  causes.likely.clear();
+  causes.all.front().explained = causes.all.back().explained = .3;
+  EXPECT_FALSE(isUnnamed(causes, .15)) << "colours that are told roughly";
+
+  SolveReport report;
+  report.pixels = 1000;
+  report.causes.unnamed = true;
+  const SolveReport read = solveReportFromJson(jsonFromSolveReport(report), "report");
+  EXPECT_TRUE(read.causes.unnamed);
+  EXPECT_EQ(verdictOf(read).word, SolveVerdict::Word::Fair);
+  EXPECT_NE(verdictOf(read).reasons.front().find("cannot be told why"), std::string::npos);
+}
+
 /// Of the contributions, up to a factor: under an unknown curve the exposure is open.
 double relativeError(const SolvedSet& set, const SolvedSet& truth) {
   double own = 0, both = 0, power = 0;
