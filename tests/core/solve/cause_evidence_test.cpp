@@ -195,8 +195,8 @@ TEST(CauseEvidence, IsKeptWithTheReportAndLowersTheVerdict) {
   EXPECT_NE(wordsFor(causes).find("cannot be told which"), std::string::npos);
 }
 
-// Light that the colours as told make negative, all over the picture, is no bounced light: something is wrong,
-// though none of the causes is surely it.
+// Light that the colours as told make negative, all over the picture, is no bounced light: something is
+// wrong, though none of the causes is surely it.
 TEST(CauseEvidence, SaysThatSomethingIsWrongWhereNoneCanBeNamed) {
   MisfitCauses causes;
   causes.all = {{Cause::Ambient, .9, .4, 7, 0, -.1}, {Cause::Tone, .7, .3, 6, 3, .2}};
