@@ -87,13 +87,14 @@ class Dimmer(StudioTest):
         studio = self.open_sample()
         x0, y0, x1, y1 = studio.item('mixer.key.stops')
         middle, y = (x0 + x1) // 2, (y0 + y1) // 2
-        coarse = 20 * 40 / (x1 - x0 - 10)
+        place = .1 * 2 * 40 / (x1 - x0 - 10)  # a tenth of the way; around 0 a stop is two and a half times as wide
+        expected = 10 * place * (.4 + .6 * place ** 2)
         studio.move(middle, y)
         studio.xdotool('keydown', 'shift')
         studio.drag((middle, y), (middle + 40, y))
         studio.xdotool('keyup', 'shift')
         studio.settle()
-        self.assertAlmostEqual(self.stops('fine'), coarse / 10, delta=0.02)
+        self.assertAlmostEqual(self.stops('fine'), expected, delta=0.02)
         studio.screenshot('dimmer')
 
     def live(self):

@@ -13,31 +13,53 @@ namespace {
 constexpr float kStep = 0.1F;  // stops
 constexpr float kFine = 0.1F;  // of a step or a movement, with Shift
 constexpr float kInset = 5, kHalfGrab = 4;
+constexpr float kMiddle = 0.4F;  // of a stop that a straight slider would have there
+constexpr int kRounds = 8;
+constexpr float kMarks[] = {1, 2, 3, 6};  // stops, on either side
 
-/// The ground of a slider: where its stops lie on the screen.
+/// The ground of a slider: where its stops lie on the screen. Around 0, where lights are balanced, a pixel is
+/// two and a half times as fine as if all pixels were alike; at the ends it is coarser.
 struct Track {
   float left, right, range;
 
-  [[nodiscard]] float x(float stops) const {
-    return left + (right - left) * std::clamp(0.5F + 0.5F * stops / range, 0.0F, 1.0F);
+  /// -1 .. 1 on the slider; the ends' slope goes on beyond them.
+  [[nodiscard]] float stopsAt(float place) const {
+    const float inside = std::clamp(place, -1.0F, 1.0F);
+    return range *
+           (inside * (kMiddle + (1 - kMiddle) * inside * inside) + (3 - 2 * kMiddle) * (place - inside));
   }
-  [[nodiscard]] float stopsAt(float x) const { return (2 * (x - left) / (right - left) - 1) * range; }
-  [[nodiscard]] float stopsAPixel() const { return 2 * range / (right - left); }
+  [[nodiscard]] float placeOf(float stops) const {
+    const float part = stops / range;
+    if (std::abs(part) > 1) return std::copysign(1 + (std::abs(part) - 1) / (3 - 2 * kMiddle), part);
+    float place = part;  // Newton: convex on either side of 0, so that it comes from beyond
+    place = std::copysign(std::max(std::abs(place), std::cbrt(std::abs(part))), part);
+    for (int round = 0; round < kRounds; ++round)
+      place -= (place * (kMiddle + (1 - kMiddle) * place * place) - part) /
+               (kMiddle + 3 * (1 - kMiddle) * place * place);
+    return place;
+  }
+  [[nodiscard]] float x(float stops) const {
+    return left + (right - left) * std::clamp(0.5F + 0.5F * placeOf(stops), 0.0F, 1.0F);
+  }
+  [[nodiscard]] float placeAt(float x) const { return 2 * (x - left) / (right - left) - 1; }
 };
 
 /// Where a drag has come to, also beyond the slider's ends: what comes back from there has the same way.
 float dragged(ImGuiID id, const Track& track, float stops) {
   const ImGuiIO& io = ImGui::GetIO();
   ImGuiStorage* memory = ImGui::GetStateStorage();
-  float at = memory->GetFloat(id, stops);
+  float place = memory->GetFloat(id, track.placeOf(stops));
   if (ImGui::IsItemActivated()) {
     const bool onHandle = std::abs(io.MousePos.x - track.x(stops)) <= px(kHalfGrab);
-    at = onHandle || io.KeyShift ? stops : track.stopsAt(io.MousePos.x);
+    place = onHandle || io.KeyShift ? track.placeOf(stops) : track.placeAt(io.MousePos.x);
+    if (onHandle || io.KeyShift) return memory->SetFloat(id, place), stops;
+  } else if (io.MouseDelta.x == 0) {
+    return stops;  // what is held still keeps its level to the bit
   } else {
-    at += io.MouseDelta.x * track.stopsAPixel() * (io.KeyShift ? kFine : 1);
+    place += 2 * io.MouseDelta.x / (track.right - track.left) * (io.KeyShift ? kFine : 1);
   }
-  memory->SetFloat(id, at);
-  return at;
+  memory->SetFloat(id, place);
+  return track.stopsAt(place);
 }
 
 /// Steps of the wheel and the arrow keys over it.
@@ -67,6 +89,11 @@ void drawSlider(const Track& track, ImVec2 low, ImVec2 high, float stops) {
                       ImGui::GetColorU32(IM_COL32(96, 152, 224, 70)));
   draw->AddLine(ImVec2(middle, low.y + px(3)), ImVec2(middle, high.y - px(3)), ImGui::GetColorU32(kFaint),
                 px(1));
+  for (const float mark : kMarks)
+    for (const float side : {-mark, mark})
+      if (mark < track.range)
+        draw->AddLine(ImVec2(track.x(side), high.y - px(6)), ImVec2(track.x(side), high.y - px(3)),
+                      ImGui::GetColorU32(IM_COL32(120, 120, 120, 255)), px(1));
   const ImVec2 grabLow(x - px(kHalfGrab), low.y + px(1)), grabHigh(x + px(kHalfGrab), high.y - px(1));
   const ImU32 grab = ImGui::IsItemActive() ? kAccent : IM_COL32(214, 214, 214, 255);
   draw->AddRectFilled(grabLow, grabHigh, ImGui::GetColorU32(grab), px(3));
@@ -91,7 +118,7 @@ LevelSliding levelSlider(const char* id, float* stops, float range, float width)
   const bool resets = clicked && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (resets) *stops = 0;
   if (done.toType || resets)
-    ImGui::GetStateStorage()->SetFloat(item, *stops);  // from where a drag would go on
+    ImGui::GetStateStorage()->SetFloat(item, track.placeOf(*stops));  // from where a drag would go on
   else if (ImGui::IsItemActive())
     take(dragged(item, track, *stops));
   else if (const float count = done.hovered ? steps(item) : 0; count != 0) {
