@@ -81,19 +81,21 @@ struct ClippedLightTuning {
 
 /// Of what the photographs show beyond all that (local_evidence.h).
 struct LocalEvidenceTuning {
-  int radius = 4;            ///< pixels, of the window
-  double leastSeen = .2;     ///< of the best seen direction: what is seen less is left alone
-  double unknownNoise = .1;  ///< part of noise that is not known, in a direction that is seen half as well
+  int radius = 6;             ///< pixels, of the window
+  double leastSeen = .2;      ///< of the best seen direction: with one that is seen less nothing is moved
+  double unknownNoise = 1.1;  ///< noise may be so many times what it is taken for
+  double unknownWeak = .1;    ///< and this part more in a direction that is seen half as well
   double smallColorError =
       .01;  ///< an uncertainty of the colours that is smaller was hardly seen, and counts less
-  double leastMoved = .05;  ///< of the variance of noise; below, a direction shows nothing
-  int windows = 400;        ///< that say so
+  double leastMoved = .005;  ///< of the variance of noise; below, the set shows nothing
+  int windows = 400;         ///< that say so
 
   static constexpr auto fields() {
     using T = LocalEvidenceTuning;
     return std::tuple{std::pair{"radius", &T::radius},
                       std::pair{"least_seen", &T::leastSeen},
                       std::pair{"unknown_noise", &T::unknownNoise},
+                      std::pair{"unknown_weak", &T::unknownWeak},
                       std::pair{"small_color_error", &T::smallColorError},
                       std::pair{"least_moved", &T::leastMoved},
                       std::pair{"windows", &T::windows}};

@@ -13,25 +13,26 @@
 namespace swaplight {
 namespace {
 
-constexpr int kRowsTogether = 16;
+constexpr float kNoNoise = 1e-20F;  // all of a window is flagged
 
 /// A direction of the contributions of a channel.
 struct Direction {
   int channel = 0;
-  double seen = 0;              ///< over how well the best seen direction of its channel is
+  bool first = false;           ///< the light all together, which every model follows: no evidence
+  double kappa = 1;             ///< of its noise
   std::vector<float> ofShots;   ///< U_m / s_m
   std::vector<float> ofLights;  ///< V_m
 };
 
+/// All of them; none where one is hardly seen.
 std::vector<Direction> directionsOf(const LightingMatrix& lighting, const LocalEvidenceTuning& tuning) {
   std::vector<Direction> all;
   for (int c = 0; c < 3; ++c) {
     const SingularValues svd = singularValues(lighting.matrix(c));
-    // Not of the first: the light all together, which every model follows.
-    for (int m = 1; m < int(svd.values.size()); ++m) {
-      const double seen = svd.values[m] / std::max(svd.values[0], 1e-12);
-      if (seen < tuning.leastSeen) break;
-      Direction one{c, seen, {}, {}};
+    for (int m = 0; m < lighting.lights; ++m) {
+      const double seen = m < int(svd.values.size()) ? svd.values[m] / std::max(svd.values[0], 1e-12) : 0;
+      if (seen < tuning.leastSeen) return {};
+      Direction one{c, m == 0, tuning.unknownNoise * (1 + tuning.unknownWeak * (1 / seen - 1)), {}, {}};
       for (int k = 0; k < lighting.shots; ++k) one.ofShots.push_back(float(svd.u(k, m) / svd.values[m]));
       for (int i = 0; i < lighting.lights; ++i) one.ofLights.push_back(float(svd.v(i, m)));
       all.push_back(std::move(one));
@@ -56,183 +57,210 @@ SWAPLIGHT_SIMD(void, addScaled, (const float* __restrict from, float factor, flo
   for (int p = 0; p < count; ++p) to[p] += factor * from[p];
 }
 
-SWAPLIGHT_SIMD(void, squareOf, (const float* __restrict from, float* __restrict to, int count),
-               (from, to, count)) {
-  for (int p = 0; p < count; ++p) to[p] = from[p] * from[p];
+SWAPLIGHT_SIMD(void, squareIt, (float* __restrict values, int count), (values, count)) {
+  for (int p = 0; p < count; ++p) values[p] *= values[p];
 }
 
-/// What is moved: w z in place of z, w in place of the misfit's mean square.
-SWAPLIGHT_SIMD(void, weigh,
-               (const float* __restrict noise, float kappa, float* __restrict square,
-                float* __restrict misfit, int count),
-               (noise, kappa, square, misfit, count)) {
+SWAPLIGHT_SIMD(void, multiply, (const float* __restrict factor, float* __restrict values, int count),
+               (factor, values, count)) {
+  for (int p = 0; p < count; ++p) values[p] *= factor[p];
+}
+
+SWAPLIGHT_SIMD(void, addRatio,
+               (const float* __restrict square, const float* __restrict noise, float* __restrict sum,
+                int count),
+               (square, noise, sum, count)) {
+  for (int p = 0; p < count; ++p) sum[p] += noise[p] > kNoNoise ? square[p] / noise[p] : 0;
+}
+
+/// The largest weight of a channel.
+SWAPLIGHT_SIMD(void, takeWeight,
+               (const float* __restrict ratio, float expected, float* __restrict weight, int count),
+               (ratio, expected, weight, count)) {
   for (int p = 0; p < count; ++p) {
-    const float floor = square[p] > 1e-20F ? square[p] : 1e-20F;
-    const float left = 1 - kappa * noise[p] / floor;
-    const float w = left > 0 ? left : 0;
-    square[p] = w;
-    misfit[p] *= w;
+    const float one = ratio[p] > expected ? 1 - expected / ratio[p] : 0;
+    weight[p] = one > weight[p] ? one : weight[p];
   }
 }
 
-SWAPLIGHT_SIMD(void, takeUp,
-               (const float* __restrict weight, const float* __restrict noise, float lights,
-                float* __restrict part, float* __restrict added, int count),
-               (weight, noise, lights, part, added, count)) {
-  for (int p = 0; p < count; ++p) {
-    part[p] = weight[p] > part[p] ? weight[p] : part[p];
-    added[p] += weight[p] * noise[p] / (9 * lights);  // of the mean of three channels
-  }
-}
-
-/// Everything of one direction over the whole picture.
-class DirectionPlanes {
+/// What the photographs show and the answer does not.
+class LocalEvidence {
  public:
-  DirectionPlanes(int width, int height)
-      : m_misfit(height, width, CV_32F), m_square(height, width, CV_32F), m_noise(height, width, CV_32F) {}
+  LocalEvidence(const EstimatorContext& context, const ShotSignal& signal, const LocalEvidenceTuning& tuning,
+                SolvedSet& set)
+      : m_noise(context.noise),
+        m_signal(signal),
+        m_tuning(tuning),
+        m_set(set),
+        m_directions(directionsOf(context.lighting, tuning)),
+        m_width(set.quality.width()),
+        m_height(set.quality.height()) {
+    for (const Direction& one : m_directions)
+      if (!one.first) m_expected[size_t(one.channel)] += float(one.kappa);
+  }
 
-  /// z and its variance in `rows` rows from `top` on; flagged pixels show nothing.
-  void fill(const Direction& direction, const NoiseModel& noise, const ShotSignal& signal,
-            const SolvedSet& set, int top, int rows) {
-    const size_t begin = size_t(top) * size_t(m_misfit.cols),
-                 end = begin + size_t(rows) * size_t(m_misfit.cols);
-    std::vector<float> scratch;
-    for (size_t first = begin; first < end; first += kRun) {
-      const int count = int(std::min<size_t>(kRun, end - first));
-      PixelRun in;
-      signal.run(first, count, false, scratch, in);
-      float* misfit = plane(m_misfit) + first;
-      float* variance = plane(m_noise) + first;
-      std::fill_n(misfit, count, 0.0F);
-      std::fill_n(variance, count, 0.0F);
-      for (size_t k = 0; k < direction.ofShots.size(); ++k)
-        addShot(in.signal[k][direction.channel], direction.ofShots[k], noise, misfit, variance, count);
-      for (size_t i = 0; i < direction.ofLights.size(); ++i)
-        addScaled(set.contributions[i].plane(direction.channel) + first, -direction.ofLights[i], misfit,
-                  count);
-      if (signal.flagged(first, count))
-        for (int p = 0; p < count; ++p)
-          if (signal.flags()[first + size_t(p)] != 0) misfit[p] = variance[p] = 0;
-      squareOf(misfit, plane(m_square) + first, count);
+  /// Whether the whole set shows anything: by windows here and there.
+  [[nodiscard]] bool any() const {
+    const int side = 2 * m_tuning.radius + 1;
+    if (m_set.contributions.size() < 2 || m_directions.empty() || std::min(m_width, m_height) < side)
+      return false;
+    const int step = std::max(side, int(std::sqrt(double(m_width) * m_height / m_tuning.windows)));
+    std::vector<std::array<double, 2>> strips(size_t((m_height - side) / step + 1));
+    parallelRows(int(strips.size()), 1, [&](int begin, int end) {
+      for (int strip = begin; strip < end; ++strip)
+        strips[size_t(strip)] = movedAndWindows(strip * step, step, side);
+    });
+    double moved = 0, windows = 0;
+    for (const auto& [ofStrip, count] : strips) moved += ofStrip, windows += count;
+    return moved > m_tuning.leastMoved * windows;
+  }
+
+  /// Moves the contributions.
+  void follow() {
+    cv::Mat weight(m_height, m_width, CV_32F, cv::Scalar(0));
+    for (int c = 0; c < 3; ++c) {
+      const cv::Mat ratio = ratioOf(c);
+      eachRun([&](size_t first, int count) {
+        takeWeight(ratio.ptr<float>() + first, m_expected[size_t(c)], weight.ptr<float>() + first, count);
+      });
     }
-  }
-
-  /// Of the windows whose first row is `top`: how far they would move, squared, and what noise alone would
-  /// make of it.
-  [[nodiscard]] std::array<double, 2> movedAndNoise(int top, int step, double kappa, int side) const {
-    std::array<double, 2> sums{};
-    for (int x = 0; x + side <= m_square.cols; x += step) {
-      const cv::Rect window(x, top, side, side);
-      const double d = cv::sum(m_square(window))[0], n = cv::sum(m_noise(window))[0];
-      const double w = d > 0 ? std::max(0.0, 1 - kappa * n / d) : 0;
-      sums[0] += w * w * d;
-      sums[1] += n;
-    }
-    return sums;
-  }
-
-  /// Means over the windows.
-  void average(int radius) {
-    const cv::Size window(2 * radius + 1, 2 * radius + 1);
-    for (cv::Mat* mat : {&m_square, &m_noise})
-      cv::boxFilter(*mat, *mat, CV_32F, window, {-1, -1}, true, cv::BORDER_REPLICATE);
-  }
-
-  /// Moves the contributions; `part` and `added`: see takeUp.
-  void move(const Direction& direction, float kappa, size_t first, int count, SolvedSet& set, float* part,
-            float* added) {
-    float* misfit = plane(m_misfit) + first;
-    float* square = plane(m_square) + first;
-    const float* noise = plane(m_noise) + first;
-    weigh(noise, kappa, square, misfit, count);
-    for (size_t i = 0; i < direction.ofLights.size(); ++i)
-      addScaled(misfit, direction.ofLights[i], set.contributions[i].plane(direction.channel) + first, count);
-    takeUp(square, noise, float(direction.ofLights.size()), part, added, count);
+    eachRun([&](size_t first, int count) { move(first, count, weight.ptr<float>() + first); });
   }
 
  private:
-  static float* plane(cv::Mat& mat) { return mat.ptr<float>(); }
-
-  cv::Mat m_misfit, m_square, m_noise;
-};
-
-/// Contributions are no less than nothing; beta, sigma and model follow.
-void finishRun(int lights, const float* part, const float* added, int count, float* model,
-               const SolvedRun& out) {
-  for (int i = 0; i < lights; ++i)
-    for (int c = 0; c < 3; ++c)
-      for (int p = 0; p < count; ++p) out.contribution[i][c][p] = std::max(out.contribution[i][c][p], 0.0F);
-  writeBeta(lights, count, out);
-  for (int p = 0; p < count; ++p) {
-    if (part[p] <= 0) continue;
-    model[p] = std::max(model[p], part[p]);
-    float total = 0;
-    for (int i = 0; i < lights; ++i)
-      for (int c = 0; c < 3; ++c) total += out.contribution[i][c][p] / 3;
-    if (total > 0) out.sigma[p] = std::sqrt(out.sigma[p] * out.sigma[p] + added[p] / (total * total));
+  /// What the photographs show over what noise makes of it, summed over a channel's directions.
+  [[nodiscard]] cv::Mat ratioOf(int channel) const {
+    cv::Mat ratio(m_height, m_width, CV_32F, cv::Scalar(0));
+    cv::Mat square(m_height, m_width, CV_32F), noise(m_height, m_width, CV_32F);
+    const cv::Size window(2 * m_tuning.radius + 1, 2 * m_tuning.radius + 1);
+    for (const Direction& direction : m_directions) {
+      if (direction.first || direction.channel != channel) continue;
+      eachRun([&](size_t first, int count) {
+        misfitOf(direction, first, count, square.ptr<float>() + first, noise.ptr<float>() + first);
+        squareIt(square.ptr<float>() + first, count);
+      });
+      for (cv::Mat* mat : {&square, &noise})
+        cv::boxFilter(*mat, *mat, CV_32F, window, {-1, -1}, true, cv::BORDER_REPLICATE);
+      eachRun([&](size_t first, int count) {
+        addRatio(square.ptr<float>() + first, noise.ptr<float>() + first, ratio.ptr<float>() + first, count);
+      });
+    }
+    return ratio;
   }
-}
+
+  /// z and its variance; flagged pixels show nothing.
+  void misfitOf(const Direction& direction, size_t first, int count, float* misfit, float* variance) const {
+    std::vector<float> scratch;
+    PixelRun in;
+    m_signal.run(first, count, false, scratch, in);
+    std::fill_n(misfit, count, 0.0F);
+    std::fill_n(variance, count, 0.0F);
+    for (size_t k = 0; k < direction.ofShots.size(); ++k)
+      addShot(in.signal[k][direction.channel], direction.ofShots[k], m_noise, misfit, variance, count);
+    for (size_t i = 0; i < direction.ofLights.size(); ++i)
+      addScaled(m_set.contributions[i].plane(direction.channel) + first, -direction.ofLights[i], misfit,
+                count);
+    if (!m_signal.flagged(first, count)) return;
+    for (int p = 0; p < count; ++p)
+      if (m_signal.flags()[first + size_t(p)] != 0) misfit[p] = variance[p] = 0;
+  }
+
+  /// Of the windows whose first row is `top`: how far they would move, squared, over what noise makes of it;
+  /// and how many they are.
+  [[nodiscard]] std::array<double, 2> movedAndWindows(int top, int step, int side) const {
+    cv::Mat square(side, m_width, CV_32F), noise(side, m_width, CV_32F);
+    std::vector<std::array<double, 3>> ratios(size_t((m_width - side) / step + 1));
+    for (const Direction& direction : m_directions) {
+      if (direction.first) continue;
+      for (int y = 0; y < side; ++y)
+        misfitOf(direction, size_t(top + y) * size_t(m_width), m_width, square.ptr<float>(y),
+                 noise.ptr<float>(y));
+      for (size_t j = 0; j < ratios.size(); ++j) {
+        const cv::Rect window(int(j) * step, 0, side, side);
+        const double d = cv::norm(square(window), cv::NORM_L2SQR), n = cv::sum(noise(window))[0];
+        ratios[j][size_t(direction.channel)] += n > double(kNoNoise) ? d / n : 0;
+      }
+    }
+    double moved = 0;
+    for (const auto& channels : ratios) {
+      double most = 0;
+      for (size_t c = 0; c < 3; ++c) {
+        const double expected = m_expected[c], w = std::max(0.0, 1 - expected / std::max(channels[c], 1e-9));
+        most = std::max(most, w * w * channels[c] / expected);
+      }
+      moved += most;
+    }
+    return {moved, double(ratios.size())};
+  }
+
+  /// By this part of the way to the full demultiplex.
+  void move(size_t first, int count, float* weight) {
+    if (m_signal.flagged(first, count))
+      for (int p = 0; p < count; ++p)
+        if (m_signal.flags()[first + size_t(p)] != 0) weight[p] = 0;
+    std::array<float, kRun> misfit{}, variance{}, added{};
+    const SolvedRun out = runAt(m_set, first);
+    const int lights = int(m_set.contributions.size());
+    for (const Direction& direction : m_directions) {
+      misfitOf(direction, first, count, misfit.data(), variance.data());
+      multiply(weight, misfit.data(), count);
+      multiply(weight, variance.data(), count);
+      for (int i = 0; i < lights; ++i)
+        addScaled(misfit.data(), direction.ofLights[size_t(i)], out.contribution[i][direction.channel],
+                  count);
+      addScaled(variance.data(), 1 / float(9 * lights), added.data(),
+                count);  // of the mean of three channels
+    }
+    finish(lights, weight, added.data(), count, m_set.quality.plane(kModel) + first, out);
+  }
+
+  /// Contributions are no less than nothing; beta, sigma and model follow.
+  static void finish(int lights, const float* weight, const float* added, int count, float* model,
+                     const SolvedRun& out) {
+    for (int i = 0; i < lights; ++i)
+      for (int c = 0; c < 3; ++c)
+        for (int p = 0; p < count; ++p) out.contribution[i][c][p] = std::max(out.contribution[i][c][p], 0.0F);
+    writeBeta(lights, count, out);
+    for (int p = 0; p < count; ++p) {
+      if (weight[p] <= 0) continue;
+      model[p] = std::max(model[p], weight[p]);
+      float total = 0;
+      for (int i = 0; i < lights; ++i)
+        for (int c = 0; c < 3; ++c) total += out.contribution[i][c][p] / 3;
+      if (total > 0) out.sigma[p] = std::sqrt(out.sigma[p] * out.sigma[p] + added[p] / (total * total));
+    }
+  }
+
+  template <typename Work>
+  void eachRun(const Work& work) const {
+    const size_t pixels = size_t(m_width) * size_t(m_height);
+    parallelRows(int((pixels + kRun - 1) / kRun), 4, [&](int begin, int end) {
+      for (int run = begin; run < end; ++run) {
+        const size_t first = size_t(run) * kRun;
+        work(first, int(std::min<size_t>(kRun, pixels - first)));
+      }
+    });
+  }
+
+  NoiseModel m_noise;
+  const ShotSignal& m_signal;
+  const LocalEvidenceTuning& m_tuning;
+  SolvedSet& m_set;
+  std::vector<Direction> m_directions;
+  int m_width, m_height;
+  std::array<float, 3> m_expected{};  ///< of a channel: the sum of the ratios that noise makes, or more
+};
 
 }  // namespace
 
 void followLocalEvidence(const EstimatorContext& context, float colorUncertainty, const ShotSignal& signal,
                          const LocalEvidenceTuning& tuning, SolvedSet& set) {
-  const int width = set.quality.width(), height = set.quality.height();
-  const int side = 2 * tuning.radius + 1;
-  if (std::min(width, height) < side) return;
-  NoiseModel noise = context.noise;
+  EstimatorContext noisy = context;
   const float ofColors =
       colorUncertainty * colorUncertainty / (colorUncertainty + float(tuning.smallColorError));
-  noise.square += ofColors * ofColors;
-  const int bands = (height + kRowsTogether - 1) / kRowsTogether;
-  const auto eachBand = [&](const auto& work) {
-    parallelRows(bands, 1, [&](int begin, int end) {
-      for (int band = begin; band < end; ++band) {
-        const int top = band * kRowsTogether;
-        work(top, std::min(kRowsTogether, height - top));
-      }
-    });
-  };
-  const auto eachRun = [&](const auto& work) {
-    eachBand([&](int top, int rows) {
-      const size_t end = size_t(top + rows) * size_t(width);
-      for (size_t first = size_t(top) * size_t(width); first < end; first += kRun)
-        work(first, int(std::min<size_t>(kRun, end - first)));
-    });
-  };
-
-  DirectionPlanes planes(width, height);
-  const int step = std::max(side, int(std::sqrt(double(width) * height / tuning.windows)));
-  // Whether the set shows anything along a direction: by windows here and there.
-  const auto shows = [&](const Direction& direction, double kappa) {
-    std::vector<std::array<double, 2>> strips(size_t((height - side) / step + 1));
-    parallelRows(int(strips.size()), 1, [&](int begin, int end) {
-      for (int strip = begin; strip < end; ++strip) {
-        planes.fill(direction, noise, signal, set, strip * step, side);
-        strips[size_t(strip)] = planes.movedAndNoise(strip * step, step, kappa, side);
-      }
-    });
-    std::array<double, 2> all{};
-    for (const auto& [moved, ofNoise] : strips) all[0] += moved, all[1] += ofNoise;
-    return all[0] > tuning.leastMoved * all[1];
-  };
-  std::vector<float> part, added;
-  for (const Direction& direction : directionsOf(context.lighting, tuning)) {
-    const double kappa = 1 + tuning.unknownNoise * (1 / direction.seen - 1);
-    if (!shows(direction, kappa)) continue;
-    eachBand([&](int top, int rows) { planes.fill(direction, noise, signal, set, top, rows); });
-    planes.average(tuning.radius);
-    part.resize(set.quality.pixelCount(), 0.0F);
-    added.resize(set.quality.pixelCount(), 0.0F);
-    eachRun([&](size_t first, int count) {
-      planes.move(direction, float(kappa), first, count, set, &part[first], &added[first]);
-    });
-  }
-  if (part.empty()) return;
-  eachRun([&](size_t first, int count) {
-    finishRun(context.lighting.lights, &part[first], &added[first], count, set.quality.plane(kModel) + first,
-              runAt(set, first));
-  });
+  noisy.noise.square += ofColors * ofColors;
+  LocalEvidence evidence(noisy, signal, tuning, set);
+  if (evidence.any()) evidence.follow();
 }
 
 }  // namespace swaplight
