@@ -12,6 +12,7 @@
 namespace swaplight {
 namespace {
 
+constexpr const char* kMeasured = "measured.csv";
 constexpr size_t kLargestTable = size_t{16} << 20;  // bytes: no table of gels is
 
 /// Every list that was ever given out; the last one is in use.
@@ -23,6 +24,13 @@ struct GelLists {
 GelLists& gelLists() {
   static GelLists instance;
   return instance;
+}
+
+/// Upper or lower case.
+bool sameId(const std::string& a, const std::string& b) {
+  return std::ranges::equal(a, b, [](char one, char other) {
+    return std::toupper(static_cast<unsigned char>(one)) == std::toupper(static_cast<unsigned char>(other));
+  });
 }
 
 std::filesystem::path tablesFolder() {
@@ -73,6 +81,9 @@ std::string readGelTable(const std::filesystem::path& csv) {
 }
 
 size_t importGels(const std::filesystem::path& csv) {
+  if (csv.filename() == kMeasured)
+    throw InputError("{}: gels that are measured here are kept under that name: rename the table",
+                     csv.string());
   const std::string text = readGelTable(csv);
   const size_t count = gelsFromCsv(text, csv.string()).size();
   keepTable(csv.filename(), text);
@@ -80,20 +91,21 @@ size_t importGels(const std::filesystem::path& csv) {
 }
 
 const Gel& addMeasuredGel(const GelLabel& label, const Rgb& filter) {
-  const std::filesystem::path table = tablesFolder() / "measured.csv";
+  const std::filesystem::path table = tablesFolder() / kMeasured;
   const std::string before = std::filesystem::exists(table) ? readGelTable(table) : "";
   const std::string text = withMeasuredGel(before, table.string(), label, filter);
+  const std::string id = gelsFromCsv(text, table.string()).back().id;
+  for (const Gel& gel : allGels())
+    if (gel.source == Gel::Source::Table && sameId(gel.id, id))
+      throw InputError("{} is in one of your own tables already: give this gel another number", id);
   keepTable(table.filename(), text);
-  return findGel(gelsFromCsv(text, table.string()).back().id);
+  return findGel(id);
 }
 
 const Gel& findGel(const std::string& id) {
-  const auto sameLetter = [](char a, char b) {
-    return std::toupper(static_cast<unsigned char>(a)) == std::toupper(static_cast<unsigned char>(b));
-  };
   std::string known;
   for (const Gel& gel : allGels()) {
-    if (std::equal(gel.id.begin(), gel.id.end(), id.begin(), id.end(), sameLetter)) return gel;
+    if (sameId(gel.id, id)) return gel;
     known += (known.empty() ? "" : ", ") + gel.id;
   }
   throw InputError(

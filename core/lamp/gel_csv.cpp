@@ -174,8 +174,9 @@ GelLabel GelLabel::fromText(const std::string& text) {
   return {fields[0], fields[1], fields.size() > 2 ? fields[2] : ""};
 }
 
-std::string withMeasuredGel(const std::string& table, const std::string& fileName, const GelLabel& label,
+std::string withMeasuredGel(const std::string& table, const std::string& fileName, const GelLabel& told,
                             const Rgb& filter) {
+  const GelLabel label{trimmed(told.brand), trimmed(told.number), trimmed(told.name)};
   const std::string id = idOf(label.brand, label.number);
   for (const Gel& gel : gelsFromCsv(table, fileName))
     if (lowerCase(gel.id) == lowerCase(id))
@@ -202,7 +203,9 @@ std::string withMeasuredGel(const std::string& table, const std::string& fileNam
   fields[columns.places[kY]] = fmt::format("{:.5g}", xy.y);
   fields[columns.places[kT]] = fmt::format("{:.5g}", std::min(transmission, 1.0F));
   if (columns.source) fields[*columns.source] = sourceName(Gel::Source::Measured);
-  return text + fmt::format("{}\n", fmt::join(fields, ","));
+  text += fmt::format("{}\n", fmt::join(fields, ","));
+  static_cast<void>(gelsFromCsv(text, fileName));  // a table that cannot be read would hide all gels
+  return text;
 }
 
 }  // namespace swaplight

@@ -244,15 +244,16 @@ void SolveRun::fitLightColors() {
   if (m_options.colorUncertainty >= 0) return;
   m_report.colorUncertainty = colorUncertaintyOf(fit, m_tuning.colors);
   const float usual = m_report.noiseGiven ? 0 : usualColorUncertainty(m_report.noise, m_tuning.colors);
-  if (usual > 0) judgeColors(usual);
-  if (!isUnnamed(m_report.causes, m_report.colorUncertainty)) return;
+  const float seen = usual > 0 ? judgeColors(usual) : m_report.colorUncertainty;
+  if (!isUnnamed(m_report.causes, seen)) return;
   m_report.causes.unnamed = true;
   warn({wordsFor(m_report.causes)});
 }
 
 /// Where the noise is not told: how wrong the colours are, and what of the matte model's misfit that
-/// explains. The rest is the set's own, no error that it may hide in.
-void SolveRun::judgeColors(float usual) {
+/// explains. The rest is the set's own, no error that it may hide in. Returns what the photographs show of
+/// the colours' error, without what is only assumed.
+float SolveRun::judgeColors(float usual) {
   const ColorEvidenceTuning& tuning = m_tuning.colorEvidence;
   const float fitted = m_report.colorUncertainty;
   const float everywhere = colorErrorEverywhere(m_context, *m_signal, tuning, m_tuning.colors);
@@ -269,13 +270,14 @@ void SolveRun::judgeColors(float usual) {
   const float own = m_ownNoise.variance(level);
   const float excess = m_context.noise.variance(level) - own;
   if (!blocks && excess < -float(tuning.unmeasured) * own)
-    return;  // there was nothing to measure the pixels' own by
+    return judged.value_or(fitted);  // there was nothing to measure the pixels' own by
   // Where no misfit is smooth enough to be the colours', they explain of it what their error does to a pixel.
   const float seen = std::max(fitted, everywhere) > float(tuning.unseen)
                          ? m_report.colorUncertainty / std::max(fitted, everywhere)
                          : m_report.colorUncertainty * level / std::sqrt(std::max(excess, 1e-12F));
   const float part = std::min(seen * seen, 1.0F);
   m_context.noise = withModelError(m_ownNoise, m_context.noise, part);
+  return judged.value_or(fitted);
 }
 
 /// Misfit at edges is a moved camera's only where that explains any of it: relief and gloss are at edges,

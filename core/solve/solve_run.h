@@ -40,7 +40,7 @@ class SolveRun {
   void fitLightColors();
   void setSwappedColor(const SwappedColor& swapped, const Rgb& color);
   void startFromLine(const SwappedColor& swapped, const SwappedColorLine& line);
-  void judgeColors(float usual);
+  float judgeColors(float usual);
   [[nodiscard]] bool mayHaveMoved() const;
   [[nodiscard]] const CapturePixels& pixels() const { return m_aligned ? *m_aligned : m_photographs; }
   void warn(const std::vector<std::string>& warnings);

@@ -52,17 +52,17 @@ void warning(const std::string& words) {
 }  // namespace
 
 void ChartDialog::start(std::shared_ptr<const ColorConfig> config, const std::filesystem::path& file,
-                        const std::string& colorSpace, Use use) {
+                        const ColorSpaceOf& colorSpaceOf, Use use) {
   close();
   m_config = std::move(config);
   m_file = file;
-  m_colorSpace = colorSpace;
+  m_colorSpaceOf = colorSpaceOf;
   m_use = std::move(use);
   m_reading.start(
       [=, config = m_config](const Progress& progress) {
         Read read;
-        const auto photograph = std::make_shared<ChartPhotograph>(
-            readChartPhotograph(*config, file, colorSpace, progress.part(0, .4F)));
+        const auto photograph = std::make_shared<ChartPhotograph>(readChartPhotograph(
+            *config, file, colorSpaceOf ? colorSpaceOf(file) : "", progress.part(0, .4F)));
         read.photograph = photograph;
         read.small = shotThumbnails(photograph->pixels, kShownWidth, kShownHeight).front();
         try {
@@ -90,7 +90,7 @@ void ChartDialog::close() {
 void ChartDialog::take(std::optional<ChartShot> shot, std::string wrong) {
   m_shot = std::move(shot);
   m_wrong = std::move(wrong);
-  if (m_shot) m_corners = m_shot->corners;
+  if (m_shot && !m_picture.isDragged()) m_corners = m_shot->corners;  // they may be another way round
 }
 
 void ChartDialog::update(Messages& messages) {
@@ -106,15 +106,15 @@ void ChartDialog::update(Messages& messages) {
   });
   if (read == Taken::Failed) close();
   takeOrReport(m_fitting, messages, "this chart", [this](Fitted fitted) {
-    if (isOpen()) take(std::move(fitted.shot), std::move(fitted.wrong));
+    if (isOpen() && fitted.photograph == m_photograph) take(std::move(fitted.shot), std::move(fitted.wrong));
   });
-  m_gel.update();
+  m_gel.update(messages);
 }
 
 void ChartDialog::fit() {
   m_fitting.start(
       [photograph = m_photograph, corners = m_corners](const Progress&) {
-        Fitted fitted;
+        Fitted fitted{photograph, {}, {}};
         try {
           fitted.shot = chartAt(*photograph, corners);
         } catch (const InputError& error) {
@@ -240,7 +240,7 @@ void ChartDialog::draw(Messages& messages, FileChooser& chooser) {
       drawLight(m_shot->fit);
       drawCamera(messages, chooser);
       heading("Gel");
-      m_gel.draw(m_config, m_colorSpace, *m_shot, messages, chooser);
+      m_gel.draw(m_config, m_colorSpaceOf, *m_shot, messages, chooser);
     }
     ImGui::EndChild();
     drawFooter();

@@ -25,9 +25,10 @@ class ChartDialog {
 
   explicit ChartDialog(std::function<void()> wake) : m_wake(wake), m_gel(std::move(wake)) {}
 
-  /// Looks for the chart in a thread. `colorSpace`: of the file; "" as it says. `use`: nothing asks for it.
+  /// Looks for the chart in a thread. `colorSpaceOf`: none, where files say it. `use`: none, where nothing
+  /// asks for the light.
   void start(std::shared_ptr<const ColorConfig> config, const std::filesystem::path& file,
-             const std::string& colorSpace, Use use = {});
+             const ColorSpaceOf& colorSpaceOf, Use use = {});
   [[nodiscard]] bool isOpen() const { return m_config != nullptr; }
   [[nodiscard]] bool busy() const { return m_reading.running() || m_fitting.running() || m_gel.busy(); }
   /// To be called often: takes what the threads have finished.
@@ -43,6 +44,7 @@ class ChartDialog {
     std::string wrong;
   };
   struct Fitted {
+    std::shared_ptr<const ChartPhotograph> photograph;
     std::optional<ChartShot> shot;
     std::string wrong;
   };
@@ -60,7 +62,7 @@ class ChartDialog {
   std::function<void()> m_wake;
   std::shared_ptr<const ColorConfig> m_config;  ///< null: closed
   std::filesystem::path m_file;
-  std::string m_colorSpace;
+  ColorSpaceOf m_colorSpaceOf;
   Use m_use;
   Job<Read> m_reading;
   Job<Fitted> m_fitting;

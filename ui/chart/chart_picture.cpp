@@ -53,6 +53,7 @@ void ChartPicture::show(const SmallPicture& small, int width, int height) {
   m_smallHeight = small.height;
   m_width = width;
   m_height = height;
+  m_moved = false;
 }
 
 // A pixel's middle is its place.

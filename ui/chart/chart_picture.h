@@ -21,6 +21,9 @@ class ChartPicture {
   /// the corners are not of a chart. True in the frame in which a corner was let go elsewhere.
   bool draw(ImVec2 low, ImVec2 size, ChartCorners& corners, const ChartFit* fit);
 
+  /// A corner is held and has moved.
+  [[nodiscard]] bool isDragged() const { return m_moved; }
+
  private:
   [[nodiscard]] ImVec2 onScreen(const PicturePlace& place) const;
   void drawPatches(const ChartCorners& corners, const ChartFit* fit) const;

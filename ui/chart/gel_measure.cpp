@@ -12,6 +12,7 @@
 #include "core/color/chromaticity.h"
 #include "core/color/srgb.h"
 #include "core/lamp/gel.h"
+#include "ui/jobs/take_or_report.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/manners.h"
 #include "ui/kit/theme.h"
@@ -38,24 +39,26 @@ void wrapped(const std::string& words, ImU32 color) {
 
 void GelMeasure::forget() {
   m_reading.cancel();
+  ++m_question;
   m_without = {};
 }
 
-void GelMeasure::ask(const std::shared_ptr<const ColorConfig>& config, const std::string& colorSpace,
+void GelMeasure::ask(const std::shared_ptr<const ColorConfig>& config, const ColorSpaceOf& colorSpaceOf,
                      const ChartShot& through, FileChooser& chooser) {
   FileChooser::Question question;
   question.title = "The chart under the same lamp, without the gel";
   question.button = "Read";
   question.extensions = photographExtensions();
   question.folder = through.file.parent_path();
-  question.answer = [this, config, colorSpace, through](const std::filesystem::path& file) {
-    m_without = {file, {}, {}};
+  question.answer = [this, config, colorSpaceOf, through,
+                     question = ++m_question](const std::filesystem::path& file) {
+    m_without = {file, {}, {}, question};
     m_reading.start(
         [=](const Progress& progress) {
-          Without without{file, {}, {}};
+          Without without{file, {}, {}, question};
           try {
-            const ChartPhotograph photograph =
-                readChartPhotograph(*config, file, colorSpace, progress.part(0, .4F));
+            const ChartPhotograph photograph = readChartPhotograph(
+                *config, file, colorSpaceOf ? colorSpaceOf(file) : "", progress.part(0, .4F));
             std::optional<ChartShot> shot = foundChart(photograph, progress.part(.4F, 1));
             if (!shot) shot = chartAsIn(photograph, through);
             if (shot)
@@ -72,12 +75,11 @@ void GelMeasure::ask(const std::shared_ptr<const ColorConfig>& config, const std
   chooser.ask(std::move(question));
 }
 
-void GelMeasure::update() {
-  try {
-    if (auto without = m_reading.take()) m_without = std::move(*without);
-  } catch (const Stopped&) {
-    m_without = {};
-  }
+void GelMeasure::update(Messages& messages) {
+  const Taken taken = takeOrReport(m_reading, messages, "this photograph", [this](Without without) {
+    if (without.question == m_question) m_without = std::move(without);
+  });
+  if (taken == Taken::Stopped || taken == Taken::Failed) m_without = {};
 }
 
 void GelMeasure::drawName(const Rgb& filter, Messages& messages) {
@@ -102,7 +104,7 @@ void GelMeasure::drawName(const Rgb& filter, Messages& messages) {
   }
 }
 
-void GelMeasure::draw(const std::shared_ptr<const ColorConfig>& config, const std::string& colorSpace,
+void GelMeasure::draw(const std::shared_ptr<const ColorConfig>& config, const ColorSpaceOf& colorSpaceOf,
                       const ChartShot& through, Messages& messages, FileChooser& chooser) {
   ImGui::BeginDisabled(busy());
   const bool asked = ImGui::Button(busy() ? "Reading …" : "Photograph without the gel …", ImVec2(-1, 0));
@@ -111,7 +113,7 @@ void GelMeasure::draw(const std::shared_ptr<const ColorConfig>& config, const st
   tooltip(
       "To measure the gel through which this chart is lit: choose a photograph of the chart under the same "
       "lamp, as exposed as this one, without the gel.");
-  if (asked) ask(config, colorSpace, through, chooser);
+  if (asked) ask(config, colorSpaceOf, through, chooser);
   if (m_without.file.empty() || busy()) return;
   if (!m_without.wrong.empty()) return wrapped(m_without.wrong, kChanged);
   try {

@@ -169,16 +169,18 @@ void CaptureWizard::drawThumbnail(size_t row) {
 }
 
 CaptureWizard::ChartQuestion CaptureWizard::chartQuestion(size_t row, size_t light) {
-  const CaptureDraft draft = emptyDraft(m_lights);
-  return {draft.folder.folder,
-          [config = m_config, draft](const std::filesystem::path& file) {
-            return colorSpaceOfChart(*config, draft.folder, draft.colorSpace, file);
+  const ShotFolder& folder = m_found->folder;
+  const std::string colorSpace = emptyDraft(m_lights).colorSpace;
+  return {folder.folder,
+          [config = m_config, folder, colorSpace](const std::filesystem::path& file) {
+            return colorSpaceOfChart(*config, folder, colorSpace, file);
           },
-          [this, draft, row, light](const ChartShot& chart) {
-            const bool there = row < m_rows.size() && light < m_rows[row].cells.size();
-            if (!m_found || !there) return;
-            m_rows[row].cells[light] = {lightOfChart(*m_config, draft.folder, draft.colorSpace, chart).text,
-                                        false};
+          // Meanwhile brackets may have been found, which are other rows, or another folder be open.
+          [this, folder, colorSpace, photograph = m_rows[row].first(), light](const ChartShot& chart) {
+            if (!m_found || m_found->folder.folder != folder.folder) return;
+            for (WizardRow& one : m_rows)
+              if (std::ranges::count(one.photographs, photograph) > 0 && light < one.cells.size())
+                one.cells[light] = {lightOfChart(*m_config, folder, colorSpace, chart).text, false};
           }};
 }
 

@@ -220,11 +220,7 @@ void StudioWindow::askForChart(const CaptureWizard::ChartQuestion& asked) {
   question.extensions = photographExtensions();
   question.folder = asked.folder;
   question.answer = [this, asked](const fs::path& file) {
-    try {
-      m_chart.start(m_colors.config(), file, asked.colorSpaceOf ? asked.colorSpaceOf(file) : "", asked.use);
-    } catch (const std::exception& error) {
-      m_messages.error(error.what());
-    }
+    m_chart.start(m_colors.config(), file, asked.colorSpaceOf, asked.use);
   };
   m_chooser.ask(std::move(question));
 }

@@ -13,7 +13,8 @@
 namespace swaplight {
 namespace {
 
-constexpr float kNoNoise = 1e-20F;  // all of a window is flagged
+constexpr float kLeastVariance = 1e-20F;  // of a pixel that is flagged
+constexpr float kMostMisfit = 25;         // times its variance a pixel's square counts at most
 
 /// A direction of the contributions of a channel.
 struct Direction {
@@ -57,8 +58,14 @@ SWAPLIGHT_SIMD(void, addScaled, (const float* __restrict from, float factor, flo
   for (int p = 0; p < count; ++p) to[p] += factor * from[p];
 }
 
-SWAPLIGHT_SIMD(void, squareIt, (float* __restrict values, int count), (values, count)) {
-  for (int p = 0; p < count; ++p) values[p] *= values[p];
+/// The misfit's square over its variance; a broken pixel is no evidence of its surroundings.
+SWAPLIGHT_SIMD(void, overVariance, (const float* __restrict variance, float* __restrict misfit, int count),
+               (variance, misfit, count)) {
+  for (int p = 0; p < count; ++p) {
+    const float floor = variance[p] > kLeastVariance ? variance[p] : kLeastVariance;
+    const float ratio = misfit[p] * misfit[p] / floor;
+    misfit[p] = ratio < kMostMisfit ? ratio : kMostMisfit;
+  }
 }
 
 SWAPLIGHT_SIMD(void, multiply, (const float* __restrict factor, float* __restrict values, int count),
@@ -66,19 +73,13 @@ SWAPLIGHT_SIMD(void, multiply, (const float* __restrict factor, float* __restric
   for (int p = 0; p < count; ++p) values[p] *= factor[p];
 }
 
-SWAPLIGHT_SIMD(void, addRatio,
-               (const float* __restrict square, const float* __restrict noise, float* __restrict sum,
-                int count),
-               (square, noise, sum, count)) {
-  for (int p = 0; p < count; ++p) sum[p] += noise[p] > kNoNoise ? square[p] / noise[p] : 0;
-}
-
 /// The largest weight of a channel.
 SWAPLIGHT_SIMD(void, takeWeight,
-               (const float* __restrict ratio, float expected, float* __restrict weight, int count),
-               (ratio, expected, weight, count)) {
+               (const float* __restrict ratio, float expected, float all, float* __restrict weight,
+                int count),
+               (ratio, expected, all, weight, count)) {
   for (int p = 0; p < count; ++p) {
-    const float one = ratio[p] > expected ? 1 - expected / ratio[p] : 0;
+    const float one = ratio[p] > expected ? (1 - expected / ratio[p]) / all : 0;
     weight[p] = one > weight[p] ? one : weight[p];
   }
 }
@@ -121,7 +122,8 @@ class LocalEvidence {
     for (int c = 0; c < 3; ++c) {
       const cv::Mat ratio = ratioOf(c);
       eachRun([&](size_t first, int count) {
-        takeWeight(ratio.ptr<float>() + first, m_expected[size_t(c)], weight.ptr<float>() + first, count);
+        takeWeight(ratio.ptr<float>() + first, m_expected[size_t(c)], allOf(c), weight.ptr<float>() + first,
+                   count);
       });
     }
     eachRun([&](size_t first, int count) { move(first, count, weight.ptr<float>() + first); });
@@ -131,21 +133,27 @@ class LocalEvidence {
   /// What the photographs show over what noise makes of it, summed over a channel's directions.
   [[nodiscard]] cv::Mat ratioOf(int channel) const {
     cv::Mat ratio(m_height, m_width, CV_32F, cv::Scalar(0));
-    cv::Mat square(m_height, m_width, CV_32F), noise(m_height, m_width, CV_32F);
+    eachRun([&](size_t first, int count) {
+      std::array<float, kRun> own{};
+      for (const Direction& direction : m_directions)
+        if (!direction.first && direction.channel == channel) {
+          ratioOf(direction, first, count, own.data());
+          addScaled(own.data(), 1, ratio.ptr<float>() + first, count);
+        }
+    });
     const cv::Size window(2 * m_tuning.radius + 1, 2 * m_tuning.radius + 1);
-    for (const Direction& direction : m_directions) {
-      if (direction.first || direction.channel != channel) continue;
-      eachRun([&](size_t first, int count) {
-        misfitOf(direction, first, count, square.ptr<float>() + first, noise.ptr<float>() + first);
-        squareIt(square.ptr<float>() + first, count);
-      });
-      for (cv::Mat* mat : {&square, &noise})
-        cv::boxFilter(*mat, *mat, CV_32F, window, {-1, -1}, true, cv::BORDER_REPLICATE);
-      eachRun([&](size_t first, int count) {
-        addRatio(square.ptr<float>() + first, noise.ptr<float>() + first, ratio.ptr<float>() + first, count);
-      });
-    }
+    cv::boxFilter(ratio, ratio, CV_32F, window, {-1, -1}, true, cv::BORDER_REPLICATE);
     return ratio;
+  }
+
+  /// Of every pixel alone, for one direction.
+  void ratioOf(const Direction& direction, size_t first, int count, float* ratio) const {
+    std::array<float, kRun> variance;
+    for (int begin = 0; begin < count; begin += kRun) {
+      const int part = std::min(kRun, count - begin);
+      misfitOf(direction, first + size_t(begin), part, ratio + begin, variance.data());
+      overVariance(variance.data(), ratio + begin, part);
+    }
   }
 
   /// z and its variance; flagged pixels show nothing.
@@ -160,26 +168,28 @@ class LocalEvidence {
     for (size_t i = 0; i < direction.ofLights.size(); ++i)
       addScaled(m_set.contributions[i].plane(direction.channel) + first, -direction.ofLights[i], misfit,
                 count);
-    if (!m_signal.flagged(first, count)) return;
-    for (int p = 0; p < count; ++p)
-      if (m_signal.flags()[first + size_t(p)] != 0) misfit[p] = variance[p] = 0;
+    const bool flagged = m_signal.flagged(first, count);
+    for (int p = 0; p < count; ++p)  // an ambient picture may be broken where no shot is
+      if ((flagged && m_signal.flags()[first + size_t(p)] != 0) || !std::isfinite(misfit[p]))
+        misfit[p] = variance[p] = 0;
+  }
+
+  /// What is left of a weight where every pixel's misfit is as large as it may count.
+  [[nodiscard]] float allOf(int channel) const {
+    return 1 - m_expected[size_t(channel)] / (kMostMisfit * float(m_set.contributions.size() - 1));
   }
 
   /// Of the windows whose first row is `top`: how far they would move, squared, over what noise makes of it;
   /// and how many they are.
   [[nodiscard]] std::array<double, 2> movedAndWindows(int top, int step, int side) const {
-    cv::Mat square(side, m_width, CV_32F), noise(side, m_width, CV_32F);
+    cv::Mat pixels(side, m_width, CV_32F);
     std::vector<std::array<double, 3>> ratios(size_t((m_width - side) / step + 1));
     for (const Direction& direction : m_directions) {
       if (direction.first) continue;
       for (int y = 0; y < side; ++y)
-        misfitOf(direction, size_t(top + y) * size_t(m_width), m_width, square.ptr<float>(y),
-                 noise.ptr<float>(y));
-      for (size_t j = 0; j < ratios.size(); ++j) {
-        const cv::Rect window(int(j) * step, 0, side, side);
-        const double d = cv::norm(square(window), cv::NORM_L2SQR), n = cv::sum(noise(window))[0];
-        ratios[j][size_t(direction.channel)] += n > double(kNoNoise) ? d / n : 0;
-      }
+        ratioOf(direction, size_t(top + y) * size_t(m_width), m_width, pixels.ptr<float>(y));
+      for (size_t j = 0; j < ratios.size(); ++j)
+        ratios[j][size_t(direction.channel)] += cv::mean(pixels(cv::Rect(int(j) * step, 0, side, side)))[0];
     }
     double moved = 0;
     for (const auto& channels : ratios) {

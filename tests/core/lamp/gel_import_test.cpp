@@ -41,6 +41,18 @@ TEST(GelImport, AMeasuredGelIsAmongTheGelsAtOnceAndNotTwice) {
             }).find("already"),
             std::string::npos);
   EXPECT_FALSE(test::inputError([] { addMeasuredGel({"House", "903", "None"}, {0, 0, 0}); }).empty());
+  EXPECT_FALSE(test::inputError([] { addMeasuredGel({" ", "904", "None"}, {.5F, .2F, .1F}); }).empty());
+  EXPECT_NE(test::inputError([] {
+              addMeasuredGel({" House ", "901", "Brick"}, {.6F, .2F, .1F});
+            }).find("already"),
+            std::string::npos);
+  EXPECT_EQ(findGel(second.id).name, "Sea") << "what is refused leaves a table that can be read";
+  // Another table's number would be found in place of it; and one of that name would replace it.
+  test::writeBytes(folder / "lee.csv", "brand,number,name,x,y,T\nHouse,905,Maker,0.35,0.25,0.4\n");
+  importGels(folder / "lee.csv");
+  EXPECT_FALSE(test::inputError([] { addMeasuredGel({"House", "905", "Own"}, {.6F, .2F, .1F}); }).empty());
+  test::writeBytes(folder / "measured.csv", "brand,number,name,x,y,T\nHouse,906,Dusk,0.35,0.25,0.4\n");
+  EXPECT_FALSE(test::inputError([&] { importGels(folder / "measured.csv"); }).empty());
   unsetenv("XDG_DATA_HOME");
 }
 

@@ -135,5 +135,31 @@ TEST(LocalEvidence, LeavesPixelsThatAreBroken) {
             one.before.contributions[0].view().at(0, 61, 30));
 }
 
+TEST(LocalEvidence, ABrokenPixelIsNoEvidenceOfOthers) {
+  SyntheticSet set(3, 0);
+  set.truth[0].span().at(0, 64, 32) += 40;
+  const Followed one(std::move(set), rotatedCapture(3));
+  for (size_t i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(one.changed(i, c, kEverywhere), 0) << i << c;
+}
+
+TEST(LocalEvidence, AnAmbientPictureThatIsBrokenSpoilsNothing) {
+  SolveOptions options;
+  Capture capture = rotatedCapture(2);
+  capture.noise = kNoise;
+  const SyntheticSet truth = notMatteInTheMiddle(2);
+  CapturePixels pixels = photograph(capture, truth);
+  pixels.ambient.emplace(ImageSpec::rgb(truth.width, truth.height), 0.01F);
+  for (Image& shot : pixels.shots)
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < shot.pixelCount(); ++p) shot.plane(c)[p] += 0.01F;
+  pixels.ambient->span().at(0, 60, 30) = NAN;
+  const SolvedSet set = solve(capture, pixels, options);
+  for (size_t i = 0; i < 2; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < set.quality.pixelCount(); ++p)
+        ASSERT_TRUE(std::isfinite(set.contributions[i].plane(c)[p])) << p;
+}
+
 }  // namespace
 }  // namespace swaplight
