@@ -164,7 +164,7 @@ class Chart(cli.CliTest):
         table = self.path('gels.csv')
         into = ['--gel', 'House,7', '--gels', table]
         self.deny('chart', gel, '--without', lamp, *into, '-o', table, naming=['gels.csv', '--output'])
-        self.deny('chart', lamp, '--without', gel, *into, '-q', naming=['H7', '--without'])
+        self.deny('chart', lamp, '--without', gel, *into, '-q', naming=['H7', 'without it'])
         self.deny('chart', lamp, '--without', lamp, *into, naming=['lamp.exr', '--without'])
         self.succeed('chart', gel, '--without', lamp, *into)
         self.deny('chart', gel, '--without', lamp, '--gel', 'House,8', '--gels', table, '-o',
