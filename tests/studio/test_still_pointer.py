@@ -127,7 +127,9 @@ class SlowFrames(StillPointer):
         studio.rest()
         path, session = self.save_as('dragged')
         lights = {light['name']: light for light in session['rig']['lights']}
-        self.assertGreater(lights['key']['stops'], 3)
+        x0, _, x1, _ = studio.item('mixer.key.stops')
+        place = 2 * (end[0] - x0 - 5) / (x1 - x0 - 10) - 1  # -1 .. 1 between the insets; finer around 0
+        self.assertAlmostEqual(lights['key']['stops'], 10 * place * (.4 + .6 * place ** 2), delta=.15)
 
 
 if __name__ == '__main__':
