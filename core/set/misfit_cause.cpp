@@ -124,9 +124,8 @@ std::string wordsFor(const MisfitCauses& causes) {
   }
   if (found.empty() && causes.unnamed)
     return "the photographs do not go together as told, and it cannot be told why: a tone curve of the "
-           "camera, "
-           "other colours of the lights or ambient light. Photograph raw, check which lamp had which gel, or "
-           "take one more photograph under other light";
+           "camera, other colours of the lights or ambient light. Photograph raw, check which lamp had which "
+           "gel, or take one more photograph under other light";
   if (found.empty()) return "";
   if (found.size() == 1)
     return fmt::format("the photographs look as under {}: {}", found.front(), remedies.front());

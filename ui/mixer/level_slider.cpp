@@ -31,8 +31,7 @@ struct Track {
   [[nodiscard]] float placeOf(float stops) const {
     const float part = stops / range;
     if (std::abs(part) > 1) return std::copysign(1 + (std::abs(part) - 1) / (3 - 2 * kMiddle), part);
-    float place = part;  // Newton: convex on either side of 0, so that it comes from beyond
-    place = std::copysign(std::max(std::abs(place), std::cbrt(std::abs(part))), part);
+    float place = std::cbrt(part);  // Newton: convex on either side of 0, so that it comes from beyond
     for (int round = 0; round < kRounds; ++round)
       place -= (place * (kMiddle + (1 - kMiddle) * place * place) - part) /
                (kMiddle + 3 * (1 - kMiddle) * place * place);
