@@ -84,16 +84,20 @@ struct ColorFitTuning {
 
 /// Of an unknown colour that has changed places with a known one (swapped_color.h).
 struct SwappedColorTuning {
-  int sample = 120000;       ///< pixels
-  int together = 4;          ///< neighbours whose mean is taken
-  int minGroups = 50;        ///< that can be used
-  double minSignal = 6;      ///< of their light, in standard deviations
-  double systematic = .01;   ///< error of a contrast that no noise explains: gels that are not quite alike
-  int rounds = 20;           ///< of the robust fit
-  double deviations = 2;     ///< that noise may have added to an extreme contrast
-  double extreme = .995;     ///< of the groups; the others beyond are taken for gloss, movement and drift
-  double minContrast = .02;  ///< of the lamps: below, the photographs are taken for the same
-  double farthest = .95;     ///< |l - m| / (l + m): no gel takes more than 97 % from another's channel
+  int sample = 120000;         ///< pixels
+  int together = 4;            ///< neighbours whose mean is taken
+  int minGroups = 50;          ///< that can be used
+  double minSignal = 6;        ///< of their light, in standard deviations
+  double systematic = .01;     ///< error of a contrast that no noise explains: gels that are not quite alike
+  int rounds = 20;             ///< of the robust fit
+  double deviations = 1.5;     ///< that noise may have added to an extreme contrast
+  double kindOfSurface = .12;  ///< step of ln(light) less its mean over the channels
+  double extreme = .98;        ///< of a kind's groups; the others beyond are taken for gloss, movement, drift
+  double mostKinds = .7;       ///< of the kinds, by their size: the scale of so many is below the one taken
+  double scaleError = .1;      ///< of |l - m| / (l + m), by surfaces that see a gel otherwise than others do
+  double bareLamp = .04;       ///< RMS distance of ln m from white below which the lamp had no gel
+  double minContrast = .02;    ///< of the lamps: below, the photographs are taken for the same
+  double farthest = .95;       ///< |l - m| / (l + m): no gel takes more than 97 % from another's channel
 
   static constexpr auto fields() {
     using T = SwappedColorTuning;
@@ -104,7 +108,11 @@ struct SwappedColorTuning {
                       std::pair{"systematic", &T::systematic},
                       std::pair{"rounds", &T::rounds},
                       std::pair{"deviations", &T::deviations},
+                      std::pair{"kind_of_surface", &T::kindOfSurface},
                       std::pair{"extreme", &T::extreme},
+                      std::pair{"most_kinds", &T::mostKinds},
+                      std::pair{"scale_error", &T::scaleError},
+                      std::pair{"bare_lamp", &T::bareLamp},
                       std::pair{"min_contrast", &T::minContrast},
                       std::pair{"farthest", &T::farthest}};
   }

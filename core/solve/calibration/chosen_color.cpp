@@ -136,7 +136,10 @@ OpenColor chosenColor(const Capture& capture, const SwappedColor& swapped, const
     open.by = fmt::format("position {:.2f} of 0..1 was asked for", *choice.position);
   } else {
     open.settled = false;
-    open.by = "as if somewhere in the picture each lamp's shadow were lit by the other lamp alone";
+    open.position = line.likely;
+    open.by = line.bareLamp
+                  ? "because a lamp without a gel is among them"
+                  : "as if somewhere in the picture each lamp's shadow were lit by the other lamp alone";
   }
   open.nearest = line.at(0);
   open.farthest = line.at(1);

@@ -17,8 +17,11 @@ namespace swaplight {
 /// lamps exchanged. docs/theory.md, Unknown colours.
 struct SwappedColorLine {
   Rgb known{1};      ///< l; the geometric mean, where the lamps differ
-  Rgb direction{0};  ///< d at position 0: as small as the pixels that are farthest from evenly lit allow
+  Rgb direction{0};  ///< d at position 0: as small as the pixels that are farthest from evenly lit allow (a
+                     ///< lamp without a gel may lie nearer by what surfaces differ)
   float most = 1;    ///< times it at position 1, >= 1
+  float likely = 0;  ///< the position to take where nothing else is told
+  bool bareLamp = false;  ///< it is that of a lamp without a gel, which happens to lie on the line
 
   /// The unknown colour; position 0 .. 1.
   [[nodiscard]] Rgb at(float position) const;
@@ -29,8 +32,9 @@ struct SwappedColorLine {
 };
 
 /// Finds the line: d by maximum likelihood in a robust fit of rank one (errors in both factors), its scale by
-/// the pixels that are farthest from evenly lit. `swapped`: of the capture. Throws InputError where the two
-/// photographs do not differ: nothing was exchanged.
+/// the pixels that are farthest from evenly lit (swap_shares.h). Of its two signs it takes the one on which a
+/// lamp without a gel lies, then the one of a possible gel, then the one of a greyer set. `swapped`: of the
+/// capture. Throws InputError where the two photographs do not differ: nothing was exchanged.
 [[nodiscard]] SwappedColorLine swappedColorLine(const Capture& capture, const SwappedColor& swapped,
                                                 const ShotSignal& signal, const NoiseModel& noise,
                                                 const SwappedColorTuning& tuning = {});

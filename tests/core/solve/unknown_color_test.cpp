@@ -70,11 +70,12 @@ float errorOf(const Rgb& found, const Rgb& truth) {
 }
 
 struct Swap {
-  Capture truth = rotatedCapture(2);
+  Capture truth;
   SyntheticSet set;
   Rgb gel = *truth.shots[0].lightColors[1];
   CapturePixels pixels;
-  explicit Swap(float least) : set(slopingSet(2, least)) {
+  explicit Swap(float least, const std::vector<Rgb>& colors = defaultColors())
+      : truth(rotatedCapture(2, colors)), set(slopingSet(2, least)) {
     truth.noise = SensorNoise{.001, 50000};
     pixels = photograph(truth, set);
   }
@@ -130,6 +131,25 @@ TEST(UnknownColor, OfTwoSwappedShotsIsFoundWhereEachLampShinesAlone) {
             .04F);
   EXPECT_THAT(set.report->warnings, testing::Contains(HasSubstr("leave one number of this colour open")));
   EXPECT_THAT(set.report->message, HasSubstr("?a (light1 in shot 1, light0 in shot 2) was not known"));
+}
+
+/// Most lamps have no gel. Under a warm gel the same photographs come of a gel twice as warm with the lamps
+/// exchanged, and a set of warm colours, which this one is not, would be nearer to grey under that.
+TEST(UnknownColor, IsNoGelWhereOneLampMayHaveNone) {
+  const Rgb warm(.8F, .65F, .5F), white(1), warmer(.65F, .43F, .26F);
+  for (const float least : {0.0F, .08F}) {  // even where no lamp shines alone
+    const SolvedSet set = Swap(least, {warm, white}).solved();
+    ASSERT_TRUE(set.report->openColor);
+    const OpenColor& open = *set.report->openColor;
+    EXPECT_FALSE(open.settled);
+    EXPECT_LT(errorOf(open.taken, white), .03F) << least;
+    EXPECT_LT(errorOf(open.exchanged, warm * warm / white), .05F);
+    EXPECT_THAT(open.by, HasSubstr("without a gel"));
+  }
+  const SolvedSet gelled = Swap(0, {warm, warmer}).solved();
+  EXPECT_THAT(gelled.report->openColor->by, HasSubstr("without a gel"))
+      << "which a gel twice as warm looks like";
+  EXPECT_LT(errorOf(gelled.report->openColor->exchanged, warmer), .05F) << "and the other one is named";
 }
 
 TEST(UnknownColor, AlongItsLineExplainsTheSamePhotographs) {
