@@ -61,9 +61,9 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   const cv::Mat picture = guideOf(shrunk(own + others.rgb, size));
   cv::Mat channels[3];
   cv::split(coarse, channels);
+  const SmoothFill fill(shown, picture, tuning.fill.pictureEdge);
   parallelRows(3, 1, [&](int begin, int end) {
-    for (int c = begin; c < end; ++c)
-      channels[c] = cv::max(fillSmoothly(channels[c], shown, picture, tuning.fill.pictureEdge), 0);
+    for (int c = begin; c < end; ++c) channels[c] = cv::max(fill.of(channels[c]), 0);
   });
   cv::merge(channels, 3, coarse);
 

@@ -1,17 +1,15 @@
 #include "core/shadow/numeric/poisson.h"
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgproc.hpp>
+#include <utility>
 #include <vector>
 
 namespace swaplight {
 namespace {
 
 constexpr float kLeastWeight = 1e-3f;  // keeps every pixel connected
-constexpr int kCoarsest = 24;          // pixels: smaller pictures are solved from their mean
+constexpr std::pair<int, int> kNeighbours[] = {{0, -1}, {-1, 0}, {1, 0}, {0, 1}};
 
 // Minus the divergence of the gradients.
 cv::Mat divergence(const cv::Mat& gx, const cv::Mat& gy, cv::Size size) {
@@ -28,25 +26,6 @@ cv::Mat divergence(const cv::Mat& gx, const cv::Mat& gy, cv::Size size) {
       }
     }
   return d;
-}
-
-// Where the solver starts: the solution of half the size. Parts that the guide all but cuts off would take it
-// very many steps to reach from elsewhere.
-cv::Mat startOf(const cv::Mat& values, const cv::Mat& fixed, const cv::Mat& guide, float edge) {
-  if (std::min(values.cols, values.rows) < 2 * kCoarsest)
-    return {values.size(), CV_32F, cv::Scalar(cv::mean(values, fixed)[0])};
-  const cv::Size half((values.cols + 1) / 2, (values.rows + 1) / 2);
-  cv::Mat weight, weighted, smallGuide;
-  fixed.convertTo(weight, CV_32F, 1 / 255.);
-  cv::resize(values.mul(weight), weighted, half, 0, 0, cv::INTER_AREA);
-  cv::resize(weight, weight, half, 0, 0, cv::INTER_AREA);
-  cv::resize(guide, smallGuide, half, 0, 0, cv::INTER_AREA);
-  const cv::Mat known = weight > .25;
-  cv::Mat small;
-  cv::divide(weighted, cv::max(weight, 1e-6), small);
-  cv::Mat start;
-  cv::resize(fillSmoothly(small, known, smallGuide, edge), start, values.size(), 0, 0, cv::INTER_LINEAR);
-  return start;
 }
 
 }  // namespace
@@ -73,59 +52,57 @@ cv::Mat integrateGradients(const cv::Mat& gx, const cv::Mat& gy) {
   return result;
 }
 
-cv::Mat fillSmoothly(const cv::Mat& values, const cv::Mat& fixed, const cv::Mat& guide, float edge) {
-  cv::Mat index(values.size(), CV_32S, cv::Scalar(-1));
+SmoothFill::SmoothFill(const cv::Mat& fixed, const cv::Mat& guide, float edge) : m_fixed(fixed.clone()) {
+  cv::Mat index(fixed.size(), CV_32S, cv::Scalar(-1));
   int count = 0;
-  for (int y = 0; y < values.rows; ++y)
-    for (int x = 0; x < values.cols; ++x)
+  for (int y = 0; y < fixed.rows; ++y)
+    for (int x = 0; x < fixed.cols; ++x)
       if (!fixed.at<uchar>(y, x)) index.at<int>(y, x) = count++;
-  cv::Mat filled = values.clone();
-  if (count == 0 || cv::countNonZero(fixed) == 0) return filled;
+  if (count == 0 || static_cast<size_t>(count) == fixed.total()) return;
 
-  // One equation a free pixel: its links, and what its fixed neighbours pull towards.
-  std::vector<Eigen::Triplet<float>> entries;
-  entries.reserve(static_cast<size_t>(count) * 5);
-  Eigen::VectorXf diagonal = Eigen::VectorXf::Zero(count);
-  Eigen::VectorXf pull = Eigen::VectorXf::Zero(count);
-  const auto link = [&](int y, int x, int y2, int x2) {
-    const cv::Vec3f apart = guide.at<cv::Vec3f>(y, x) - guide.at<cv::Vec3f>(y2, x2);
-    const float step2 = apart.dot(apart) / (3 * edge * edge);
-    const float w = 1 / (1 + step2 * step2) + kLeastWeight;
-    const int a = index.at<int>(y, x);
-    const int b = index.at<int>(y2, x2);
-    if (a >= 0) diagonal[a] += w;
-    if (b >= 0) diagonal[b] += w;
-    if (a >= 0 && b >= 0) {
-      entries.emplace_back(a, b, -w);
-      entries.emplace_back(b, a, -w);
-    } else if (a >= 0) {
-      pull[a] += w * values.at<float>(y2, x2);
-    } else if (b >= 0) {
-      pull[b] += w * values.at<float>(y, x);
+  // Links of the free pixels among each other, and how strongly fixed neighbours pull.
+  LinkedNodes nodes;
+  for (int y = 0; y < fixed.rows; ++y)
+    for (int x = 0; x < fixed.cols; ++x) {
+      if (index.at<int>(y, x) < 0) continue;
+      float anchor = 0;
+      for (const auto& [dx, dy] : kNeighbours) {
+        const int x2 = x + dx, y2 = y + dy;
+        if (x2 < 0 || y2 < 0 || x2 >= fixed.cols || y2 >= fixed.rows) continue;
+        const cv::Vec3f apart = guide.at<cv::Vec3f>(y, x) - guide.at<cv::Vec3f>(y2, x2);
+        const float step2 = apart.dot(apart) / (3 * edge * edge);
+        const float weight = 1 / (1 + step2 * step2) + kLeastWeight;
+        if (const int other = index.at<int>(y2, x2); other >= 0) {
+          nodes.neighbour.push_back(other);
+          nodes.weight.push_back(weight);
+        } else {
+          anchor += weight;
+          m_pulls.push_back({index.at<int>(y, x), {x2, y2}, weight});
+        }
+      }
+      nodes.anchor.push_back(anchor);
+      nodes.first.push_back(static_cast<int>(nodes.neighbour.size()));
     }
-  };
-  for (int y = 0; y < values.rows; ++y)
-    for (int x = 0; x < values.cols; ++x) {
-      if (x + 1 < values.cols) link(y, x, y, x + 1);
-      if (y + 1 < values.rows) link(y, x, y + 1, x);
-    }
-  for (int i = 0; i < count; ++i) entries.emplace_back(i, i, diagonal[i]);
-  Eigen::SparseMatrix<float, Eigen::RowMajor> matrix(count, count);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::ConjugateGradient<Eigen::SparseMatrix<float, Eigen::RowMajor>, Eigen::Lower | Eigen::Upper> solver(
-      matrix);
-  solver.setTolerance(1e-6f);
-  solver.setMaxIterations(1000);
-  const cv::Mat start = startOf(values, fixed, guide, edge);
-  Eigen::VectorXf guess(count);
+  m_solver.emplace(std::move(nodes));
+}
+
+cv::Mat SmoothFill::of(const cv::Mat& values) const {
+  cv::Mat filled = values.clone();
+  if (!m_solver) return filled;
+  const size_t count = m_fixed.total() - static_cast<size_t>(cv::countNonZero(m_fixed));
+  std::vector<float> pull(count, 0), solution(count, static_cast<float>(cv::mean(values, m_fixed)[0]));
+  for (const Pull& each : m_pulls)
+    pull[static_cast<size_t>(each.node)] += each.weight * values.at<float>(each.from);
+  m_solver->solve(pull, solution);
+  size_t next = 0;
   for (int y = 0; y < values.rows; ++y)
     for (int x = 0; x < values.cols; ++x)
-      if (const int i = index.at<int>(y, x); i >= 0) guess[i] = start.at<float>(y, x);
-  const Eigen::VectorXf solution = solver.solveWithGuess(pull, guess);
-  for (int y = 0; y < values.rows; ++y)
-    for (int x = 0; x < values.cols; ++x)
-      if (const int i = index.at<int>(y, x); i >= 0) filled.at<float>(y, x) = solution[i];
+      if (!m_fixed.at<uchar>(y, x)) filled.at<float>(y, x) = solution[next++];
   return filled;
+}
+
+cv::Mat fillSmoothly(const cv::Mat& values, const cv::Mat& fixed, const cv::Mat& guide, float edge) {
+  return SmoothFill(fixed, guide, edge).of(values);
 }
 
 }  // namespace swaplight
