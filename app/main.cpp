@@ -1,11 +1,13 @@
 // The program `swaplight`: one verb a job.
 #include "app/camera_verbs/camera_verbs.h"
 #include "app/look_verbs/look_verbs.h"
+#include "app/program/heap.h"
 #include "app/program/standard_streams.h"
 #include "app/session_verbs/session_verbs.h"
 #include "app/verbs/verbs.h"
 
 int main(int argc, char** argv) {
+  swaplight::keepFreedMemory();
   swaplight::openStandardStreams();
   swaplight::ignoreWriteSignals();
   swaplight::Program program;
