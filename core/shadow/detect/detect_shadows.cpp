@@ -6,7 +6,9 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/no_such_light.h"
+#include "core/set/shrunk_set.h"
 #include "core/shadow/detect/each_light.h"
+#include "core/shadow/detect/enlarged_shadows.h"
 #include "core/shadow/detect/penumbra.h"
 #include "core/shadow/detect/shadow_cut.h"
 #include "core/shadow/detect/shadow_evidence.h"
@@ -71,11 +73,35 @@ void checkOptions(const ShadowOptions& options, const SolvedSet& set) {
   }
 }
 
+// Pixels of the longer side: larger sets are searched at a fraction of their size.
+constexpr int kLongest = 2560;
+
+/// The same of a set smaller by a whole factor: marks lie in its pixels.
+ShadowOptions optionsFor(ShadowOptions options, const SolvedSet& set, const SolvedSet& small) {
+  for (auto& [light, marks] : options.marks)
+    for (ShadowMark& mark : marks) {
+      mark.x = std::min(mark.x * small.width() / set.width(), small.width() - 1);
+      mark.y = std::min(mark.y * small.height() / set.height(), small.height() - 1);
+    }
+  return options;
+}
+
+std::vector<LightShadows> ofLargeSet(const SolvedSet& set, int factor, const ShadowOptions& options,
+                                     const Progress& progress, const ShadowTuning& tuning) {
+  const SolvedSet small = shrunkSet(set, std::max(1, set.width() / factor),
+                                    std::max(1, set.height() / factor), progress.part(0, .1F));
+  std::vector<LightShadows> found =
+      detectShadows(small, optionsFor(options, set, small), progress.part(.1F, .8F), tuning);
+  return enlargedShadows(set, small, std::move(found), progress.part(.8F, 1), tuning);
+}
+
 }  // namespace
 
 std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOptions& options,
                                         const Progress& progress, const ShadowTuning& tuning) {
   checkOptions(options, set);
+  if (const int factor = (std::max(set.width(), set.height()) + kLongest - 1) / kLongest; factor > 1)
+    return ofLargeSet(set, factor, options, progress, tuning);
   const SetEvidence evidence = gatherShadowEvidence(set, progress.part(0, .3f), tuning.evidence);
   const int smallest = smallestShadow(options, evidence.known);
   const size_t count = evidence.lights.size();

@@ -16,7 +16,8 @@ namespace swaplight {
 
 /// Finds the shadows of every light of a set, in the set's order. Works on the contributions alone: no
 /// geometry, no direction of light. With one light only, its shadows cannot be told from dark surfaces, and
-/// are guessed from the level alone.
+/// are guessed from the level alone. Sets of more than 2560 pixels across or down are searched at a half, a
+/// third ... of their size; borders and grain are those of the set itself again (enlarged_shadows.h).
 [[nodiscard]] std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOptions& options = {},
                                                       const Progress& progress = {},
                                                       const ShadowTuning& tuning = {});

@@ -11,10 +11,6 @@
 namespace swaplight {
 namespace {
 
-cv::Mat planeOf(const Image& image, int channel) {
-  return {image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(channel))};
-}
-
 // Each pixel goes towards its neighbourhood's mean by how much of the variance there is noise.
 cv::Mat denoised(cv::Mat x, cv::Mat variance, const ShadowEvidenceTuning& tuning) {
   const cv::Size window(2 * tuning.denoiseRadius + 1, 2 * tuning.denoiseRadius + 1);

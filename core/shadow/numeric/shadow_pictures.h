@@ -5,9 +5,16 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/image/image.h"
+
 namespace swaplight {
 
 // 32-bit float pictures of one or three channels, as the search for shadows handles them.
+
+/// A plane of an image, not a copy: to be read only.
+inline cv::Mat planeOf(const Image& image, int channel) {
+  return {image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(channel))};
+}
 
 inline cv::Mat greyOf(const cv::Mat& rgb) {
   cv::Mat grey;
