@@ -15,7 +15,7 @@
 #include "core/base/json.h"
 #include "core/image/io/image_io.h"
 #include "core/image/rgb_image.h"
-#include "core/shadow/detect/shadow_evidence.h"
+#include "core/shadow/evidence/shadow_evidence.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 #include "core/shadow/odds/umbra_features.h"
 #include "core/shadow/odds/umbra_tuning.h"

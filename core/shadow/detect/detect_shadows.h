@@ -8,7 +8,7 @@
 #include "core/base/json_fwd.h"
 #include "core/base/progress.h"
 #include "core/set/solved_set.h"
-#include "core/shadow/detect/shadow_tuning.h"
+#include "core/shadow/evidence/shadow_tuning.h"
 #include "core/shadow/result/light_shadows.h"
 #include "core/shadow/result/shadow_options.h"
 

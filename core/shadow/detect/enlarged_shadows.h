@@ -4,7 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/set/solved_set.h"
-#include "core/shadow/detect/shadow_tuning.h"
+#include "core/shadow/evidence/shadow_tuning.h"
 #include "core/shadow/result/light_shadows.h"
 
 namespace swaplight {

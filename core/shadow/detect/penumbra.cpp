@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/shadow/detect/fading_light.h"
-#include "core/shadow/detect/other_lights.h"
 #include "core/shadow/detect/shadow_floor.h"
+#include "core/shadow/evidence/fading_light.h"
+#include "core/shadow/evidence/other_lights.h"
 #include "core/shadow/numeric/poisson.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/shadow/detect/shadow_evidence.h"
+#include "core/shadow/evidence/shadow_evidence.h"
 
 namespace swaplight {
 

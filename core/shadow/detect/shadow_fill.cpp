@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/parallel.h"
-#include "core/shadow/detect/fading_light.h"
-#include "core/shadow/detect/other_lights.h"
+#include "core/shadow/evidence/fading_light.h"
+#include "core/shadow/evidence/other_lights.h"
 #include "core/shadow/numeric/poisson.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/shadow/detect/guided_mean.h"
+#include "core/shadow/evidence/guided_mean.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {

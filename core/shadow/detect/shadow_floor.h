@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
-#include "core/shadow/detect/shadow_tuning.h"
+#include "core/shadow/evidence/shadow_tuning.h"
 
 namespace swaplight {
 

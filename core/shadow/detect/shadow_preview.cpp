@@ -7,9 +7,9 @@
 
 #include "core/set/shrunk_set.h"
 #include "core/shadow/detect/shadow_cut.h"
-#include "core/shadow/detect/shadow_evidence.h"
 #include "core/shadow/detect/shadow_regions.h"
 #include "core/shadow/detect/shadow_threshold.h"
+#include "core/shadow/evidence/shadow_evidence.h"
 #include "core/shadow/marks/settled_pixels.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 #include "core/shadow/odds/umbra_odds.h"

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/shadow/detect/shadow_cut.h"
-#include "core/shadow/detect/shadow_evidence.h"
+#include "core/shadow/evidence/shadow_evidence.h"
 #include "core/shadow/result/light_shadows.h"
 #include "core/shadow/result/shadow_options.h"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/shadow/detect/other_lights.h"
+#include "core/shadow/evidence/other_lights.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {

@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "core/shadow/detect/shadow_evidence.h"
+#include "core/shadow/evidence/shadow_evidence.h"
 
 namespace swaplight {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/shadow/detect/shadow_evidence.h"
+#include "core/shadow/evidence/shadow_evidence.h"
 
 namespace swaplight {
 

@@ -8,9 +8,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/json.h"
-#include "core/shadow/detect/shadow_evidence.h"
 #include "core/shadow/detect/shadow_regions.h"
 #include "core/shadow/detect/shadow_threshold.h"
+#include "core/shadow/evidence/shadow_evidence.h"
 
 namespace swaplight {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/shadow/detect/other_lights.h"
+#include "core/shadow/evidence/other_lights.h"
 
 namespace swaplight {
 namespace {

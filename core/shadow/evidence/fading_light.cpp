@@ -1,8 +1,8 @@
-#include "core/shadow/detect/fading_light.h"
+#include "core/shadow/evidence/fading_light.h"
 
 #include <algorithm>
 
-#include "core/shadow/detect/guided_mean.h"
+#include "core/shadow/evidence/guided_mean.h"
 #include "core/shadow/numeric/poisson.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 

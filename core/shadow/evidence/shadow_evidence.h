@@ -5,7 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/set/solved_set.h"
-#include "core/shadow/detect/shadow_tuning.h"
+#include "core/shadow/evidence/shadow_tuning.h"
 
 namespace swaplight {
 

@@ -3,7 +3,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/shadow/detect/penumbra_tuning.h"
+#include "core/shadow/evidence/penumbra_tuning.h"
 #include "core/shadow/marks/mark_tuning.h"
 #include "core/shadow/odds/umbra_tuning.h"
 

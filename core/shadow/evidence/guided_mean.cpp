@@ -1,4 +1,4 @@
-#include "core/shadow/detect/guided_mean.h"
+#include "core/shadow/evidence/guided_mean.h"
 
 #include <opencv2/ximgproc/edge_filter.hpp>
 

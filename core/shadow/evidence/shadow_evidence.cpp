@@ -1,10 +1,10 @@
-#include "core/shadow/detect/shadow_evidence.h"
+#include "core/shadow/evidence/shadow_evidence.h"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/shadow/detect/each_light.h"
+#include "core/shadow/evidence/each_light.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 #include "core/shadow/odds/shared_reflectance.h"
 

@@ -2,7 +2,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/shadow/detect/shadow_tuning.h"
+#include "core/shadow/evidence/shadow_tuning.h"
 
 namespace swaplight {
 

@@ -1,4 +1,4 @@
-#include "core/shadow/detect/other_lights.h"
+#include "core/shadow/evidence/other_lights.h"
 
 #include "core/shadow/numeric/shadow_pictures.h"
 

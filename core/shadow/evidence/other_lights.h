@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/shadow/detect/shadow_evidence.h"
-#include "core/shadow/detect/shadow_tuning.h"
+#include "core/shadow/evidence/shadow_evidence.h"
+#include "core/shadow/evidence/shadow_tuning.h"
 
 namespace swaplight {
 
