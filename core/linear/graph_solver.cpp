@@ -151,7 +151,7 @@ GraphSolver::GraphSolver(LinkedNodes nodes) {
   SWAPLIGHT_CHECK(nodes.first.size() == nodes.anchor.size() + 1);
   for (;;) {
     std::vector<float> inverse = diagonalOf(nodes);
-    for (float& each : inverse) each = 1 / each;
+    for (float& each : inverse) each = each > 0 ? 1 / each : 0;
     std::vector<int> middle = earlierFirst(nodes);
     m_levels.push_back({std::move(nodes), std::move(middle), std::move(inverse), {}});
     Level& level = m_levels.back();
@@ -230,6 +230,10 @@ int GraphSolver::solve(std::span<const float> pull, std::span<float> x, double t
   for (size_t i = 0; i < size; ++i) {
     left[i] = pull[i] - left[i];
     power += double(pull[i]) * pull[i];
+  }
+  if (power == 0) {  // nothing pulls: all are 0
+    std::fill(x.begin(), x.end(), 0.F);
+    return 0;
   }
   const double enough = tolerance * tolerance * power;
   double scale = 0;  // of the last step

@@ -16,6 +16,7 @@
 #include "core/shadow/detect/shadow_threshold.h"
 #include "core/shadow/evidence/each_light.h"
 #include "core/shadow/evidence/shadow_evidence.h"
+#include "core/shadow/marks/mark_word.h"
 #include "core/shadow/marks/settled_pixels.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 #include "core/shadow/odds/umbra_odds.h"
@@ -76,23 +77,45 @@ void checkOptions(const ShadowOptions& options, const SolvedSet& set) {
 // Pixels of the longer side: larger sets are searched at a fraction of their size.
 constexpr int kLongest = 2560;
 
-/// The same of a set smaller by a whole factor: marks lie in its pixels.
-ShadowOptions optionsFor(ShadowOptions options, const SolvedSet& set, const SolvedSet& small) {
+/// The same of a smaller set: marks lie in its pixels.
+ShadowOptions optionsFor(ShadowOptions options, cv::Size full, cv::Size small) {
   for (auto& [light, marks] : options.marks)
     for (ShadowMark& mark : marks) {
-      mark.x = std::min(mark.x * small.width() / set.width(), small.width() - 1);
-      mark.y = std::min(mark.y * small.height() / set.height(), small.height() - 1);
+      const cv::Point at = markedPixel(mark, full, small);
+      mark.x = at.x;
+      mark.y = at.y;
     }
   return options;
 }
 
+/// What is said of a pixel holds for all those that the smaller set's pixel covers.
+void obey(const ShadowMarks& marks, cv::Size full, cv::Size small, LightShadows& shadows) {
+  for (const ShadowMark& mark : marks) {
+    const cv::Point marked = markedPixel(mark, full, small);
+    const int aroundX = full.width / small.width + 1, aroundY = full.height / small.height + 1;
+    for (int y = std::max(mark.y - aroundY, 0); y <= std::min(mark.y + aroundY, full.height - 1); ++y)
+      for (int x = std::max(mark.x - aroundX, 0); x <= std::min(mark.x + aroundX, full.width - 1); ++x) {
+        if (markedPixel({mark.is, x, y}, full, small) != marked) continue;
+        const bool lit = mark.is == ShadowMark::Kind::Lit;
+        const size_t p = static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x);
+        shadows.visibility.plane(0)[p] = lit ? 1 : 0;
+        shadows.labels[p] = lit ? ShadowLabel::Lit : ShadowLabel::Umbra;
+      }
+  }
+}
+
 std::vector<LightShadows> ofLargeSet(const SolvedSet& set, int factor, const ShadowOptions& options,
                                      const Progress& progress, const ShadowTuning& tuning) {
-  const SolvedSet small = shrunkSet(set, std::max(1, set.width() / factor),
-                                    std::max(1, set.height() / factor), progress.part(0, .1F));
+  const cv::Size full(set.width(), set.height());
+  const cv::Size size(std::max(1, full.width / factor), std::max(1, full.height / factor));
+  const SolvedSet small = shrunkSet(set, size.width, size.height, progress.part(0, .1F));
   std::vector<LightShadows> found =
-      detectShadows(small, optionsFor(options, set, small), progress.part(.1F, .8F), tuning);
-  return enlargedShadows(set, small, std::move(found), progress.part(.8F, 1), tuning);
+      detectShadows(small, optionsFor(options, full, size), progress.part(.1F, .8F), tuning);
+  std::vector<LightShadows> all =
+      enlargedShadows(set, small, std::move(found), progress.part(.8F, 1), tuning);
+  for (size_t i = 0; i < all.size(); ++i)
+    obey(options.marksOf(set.capture.lights[i].name), full, size, all[i]);
+  return all;
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kRadius = 2;             // of the window, pixels of the smaller set
 constexpr double kVariance = 1e-3;     // of q: below it a window is even
-constexpr float kLeastOthers = .005F;  // of the 99th percentile: what is added to the other lights' sum
+constexpr float kEven = .02F;          // of the other lights' mean in a window: less is no print
+constexpr float kLeastOthers = .005F;  // of the 99th percentile: darker is alike, too
 
 cv::Mat windowMean(const cv::Mat& x) {
   cv::Mat mean;
@@ -32,32 +33,60 @@ std::array<cv::Mat, 3> sumOf(const SolvedSet& set) {
   return sum;
 }
 
-/// What one light's shadows are made of at full size: smooth maps of the smaller one.
-enum Map { kSlope, kOffset, kLeast, kMost, kWhole, kRed, kGreen, kBlue, kMaps };
+/// y as a linear function of x in a window about each pixel: He and Sun's means of slope and offset.
+struct Linear {
+  cv::Mat slope, offset;
+};
+
+Linear linearIn(const cv::Mat& x, const cv::Mat& y, const cv::Mat& leastVariance) {
+  const cv::Mat meanX = windowMean(x), meanY = windowMean(y);
+  const cv::Mat slope = (windowMean(x.mul(y)) - meanX.mul(meanY)) /
+                        (cv::max(windowMean(x.mul(x)) - meanX.mul(meanX), 0) + leastVariance);
+  return {windowMean(slope), windowMean(meanY - slope.mul(meanX))};
+}
+
+/// What one light's shadows are made of at full size: smooth maps of the smaller one. `direct` and the whole
+/// light are linear in the other lights' sum (exactly proportional on a print; where another light's shadow
+/// ends they have no part in it), the visibility in what arrives of the whole.
+enum Map {
+  kSlope,
+  kOffset,
+  kLeast,
+  kMost,
+  kWholeSlope,
+  kWholeOffset,
+  kDirectSlope,
+  kDirectOffset = kDirectSlope + 3,
+  kMaps = kDirectOffset + 3
+};
 using Maps = std::array<cv::Mat, kMaps>;
 
 Maps mapsOf(const SolvedSet& small, const std::array<cv::Mat, 3>& sum, const LightShadows& found,
             size_t light, float least) {
   Maps maps;
+  const auto put = [&](size_t slope, size_t offset, const Linear& linear) {
+    maps[slope] = linear.slope;
+    maps[offset] = linear.offset;
+  };
+  const auto evenBelow = [&](const cv::Mat& x) {
+    const cv::Mat floor = kEven * windowMean(x) + least;
+    return cv::Mat(floor.mul(floor));
+  };
   const Image& own = small.contributions[light];
   const cv::Mat visibility = planeOf(found.visibility, 0);
   cv::Mat whole(visibility.size(), CV_32F, cv::Scalar(0)), grey = whole.clone(), others = whole.clone();
   for (int c = 0; c < 3; ++c) {
     const cv::Mat direct = planeOf(found.direct, c);
-    const cv::Mat other = sum[size_t(c)] - planeOf(own, c) + least;
-    maps[size_t(kRed + c)] = direct / other;
+    const cv::Mat other = cv::max(sum[size_t(c)] - planeOf(own, c), 0);
+    put(size_t(kDirectSlope + c), size_t(kDirectOffset + c), linearIn(other, direct, evenBelow(other)));
     grey += planeOf(own, c) / 3;
     whole += direct.mul(1 - visibility) / 3;
     others += other / 3;
   }
   whole += grey;
-  maps[kWhole] = whole / others;
+  put(kWholeSlope, kWholeOffset, linearIn(others, whole, evenBelow(others)));
   const cv::Mat q = grey / cv::max(whole, 1e-9);
-  const cv::Mat meanQ = windowMean(q), meanV = windowMean(visibility);
-  const cv::Mat slope = (windowMean(q.mul(visibility)) - meanQ.mul(meanV)) /
-                        (windowMean(q.mul(q)) - meanQ.mul(meanQ) + kVariance);
-  maps[kSlope] = windowMean(slope);
-  maps[kOffset] = windowMean(meanV - slope.mul(meanQ));
+  put(kSlope, kOffset, linearIn(q, visibility, cv::Mat(q.size(), CV_32F, cv::Scalar(kVariance))));
   cv::erode(visibility, maps[kLeast], {});
   cv::dilate(visibility, maps[kMost], {});
   return maps;
@@ -116,7 +145,7 @@ ShadowLabel labelOf(float visibility, ShadowLabel found, const ShadowRegionsTuni
 }
 
 LightShadows enlarged(const SolvedSet& set, const std::array<cv::Mat, 3>& sum, const LightShadows& found,
-                      const Maps& maps, size_t light, float least, const ShadowTuning& tuning) {
+                      const Maps& maps, size_t light, const ShadowTuning& tuning) {
   const int width = set.width(), height = set.height();
   const int smallWidth = found.visibility.width(), smallHeight = found.visibility.height();
   LightShadows large;
@@ -133,14 +162,15 @@ LightShadows enlarged(const SolvedSet& set, const std::array<cv::Mat, 3>& sum, c
       for (int x = 0; x < width; ++x) {
         const size_t p = size_t(y) * size_t(width) + size_t(x);
         const std::array<float, kMaps> map = row.at(x);
-        float grey = 0, direct[3], others[3];
+        float grey = 0, othersGrey = 0, direct[3];
         for (int c = 0; c < 3; ++c) {
           const float mine = own.plane(c)[p];
-          others[c] = std::max(sum[size_t(c)].ptr<float>(y)[x] - mine, 0.F) + least;
-          direct[c] = map[size_t(kRed + c)] * others[c];
+          const float others = std::max(sum[size_t(c)].ptr<float>(y)[x] - mine, 0.F);
+          direct[c] = std::max(map[size_t(kDirectSlope + c)] * others + map[size_t(kDirectOffset + c)], 0.F);
           grey += mine / 3;
+          othersGrey += others / 3;
         }
-        const float whole = map[kWhole] * (others[0] + others[1] + others[2]) / 3;
+        const float whole = map[kWholeSlope] * othersGrey + map[kWholeOffset];
         const float q = std::min(grey / std::max(whole, 1e-9F), 2.F);
         const float v = std::clamp(map[kSlope] * q + map[kOffset], map[kLeast], map[kMost]);
         large.visibility.plane(0)[p] = v;
@@ -168,7 +198,7 @@ std::vector<LightShadows> enlargedShadows(const SolvedSet& set, const SolvedSet&
   for (size_t i = 0; i < found.size(); ++i) {
     progress.update(float(i) / float(found.size()), "shadows at full size");
     const Maps maps = mapsOf(small, smallSum, found[i], i, least);
-    all.push_back(enlarged(set, sum, found[i], maps, i, least, tuning));
+    all.push_back(enlarged(set, sum, found[i], maps, i, tuning));
     found[i] = {};
   }
   return all;

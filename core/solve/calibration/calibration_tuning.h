@@ -93,11 +93,14 @@ struct SwappedColorTuning {
   double deviations = 1.5;     ///< that noise may have added to an extreme contrast
   double kindOfSurface = .12;  ///< step of ln(light) less its mean over the channels
   double extreme = .98;        ///< of a kind's groups; the others beyond are taken for gloss, movement, drift
-  double mostKinds = .7;       ///< of the kinds, by their size: the scale of so many is below the one taken
-  double scaleError = .1;      ///< of |l - m| / (l + m), by surfaces that see a gel otherwise than others do
-  double bareLamp = .04;       ///< RMS distance of ln m from white below which the lamp had no gel
-  double minContrast = .02;    ///< of the lamps: below, the photographs are taken for the same
-  double farthest = .95;       ///< |l - m| / (l + m): no gel takes more than 97 % from another's channel
+  int minOfKind = 150;         ///< groups of a kind that has a say
+  double kindsDiffer =
+      .55;                 ///< a camera may see a gel this much less strongly on one surface than on another
+  double mostKinds = .7;   ///< of the kinds left, by their size: the scale of so many is below the one taken
+  double scaleError = .1;  ///< of |l - m| / (l + m), by surfaces that see a gel otherwise than others do
+  double bareLamp = .04;   ///< RMS distance of ln m from white below which the lamp had no gel
+  double minContrast = .02;  ///< of the lamps: below, the photographs are taken for the same
+  double farthest = .95;     ///< |l - m| / (l + m): no gel takes more than 97 % from another's channel
 
   static constexpr auto fields() {
     using T = SwappedColorTuning;
@@ -110,6 +113,8 @@ struct SwappedColorTuning {
                       std::pair{"deviations", &T::deviations},
                       std::pair{"kind_of_surface", &T::kindOfSurface},
                       std::pair{"extreme", &T::extreme},
+                      std::pair{"min_of_kind", &T::minOfKind},
+                      std::pair{"kinds_differ", &T::kindsDiffer},
                       std::pair{"most_kinds", &T::mostKinds},
                       std::pair{"scale_error", &T::scaleError},
                       std::pair{"bare_lamp", &T::bareLamp},

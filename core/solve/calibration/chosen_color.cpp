@@ -137,8 +137,9 @@ OpenColor chosenColor(const Capture& capture, const SwappedColor& swapped, const
   } else {
     open.settled = false;
     open.position = line.likely;
-    open.by = line.bareLamp
-                  ? "because a lamp without a gel is among them"
+    open.by = line.bareLamp ? "because a lamp without a gel is among them"
+              : found.bareLamp
+                  ? "because with the lamps the other way round it is a lamp without a gel"
                   : "as if somewhere in the picture each lamp's shadow were lit by the other lamp alone";
   }
   open.nearest = line.at(0);

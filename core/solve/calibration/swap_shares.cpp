@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "core/base/quantile.h"
 #include "core/linear/decompositions.h"
@@ -108,20 +107,31 @@ double swapScale(const std::vector<SwapContrast>& contrasts, const SwapShares& s
     kinds[contrasts[j].kind].push_back(sure);
     all.push_back(sure);
   }
-  std::vector<std::pair<double, size_t>> extremes;  // of each kind, and how much there is of it
-  size_t counted = 0;
+  struct Extreme {
+    double share;
+    double size;  // of its kind
+  };
+  std::vector<Extreme> extremes;
+  double counted = 0;
   for (auto& [kind, sure] : kinds) {
-    if (sure.size() < size_t(tuning.minGroups)) continue;
-    extremes.emplace_back(quantile(std::span(sure), tuning.extreme), sure.size());
-    counted += sure.size();
+    if (sure.size() < size_t(tuning.minOfKind)) continue;
+    extremes.push_back({quantile(std::span(sure), tuning.extreme), double(sure.size())});
+    counted += extremes.back().size;
   }
   // Too motley a set to sort by its surfaces.
-  if (2 * counted < contrasts.size()) return quantile(std::span(all), tuning.extreme);
-  std::sort(extremes.begin(), extremes.end());
-  double below = 0;
-  for (const auto& [extreme, size] : extremes)
-    if ((below += double(size)) >= tuning.mostKinds * double(counted)) return extreme;
-  return extremes.back().first;
+  if (2 * counted < double(contrasts.size())) return quantile(std::span(all), tuning.extreme);
+  // Where no pixel is lit by one lamp alone a kind has no say: its extreme is smaller than surfaces can
+  // differ.
+  const double largest = std::max_element(extremes.begin(), extremes.end(), [](auto& a, auto& b) {
+                           return a.share < b.share;
+                         })->share;
+  std::erase_if(extremes, [&](const Extreme& each) { return each.share < tuning.kindsDiffer * largest; });
+  std::sort(extremes.begin(), extremes.end(), [](auto& a, auto& b) { return a.share < b.share; });
+  double left = 0, below = 0;
+  for (const Extreme& each : extremes) left += each.size;
+  for (const Extreme& each : extremes)
+    if ((below += each.size) >= tuning.mostKinds * left) return each.share;
+  return extremes.back().share;
 }
 
 }  // namespace swaplight

@@ -18,6 +18,13 @@ Rgb colorAt(const SwappedColorLine& line, float times) {
   return line.known * (Rgb(1) - d) / (Rgb(1) + d);
 }
 
+/// RMS of the logarithms.
+double distanceFromWhite(const Rgb& color) {
+  double square = 0;
+  for (int c = 0; c < 3; ++c) square += std::pow(std::log(std::max(double(color[c]), 1e-6)), 2);
+  return std::sqrt(square / 3);
+}
+
 /// Where a line comes nearest to white of full level, as far as its scale may be wrong.
 struct BareLamp {
   float times = 1;             ///< the line's contrast
@@ -28,15 +35,13 @@ BareLamp bareLampOn(const SwappedColorLine& line, const SwappedColorTuning& tuni
   constexpr int kSteps = 200;
   const float widest =
       std::max({std::abs(line.direction.r), std::abs(line.direction.g), std::abs(line.direction.b)});
-  const float slack = std::min(float(tuning.scaleError) / widest, .5F);
+  const float slack = std::min(float(tuning.scaleError) / widest, .35F);
   BareLamp best;
   for (int step = 0; step <= kSteps; ++step) {
     const float times = 1 - slack + 2 * slack * float(step) / kSteps;
     if (times > line.most) break;
-    const Rgb color = colorAt(line, times);
-    double square = 0;
-    for (int c = 0; c < 3; ++c) square += std::pow(std::log(std::max(double(color[c]), 1e-6)), 2);
-    if (const double distance = std::sqrt(square / 3); distance < best.distance) best = {times, distance};
+    if (const double distance = distanceFromWhite(colorAt(line, times)); distance < best.distance)
+      best = {times, distance};
   }
   return best;
 }
@@ -61,7 +66,9 @@ SwappedColorLine likelier(const SwappedColorLine& line, const Rgb& light, const 
   constexpr float kMost = 1.05F;  // of full light: a gel's number is a little off
   const SwappedColorLine other = line.opposite();
   const BareLamp here = bareLampOn(line, tuning), there = bareLampOn(other, tuning);
-  if (std::min(here.distance, there.distance) < tuning.bareLamp)
+  // From a known gel that is nearly white itself both lines come by.
+  const bool gelled = distanceFromWhite(line.known) > 2 * tuning.bareLamp;
+  if (gelled && std::min(here.distance, there.distance) < tuning.bareLamp)
     return here.distance <= there.distance ? withBareLamp(line, here.times)
                                            : withBareLamp(other, there.times);
   const auto possible = [](const Rgb& color) { return std::max({color.r, color.g, color.b}) <= kMost; };
@@ -72,7 +79,7 @@ SwappedColorLine likelier(const SwappedColorLine& line, const Rgb& light, const 
 }  // namespace
 
 SwappedColorLine SwappedColorLine::opposite() const {
-  return {known, -direction, most};
+  return {known, -direction, most, likely};
 }
 
 Rgb SwappedColorLine::at(float position) const {

@@ -25,6 +25,7 @@ struct SwappedColorLine {
 
   /// The unknown colour; position 0 .. 1.
   [[nodiscard]] Rgb at(float position) const;
+  /// At every position what fits equally well with the lamps exchanged: known^2 / at(position).
   [[nodiscard]] SwappedColorLine opposite() const;
   /// How far from grey a surface would be that shows this light in both photographs, evened, together: its
   /// reflectance is (y1 + y2) / (l + m). The square of the logarithms' distance from their mean.

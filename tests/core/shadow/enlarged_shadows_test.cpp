@@ -117,6 +117,30 @@ TEST(EnlargedShadows, FillWithTheGrainOfTheSet) {
   EXPECT_LT(std::sqrt(square / power), .06);
 }
 
+/// Where another light's shadow ends in this one's the other lights jump, and what is filled does not.
+TEST(EnlargedShadows, FillEvenlyAcrossTheShadowsOfOtherLights) {
+  for (const int border : {120, 121}) {
+    SolvedSet set = printedSet();
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x)
+        for (int c = 0; c < 3; ++c) {
+          set.contributions[0].span().at(c, x, y) = .4F * (visibilityAt(x, y) * .8F + kBounce);
+          set.contributions[1].span().at(c, x, y) = .4F * (x + y / 9 < border + 8 ? .01F : .5F);
+        }
+    const SolvedSet small = shrunkSet(set, kWidth / kFactor, kHeight / kFactor);
+    std::vector<LightShadows> found = foundOn(small);
+    for (int c = 0; c < 3; ++c) std::fill_n(found[0].direct.plane(c), small.beta.pixelCount(), .4F * .8F);
+    const std::vector<LightShadows> shadows = enlargedShadows(set, small, std::move(found), {});
+    for (int y = 4; y < kHeight - 4; ++y)
+      for (int x = 4; x < kWidth - 4; ++x) {
+        const float filled =
+            set.contributions[0].view().at(1, x, y) +
+            (1 - shadows[0].visibility.view().at(0, x, y)) * shadows[0].direct.view().at(1, x, y);
+        ASSERT_NEAR(filled, .4F * .84F, .12F * .4F) << x << ", " << y;
+      }
+  }
+}
+
 TEST(EnlargedShadows, KeepWhatCannotBeTold) {
   const Enlarged made;
   for (int y = 0; y < 4; ++y)
@@ -141,7 +165,7 @@ TEST(EnlargedShadows, AreWhatALargeSetGets) {
       }
   updateBeta(set);
   ShadowOptions options;
-  options.marks["key"] = {{ShadowMark::Kind::Shadow, 2500, 59}};
+  options.marks["key"] = {{ShadowMark::Kind::Shadow, 2501, 59}};
   const std::vector<LightShadows> shadows = detectShadows(set, options);
   const LightShadows& key = shadows[0];
   ASSERT_EQ(key.visibility.width(), kWide);
@@ -149,7 +173,7 @@ TEST(EnlargedShadows, AreWhatALargeSetGets) {
   int first = 0;
   while (first < kWide && key.labels[size_t(30 * kWide + first)] != ShadowLabel::Umbra) ++first;
   EXPECT_NEAR(first, 1501, 3);
-  EXPECT_EQ(key.labels[size_t(59 * kWide + 2500)], ShadowLabel::Umbra);
+  EXPECT_EQ(key.labels[size_t(59 * kWide + 2501)], ShadowLabel::Umbra) << "marks are obeyed";
 }
 
 }  // namespace

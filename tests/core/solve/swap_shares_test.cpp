@@ -50,7 +50,7 @@ TEST(SwapShares, OfASetTooMotleyToSortAreTakenTogether) {
 TEST(SwapShares, DoNotShrinkBySurfacesThatBothLampsLight) {
   std::vector<SwapContrast> contrasts;
   addSurface(contrasts, {0, 0}, 2000, 1);
-  addSurface(contrasts, {1, -1}, 2000, .4);
+  addSurface(contrasts, {1, -1}, 6000, .5);
   EXPECT_NEAR(scaleOf(contrasts), kTrueScale, .02 * kTrueScale);
 }
 

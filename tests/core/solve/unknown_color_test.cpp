@@ -152,6 +152,25 @@ TEST(UnknownColor, IsNoGelWhereOneLampMayHaveNone) {
   EXPECT_LT(errorOf(gelled.report->openColor->exchanged, warmer), .05F) << "and the other one is named";
 }
 
+/// From white both lines come by white: a pale gel is not taken for half of itself.
+TEST(UnknownColor, BesideALampWithoutAGelIsNotTakenForNone) {
+  const Rgb white(1), pale(.94F, .90F, .82F);
+  const SolvedSet set = Swap(0, {white, pale}).solved();
+  ASSERT_TRUE(set.report->openColor);
+  EXPECT_LT(errorOf(set.report->openColor->taken, pale), .03F);
+  EXPECT_THAT(set.report->openColor->by, testing::Not(HasSubstr("without a gel")));
+}
+
+TEST(UnknownColor, ExchangedIsTheColourThatTheSolveNamed) {
+  const Swap swap(.08F, {Rgb(.8F, .65F, .5F), Rgb(1)});
+  const OpenColor named = *swap.solved().report->openColor;
+  OpenColorChoice exchanged;
+  exchanged.exchanged = true;
+  const OpenColor taken = *swap.solved(exchanged).report->openColor;
+  EXPECT_LT(errorOf(taken.taken, named.exchanged), .001F);
+  EXPECT_LT(errorOf(taken.exchanged, named.taken), .001F);
+}
+
 TEST(UnknownColor, AlongItsLineExplainsTheSamePhotographs) {
   const Swap swap(.1F);
   std::vector<double> misfits;
