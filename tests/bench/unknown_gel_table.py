@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """An unknown gel of two swapped ones: how near it comes, which lamp is taken for which, and what the solve loses.
 
-usage: unknown_gel_table.py SWAPLIGHT SHARED [--rendered] [--sets A,B] [--pairs 8] [--seed 1] [options of solve]
+usage: unknown_gel_table.py SWAPLIGHT SHARED [--third] [--rendered] [--sets A,B] [--pairs 8] [--seed 1] [options of solve]
 
 By default the real swaps of SHARED/captures: each pair of photographs with all colours told, and with either gel unknown
 ("?a"); mean CIEDE2000 of relighting to the four other photographs, and the gel's error in per cent a channel of the mean of
-what was fitted over all six photographs for either lamp. --rendered: pairs of lamps of the rendered sets, under pairs of gels
+what was fitted over all six photographs for either lamp. --third: the red and blue pair with a third photograph, under one of
+its gels and none, by which the unknown one is determined. --rendered: pairs of lamps of the rendered sets, under pairs of gels
 drawn at random, none (bare) among them, with noise; the gel's error, and how often the lamps are the wrong way round.
 """
 import argparse
@@ -30,13 +31,17 @@ GELS = {
 
 
 def solved(program, capture, folder, options):
-    """(path of the solved set, its open colour or nothing)"""
+    """(path of the solved set, what is told of its unknown colour)"""
     out, report = os.path.join(folder, 'solved.exr'), os.path.join(folder, 'report.json')
     done = subprocess.run([program, 'solve', capture, '-o', out, '--report', report, *options], capture_output=True, text=True)
     if done.returncode:
         sys.exit(f'{capture}: {done.stderr}')
     with open(report) as file:
-        return out, json.load(file).get('open_color')
+        report = json.load(file)
+        told = report.get('open_color') or {}
+        if report['estimated'] and not told:  # "... estimated from the pictures as 0.806/0.727/0.642"
+            told = {'taken': [float(c) for c in report['estimated'][0].rsplit(' ', 1)[1].split('/')]}
+        return out, told
 
 
 def unknown_gel(manifest, gel, folder):
@@ -81,6 +86,36 @@ def real(args):
                     row.append(f'{pair[2 * light]} unknown {de:5.2f} ({de / base:.2f}) {errors(open_color["taken"], truth)}')
                 print(' | '.join(row), flush=True)
     print(f'mean: told {np.mean(total["told"]):.3f}, unknown {np.mean(total["unknown"]):.3f}')
+
+
+def with_third(args):
+    sys.path.insert(0, os.path.join(args.shared, 'tools'))
+    from relight_test import test
+    for scene in args.sets or ['swapped_bmug', 'swapped_diff', 'swapped_lion', 'swapped_spdif']:
+        source = os.path.abspath(os.path.join(args.shared, 'captures', scene))
+        colors = {}  # of a lamp (0: left) under a gel, by its letter
+        for pair in 'r_b', 'w_b', 'r_w':
+            with open(os.path.join(source, f'capture_{pair}.json')) as file:
+                manifest = json.load(file)
+            for shot in manifest['shots'] + manifest['relight_tests']:
+                for light in 0, 1:
+                    colors[light, shot['image'][6 + 2 * light]] = shot['light_colors'][light]
+
+        def photographs(names):
+            return [{'image': f'{source}/photo_{n}.exr', 'light_colors': [colors[0, n[0]], colors[1, n[2]]]} for n in names]
+        for unknown, third in itertools.product('rb', ('w_b', 'w_r')):
+            shots = ['r_b', 'b_r', third]
+            manifest['shots'] = photographs(shots)
+            manifest['relight_tests'] = photographs([n for n in ('w_b', 'b_w', 'w_r', 'r_w') if n != third])
+            with tempfile.TemporaryDirectory() as folder:
+                capture = unknown_gel(manifest, lambda k, i: False, folder)
+                told = test(capture, solved(args.program, capture, folder, args.options)[0])['de_mean']
+                capture = unknown_gel(manifest, lambda k, i: shots[k][2 * i] == unknown, folder)
+                out, color = solved(args.program, capture, folder, args.options)
+                de = test(capture, out)['de_mean']
+            truth = np.mean([colors[0, unknown], colors[1, unknown]], 0)
+            print(f'{scene[8:]:6} r_b b_r {third} told {told:5.2f} | {unknown} unknown {de:5.2f} ({de / told:.2f}) '
+                  f'{errors(color["taken"], truth)}', flush=True)
 
 
 def rendered(args):
@@ -130,13 +165,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('program')
     parser.add_argument('shared')
+    parser.add_argument('--third', action='store_true')
     parser.add_argument('--rendered', action='store_true')
     parser.add_argument('--sets', type=lambda text: text.split(','))
     parser.add_argument('--pairs', type=int, default=8, help='of lamps and gels a rendered set')
     parser.add_argument('--seed', type=int, default=1, help='of lamps, gels and noise')
     parser.add_argument('--bare', type=float, default=.2, help='the share of lamps without a gel')
     args, args.options = parser.parse_known_args()
-    (rendered if args.rendered else real)(args)
+    (rendered if args.rendered else with_third if args.third else real)(args)
 
 
 if __name__ == '__main__':
