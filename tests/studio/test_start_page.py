@@ -2,6 +2,8 @@
 import os
 import unittest
 
+import numpy as np
+
 from studio_session import StudioTest
 
 
@@ -12,7 +14,9 @@ class StartPage(StudioTest):
         return studio.screenshot(shot)[y0 + 8:y0 + (x1 - x0) * 9 // 16 - 8, x0 + 8:x1 - 8]
 
     def has_picture(self, studio, name, shot):
-        return self.card(studio, name, shot).std() > 15
+        """Until there is one, the card is flat but for a few words."""
+        pixels = self.card(studio, name, shot)
+        return np.median(abs(pixels - np.median(pixels))) > 5
 
     def test_samples_are_pictures(self):
         studio = self.start()
