@@ -121,7 +121,8 @@ bool isNamed(const CauseEvidence& evidence, const CauseTuning& tuning) {
 bool colorsMakeNegativeLight(const EstimatorContext& context, const ShotSignal& signal, double error,
                              const CauseTuning& tuning) {
   const std::optional<float> seen = colorUncertaintyByEvidence(context, signal, float(error));
-  return seen && double(*seen) > tuning.seenAsNegative * error;
+  // What is seen goes no further than the evidence weighs.
+  return seen && double(*seen) > tuning.seenAsNegative * std::min(error, ColorEvidenceTuning{}.largest);
 }
 
 /// Ambient light lifts the shadows, as a curve of less contrast does. Where both would explain much, the
@@ -147,17 +148,26 @@ bool mayBeBouncedLight(const CauseEvidence& one, const EstimatorContext& context
          !colorsMakeNegativeLight(context, signal, one.size, tuning);
 }
 
-/// The best, if it is worth naming. Wrong colours have more unknowns than ambient light and explain it as
-/// well: where they are not named, ambient light is that is not surely worse and strong enough to be no
-/// bounced light.
+/// Ambient light that is more than bounced light ever looks like. Wrong colours have more unknowns and
+/// explain it as well, real ambient light, which is not the same everywhere, even a little better.
+bool isSurelyAmbient(const CauseEvidence& one, const CauseEvidence& best, const CauseTuning& tuning) {
+  if (one.cause != Cause::Ambient || one.explained <= tuning.ambient.explained) return false;
+  const bool sure = one.certainty > tuning.ambient.certainty;
+  if (one.behind < tuning.apart && sure) return one.size > tuning.surelyAmbient;
+  const bool likely = one.size < tuning.mostAmbient;
+  if (one.behind < tuning.apart)
+    return likely && one.certainty > tuning.leastCertainty && one.size > tuning.muchAmbient;
+  return likely && sure && one.size > tuning.surelyAmbient && best.cause == Cause::Colors &&
+         one.behind < tuning.farApart;
+}
+
+/// The best, if it is worth naming; else ambient light that it may be as well.
 const CauseEvidence* worthNaming(const std::vector<CauseEvidence>& all, const EstimatorContext& context,
                                  const ShotSignal& signal, const CauseTuning& tuning) {
   const CauseEvidence& best = all.front();
   if (isNamed(best, tuning) && !mayBeBouncedLight(best, context, signal, tuning)) return &best;
   for (const CauseEvidence& one : all)
-    if (one.cause == Cause::Ambient && one.behind < tuning.apart && isNamed(one, tuning) &&
-        one.size > tuning.surelyAmbient)
-      return &one;
+    if (isSurelyAmbient(one, best, tuning)) return &one;
   return nullptr;
 }
 
@@ -169,8 +179,12 @@ std::vector<Cause> likelyCauses(const std::vector<CauseEvidence>& all, const Est
   std::vector<Cause> likely = {named->cause};
   for (const CauseEvidence& one : all) {
     const bool rival = one.behind < tuning.apart || bothLiftShadows(*named, one);
-    if (&one == named || !rival || one.certainty < limitsOf(one.cause, tuning).certainty) continue;
-    if (!mayBeBouncedLight(one, context, signal, tuning)) likely.push_back(one.cause);
+    if (&one == named || !rival) continue;
+    // What is named is no bounced light: then wrong colours that explain as much are none either.
+    const bool colors = one.cause == Cause::Colors && named->cause == Cause::Ambient;
+    const double least = colors ? tuning.leastCertainty : limitsOf(one.cause, tuning).certainty;
+    if (one.certainty >= least && (colors || !mayBeBouncedLight(one, context, signal, tuning)))
+      likely.push_back(one.cause);
   }
   return likely;
 }

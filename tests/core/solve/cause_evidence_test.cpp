@@ -55,6 +55,7 @@ struct Defect {
   double shift = 0;    ///< pixels to the right, of the second shot
   double drift = 0;    ///< of the first lamp's red over the half width
   double ambient = 0;  ///< behind the reflectance
+  double uneven = 0;   ///< ambient light from above, bluer than the rest: 1 is none of it below
   std::function<double(double)> curve = [](double y) { return y; };  ///< on the light
 };
 
@@ -76,7 +77,7 @@ CapturePixels photographed(const Defect& defect = {}) {
       for (int v = 0; v < kHigh; ++v)
         for (int u = 0; u < kWide; ++u) {
           const double x = u - k * defect.shift;
-          double light = defect.ambient;
+          double light = defect.ambient * (1 + defect.uneven * (1 - 2.0 * v / kHigh) * (1 + .3 * (c - 1)));
           for (int i = 0; i < 2; ++i) {
             const double drift = i == 0 && c == 0 ? defect.drift * (2.0 * u / kWide - 1) : 0;
             light += double((*capture.shots[size_t(k)].lightColors[size_t(i)])[c]) * (1 + drift) *
@@ -158,6 +159,16 @@ TEST(CauseEvidence, NamesAmbientLightWithTheCurveThatLooksLikeIt) {
   EXPECT_LT(sizeOf(causes, Cause::Tone), 0) << "less contrast";
   EXPECT_EQ(wordsFor(causes).find("--tone auto"), std::string::npos) << "which takes nothing off here";
   EXPECT_FALSE(findToneCorrection(swappedCapture(), photographed({.ambient = .1})).has_value());
+}
+
+// Wrong colours have more unknowns, and explain it a little better.
+TEST(CauseEvidence, NamesAmbientLightThatIsNotTheSameEverywhere) {
+  for (const double uneven : {.5, 1.0}) {
+    const MisfitCauses causes = causesIn(photographed({.ambient = .1, .uneven = uneven}));
+    EXPECT_NE(std::ranges::find(causes.likely, Cause::Ambient), causes.likely.end())
+        << uneven << told(causes);
+    EXPECT_NE(wordsFor(causes).find("ambient light"), std::string::npos);
+  }
 }
 
 TEST(CauseEvidence, NamesNoNegativeAmbientLight) {
