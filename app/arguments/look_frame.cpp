@@ -29,7 +29,8 @@ FilteredImage readFrame(const fs::path& file, bool alpha) {
 
 std::unique_ptr<const ImagesInFiles> largeImagesBeside(const std::filesystem::path& output, int partSide) {
   const auto side = static_cast<size_t>(partSide);
-  return std::make_unique<const ImagesInFiles>(output.parent_path(), 3 * sizeof(float) * side * side);
+  return std::make_unique<const ImagesInFiles>(output.parent_path(),
+                                               ImageMemory{.largest = 3 * sizeof(float) * side * side});
 }
 
 }  // namespace swaplight

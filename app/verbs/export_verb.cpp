@@ -3,6 +3,7 @@
 #include "app/arguments/camera_look_arguments.h"
 #include "app/arguments/display_arguments.h"
 #include "app/arguments/lighting_arguments.h"
+#include "app/arguments/memory_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -17,6 +18,7 @@ namespace {
 struct ExportCommand {
   LightingArguments lighting;
   CameraLookArguments cameraLook;
+  MemoryArguments memory;
   std::string file;
   std::string naming = "layers";
   std::string pictures = "half";
@@ -79,6 +81,7 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   for (const std::filesystem::path& file : arguments.cameraLook.inputs(seen.get())) inputs.push_back(file);
   checkOutput(arguments.file, inputs);
   arguments.lighting.check(*config, session);
+  const std::unique_ptr<const ImagesInFiles> large = arguments.memory.filesBeside(arguments.file, terminal);
 
   const Progress progress = terminal.progress();
   const SolvedSet set = arguments.lighting.open(*config, session, progress.part(0, 0.6F));
@@ -145,6 +148,7 @@ void addExportVerb(Program& program) {
   verb.add_option("--data-window", a->window, "shots (as the photographs have it), full, or X,Y,WIDTH,HEIGHT")
       ->type_name("WINDOW");
   a->cameraLook.addTo(verb);
+  a->memory.addTo(verb);
   addDisplayOptions(*verb.add_option_group("For .cube and a camera look"), a->display);
 }
 

@@ -3,6 +3,7 @@
 #include "app/arguments/grade_arguments.h"
 #include "app/arguments/lighting_arguments.h"
 #include "app/arguments/look_frame.h"
+#include "app/arguments/memory_arguments.h"
 #include "app/arguments/sequence_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -25,6 +26,7 @@ struct RelightCommand {
   SequenceArguments sequence;
   CameraLookArguments cameraLook;
   GradeArguments grade;
+  MemoryArguments memory;
   std::string frame;
   std::string tone;
   std::string histogram;
@@ -84,8 +86,9 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
   if (arguments.sequence.given() && arguments.cameraLook.frameGiven())
     throw InputError("--frame is the number of a still: leave it out, -F numbers the frames");
   const std::shared_ptr<CameraLook> look = arguments.cameraLook.look(session, terminal);
-  const std::unique_ptr<const ImagesInFiles> large =  // the set, too: lights are read one after the other
-      look ? largeImagesBeside(arguments.frame, arguments.cameraLook.partSide()) : nullptr;
+  std::unique_ptr<const ImagesInFiles> large = arguments.memory.filesBeside(arguments.frame, terminal);
+  if (look && !large)  // the set, too: lights are read one after the other
+    large = largeImagesBeside(arguments.frame, arguments.cameraLook.partSide());
   output.cameraLook = look;
   output.frameNumber = arguments.cameraLook.frame();
   if (arguments.sequence.given())
@@ -136,6 +139,7 @@ void addRelightVerb(Program& program) {
   a->sequence.addTo(verb);
   a->cameraLook.addTo(verb);
   a->grade.addTo(verb);
+  a->memory.addTo(verb);
   verb.add_option(
           "-o,--output", a->frame,
           "The frame: EXR or HDR of scene-linear light, or PNG, TIFF or JPEG through --view, else the "

@@ -4,6 +4,7 @@
 #include "app/arguments/camera_look_arguments.h"
 #include "app/arguments/flat_arguments.h"
 #include "app/arguments/leave_out_argument.h"
+#include "app/arguments/memory_arguments.h"
 #include "app/arguments/solve_arguments.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -37,6 +38,7 @@ struct SolveCommand {
   SolvedFileOptions file;
   SolveArguments solve;
   FlatArguments flats;
+  MemoryArguments memory;
   FilterRequest shotLook;
 };
 
@@ -87,6 +89,7 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   if (!arguments.report.empty()) checkOutput(arguments.report, inputs);
 
   const std::shared_ptr<CameraLook> look = shotLook(arguments, terminal);
+  const std::unique_ptr<const ImagesInFiles> large = arguments.memory.filesBeside(arguments.output, terminal);
 
   const Progress progress = terminal.progress();
   CapturePixels pixels = loadCapturePixels(*config, capture, progress.part(0, look ? 0.1f : 0.2f));
@@ -154,6 +157,7 @@ void addSolveVerb(Program& program) {
       ->take_all();
   addLeaveOut(verb, a->leftOut);
   a->flats.addTo(verb);
+  a->memory.addTo(verb);
   a->solve.addTo(verb);
 }
 

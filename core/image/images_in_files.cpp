@@ -1,13 +1,16 @@
 #include "core/image/images_in_files.h"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <mutex>
@@ -21,7 +24,36 @@ namespace swaplight {
 namespace {
 
 constexpr size_t kHugePage = size_t{2} << 20;
-constexpr std::chrono::milliseconds kHandBackEvery{20};
+constexpr std::chrono::milliseconds kLookEvery{5};
+constexpr size_t kSmall = size_t{1} << 20;  // bytes: images that are not worth a file
+
+/// What of files is in this program's memory, beyond what was when it began: its own code and libraries.
+class HeldOfFiles {
+ public:
+  HeldOfFiles() : m_file(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC)), m_first(bytes()) {}
+  HeldOfFiles(const HeldOfFiles&) = delete;
+  HeldOfFiles& operator=(const HeldOfFiles&) = delete;
+  ~HeldOfFiles() {
+    if (m_file >= 0) ::close(m_file);
+  }
+  /// Also where it cannot be known.
+  [[nodiscard]] bool isMoreThan(size_t most) const {
+    const long now = bytes();
+    return now < 0 || m_first < 0 || now - m_first > long(most);
+  }
+
+ private:
+  [[nodiscard]] long bytes() const {
+    std::array<char, 128> text{};
+    long all = 0, resident = 0, ofFiles = 0;
+    if (::pread(m_file, text.data(), text.size() - 1, 0) <= 0 ||
+        std::sscanf(text.data(), "%ld %ld %ld", &all, &resident, &ofFiles) != 3)
+      return -1;
+    return ofFiles * ::sysconf(_SC_PAGESIZE);
+  }
+  int m_file;
+  long m_first;
+};
 
 /// Where images go, and which lie in files.
 struct Files {
@@ -35,9 +67,13 @@ Files& files() {
   return theOnes;
 }
 
-constexpr size_t kNever = ~size_t{0};
-std::atomic<size_t> largestInMemory = kNever;
+std::atomic<size_t> largestInMemory = ImageMemory::kAny, allInMemory = ImageMemory::kAny;
+std::atomic<size_t> inMemory = 0;  // bytes of images
 std::atomic<size_t> mappedCount = 0;
+
+bool goesToAFile(size_t bytes) {
+  return bytes > largestInMemory || (bytes > kSmall && bytes + inMemory > allInMemory);
+}
 
 [[noreturn]] void fail(const std::filesystem::path& folder, int error) {
   throw MachineError("{}: no temporary file for a large picture: {}. {}.", folder.string(),
@@ -93,47 +129,64 @@ void handBack() {
 
 }  // namespace
 
-ImagesInFiles::ImagesInFiles(const std::filesystem::path& folder, size_t largerThan) {
-  m_handingBack = std::jthread([](const std::stop_token& end) {
+ImagesInFiles::ImagesInFiles(const std::filesystem::path& folder, const ImageMemory& memory) {
+  m_handingBack = std::jthread([ofFiles = memory.ofFiles](const std::stop_token& end) {
     std::mutex mutex;
     std::condition_variable_any wait;
     std::unique_lock lock(mutex);
-    while (!wait.wait_for(lock, end, kHandBackEvery, [&] { return end.stop_requested(); })) handBack();
+    const HeldOfFiles held;
+    while (!wait.wait_for(lock, end, kLookEvery, [&] { return end.stop_requested(); }))
+      if (held.isMoreThan(ofFiles)) handBack();
   });
   const std::lock_guard lock(files().mutex);
   files().folder = folder.empty() ? std::filesystem::path(".") : folder;
-  largestInMemory = largerThan;  // last: what throws before leaves images where they were
+  largestInMemory = memory.largest;  // last: what throws before leaves images where they were
+  allInMemory = memory.all;
 }
 
 ImagesInFiles::~ImagesInFiles() {
-  largestInMemory = kNever;
+  largestInMemory = allInMemory = ImageMemory::kAny;
 }
 
 size_t ImagesInFiles::count() {
   return mappedCount;
 }
 
+bool ImagesInFiles::areBounded() {
+  return allInMemory != ImageMemory::kAny;
+}
+
 float* allocateImage(size_t floats) {
   const size_t bytes = floats * sizeof(float);
-  if (bytes > largestInMemory) return mapFile(bytes);
+  if (goesToAFile(bytes)) return mapFile(bytes);
   const size_t align = bytes >= 2 * kHugePage ? kHugePage : 64;
   const size_t rounded = (bytes + align - 1) / align * align;
   void* p = std::aligned_alloc(align, rounded);
   if (!p) throw std::bad_alloc();
   // First touch of 4K pages runs at a tenth of memory speed; huge pages at a third.
   if (align == kHugePage) madvise(p, rounded, MADV_HUGEPAGE);
+  inMemory += ::malloc_usable_size(p);
   return static_cast<float*>(p);
 }
 
+namespace {
+
+void freeInMemory(float* pixels) {
+  inMemory -= ::malloc_usable_size(pixels);
+  std::free(pixels);
+}
+
+}  // namespace
+
 void freeImage(float* pixels) {
   if (mappedCount == 0) {
-    std::free(pixels);
+    freeInMemory(pixels);
     return;
   }
   const std::lock_guard lock(files().mutex);
   const auto found = files().mapped.find(pixels);
   if (found == files().mapped.end()) {
-    std::free(pixels);
+    freeInMemory(pixels);
     return;
   }
   ::munmap(pixels, found->second);

@@ -31,8 +31,8 @@ struct CauseEvidence {
 /// All causes, held against each other.
 struct MisfitCauses {
   std::vector<CauseEvidence> all;  ///< the best first; empty: not looked for, or nothing to see them by
-  /// Those that may be it, the best first. None: no misfit that matters. More than one: it cannot be told
-  /// which.
+  /// Those that may be it, first that which there is evidence for, which need not explain most. None: no
+  /// misfit that matters. More than one: it cannot be told which.
   std::vector<Cause> likely;
   /// Something is wrong all over the picture, and none of them is surely it.
   bool unnamed = false;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/image/images_in_files.h"
 
 namespace swaplight {
 namespace {
@@ -81,7 +82,7 @@ double machineGigabytes() {
   return 1e-9 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-void checkImageFits(const std::string& name, int width, int height, int channels) {
+void checkImageSides(const std::string& name, int width, int height, int channels) {
   constexpr int kLongestSide = 1 << 17;
   if (width <= 0 || height <= 0 || channels <= 0)
     throw InputError("{}: is {} x {} pixels with {} channels: there is nothing in it.", name, width, height,
@@ -89,13 +90,27 @@ void checkImageFits(const std::string& name, int width, int height, int channels
   if (width > kLongestSide || height > kLongestSide)
     throw InputError("{}: is {} x {} pixels; no side may be longer than {}.", name, width, height,
                      kLongestSide);
+}
+
+void checkImageFits(const std::string& name, int width, int height, int channels) {
+  checkImageSides(name, width, height, channels);
   const double gigabytes = 4e-9 * width * height * channels;
   const double memory = machineGigabytes();
-  if (gigabytes > 0.5 * memory)
+  // In files, a set may be larger than the memory, but no set is so large as to fill the disk.
+  if (gigabytes > (ImagesInFiles::areBounded() ? 8 : 0.5) * memory)
     throw InputError(
         "{}: is {} x {} pixels with {} channels: that takes {:.1f} GB, this machine has {:.1f} GB. "
-        "Scale or crop it.",
+        "Scale or crop it; solve, relight and export take larger ones with --memory.",
         name, width, height, channels, gigabytes, memory);
+}
+
+void checkBandFits(const std::string& name, size_t bytes) {
+  const double memory = machineGigabytes();
+  if (1e-9 * double(bytes) > 0.25 * memory)
+    throw InputError(
+        "{}: is stored in pieces of {:.1f} GB, this machine has {:.1f} GB. Write it again with smaller "
+        "tiles.",
+        name, 1e-9 * double(bytes), memory);
 }
 
 }  // namespace swaplight

@@ -19,8 +19,15 @@ inline constexpr int kLongestJpegSide = 65500;
 /// This machine's memory.
 [[nodiscard]] double machineGigabytes();
 
-/// Throws InputError where a picture would not fit into this machine's memory; `name` is the file.
+/// Throws InputError where a picture is empty or longer than any may be; `name` is the file.
+void checkImageSides(const std::string& name, int width, int height, int channels);
+
+/// The same, and where it would take more than half of this machine's memory; where images are bounded and
+/// lie in files (ImagesInFiles), eight times the memory.
 void checkImageFits(const std::string& name, int width, int height, int channels);
+
+/// Throws InputError where the rows that are decoded at once, which are always in memory, would not fit.
+void checkBandFits(const std::string& name, size_t bytes);
 
 /// Finds what decoders pass over without a word or complain of on standard error: a JPEG that ends in the
 /// middle of its picture (they pad it with grey), a PNG that ends early or whose checksums are wrong, an EXR

@@ -149,9 +149,9 @@ ImageContents contentsOf(ImageInput& input) {
                        {},
                        colorSpaceOfFile(spec, input.format())};
     }
-    checkImageFits(input.name(), spec.width, spec.height, spec.nchannels);
+    checkImageSides(input.name(), spec.width, spec.height, spec.nchannels);
     contents.spec.channels.insert(contents.spec.channels.end(), part.channels.begin(), part.channels.end());
-    checkImageFits(input.name(), contents.spec.width, contents.spec.height, contents.spec.channelCount());
+    checkImageSides(input.name(), contents.spec.width, contents.spec.height, contents.spec.channelCount());
     place(part, contents.parts.empty() ? spec : contents.parts.front().spec, input);
     for (int c = 0; c < spec.nchannels; ++c)
       contents.info.channelTypes.push_back(pixelTypeOf(spec.channelformat(c)).value_or(PixelType::Float));

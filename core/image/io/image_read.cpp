@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "core/image/io/image_format.h"
 #include "core/image/io/image_io.h"
 #include "core/image/io/picture_decoder.h"
 #include "core/image/io/picture_process.h"
@@ -14,7 +15,11 @@ namespace {
 /// A picture that is decoded in this process.
 class PictureHere : public PictureSource {
  public:
-  explicit PictureHere(const std::filesystem::path& file) : m_decoder(file) {}
+  explicit PictureHere(const std::filesystem::path& file) : m_decoder(file) {
+    const ImageSpec& spec = contents().spec;
+    checkImageFits(file.string(), spec.width, spec.height, spec.channelCount());
+    checkBandFits(file.string(), m_decoder.bandBytes());
+  }
   [[nodiscard]] const PictureContents& contents() const override { return m_decoder.contents(); }
   void eachBand(const Take& take) override {
     std::vector<std::byte> rows(m_decoder.bandBytes());

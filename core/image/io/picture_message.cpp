@@ -207,6 +207,7 @@ PictureAnswer pictureAnswerOf(const std::string& message, const std::string& fil
                     contents.info.channelTypes.size() == channels && answer.bandBytes > 0 &&
                     answer.bandBytes <= largest;
   if (!fits) throw std::runtime_error("contents that do not fit together");
+  checkBandFits(file, answer.bandBytes);
   return answer;
 }
 

@@ -150,7 +150,7 @@ bool mayBeBouncedLight(const CauseEvidence& one, const EstimatorContext& context
 
 /// Ambient light that is more than bounced light ever looks like. Wrong colours have more unknowns and
 /// explain it as well, real ambient light, which is not the same everywhere, even a little better.
-bool isSurelyAmbient(const CauseEvidence& one, const CauseEvidence& best, const CauseTuning& tuning) {
+bool mayBeAmbient(const CauseEvidence& one, const CauseEvidence& best, const CauseTuning& tuning) {
   if (one.cause != Cause::Ambient || one.explained <= tuning.ambient.explained) return false;
   const bool sure = one.certainty > tuning.ambient.certainty;
   if (one.behind < tuning.apart && sure) return one.size > tuning.surelyAmbient;
@@ -167,7 +167,7 @@ const CauseEvidence* worthNaming(const std::vector<CauseEvidence>& all, const Es
   const CauseEvidence& best = all.front();
   if (isNamed(best, tuning) && !mayBeBouncedLight(best, context, signal, tuning)) return &best;
   for (const CauseEvidence& one : all)
-    if (isSurelyAmbient(one, best, tuning)) return &one;
+    if (mayBeAmbient(one, best, tuning)) return &one;
   return nullptr;
 }
 
@@ -183,7 +183,8 @@ std::vector<Cause> likelyCauses(const std::vector<CauseEvidence>& all, const Est
     // What is named is no bounced light: then wrong colours that explain as much are none either.
     const bool colors = one.cause == Cause::Colors && named->cause == Cause::Ambient;
     const double least = colors ? tuning.leastCertainty : limitsOf(one.cause, tuning).certainty;
-    if (one.certainty >= least && (colors || !mayBeBouncedLight(one, context, signal, tuning)))
+    const bool enough = !colors || one.size > tuning.colors.size;
+    if (enough && one.certainty >= least && (colors || !mayBeBouncedLight(one, context, signal, tuning)))
       likely.push_back(one.cause);
   }
   return likely;

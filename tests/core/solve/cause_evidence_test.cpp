@@ -55,7 +55,7 @@ struct Defect {
   double shift = 0;    ///< pixels to the right, of the second shot
   double drift = 0;    ///< of the first lamp's red over the half width
   double ambient = 0;  ///< behind the reflectance
-  double uneven = 0;   ///< ambient light from above, bluer than the rest: 1 is none of it below
+  double uneven = 0;   ///< ambient light from above, and bluish: 1 is none of it at the lower edge
   std::function<double(double)> curve = [](double y) { return y; };  ///< on the light
 };
 
@@ -77,7 +77,8 @@ CapturePixels photographed(const Defect& defect = {}) {
       for (int v = 0; v < kHigh; ++v)
         for (int u = 0; u < kWide; ++u) {
           const double x = u - k * defect.shift;
-          double light = defect.ambient * (1 + defect.uneven * (1 - 2.0 * v / kHigh) * (1 + .3 * (c - 1)));
+          double light = defect.ambient * (1 + defect.uneven * (1 - 2.0 * v / kHigh));
+          if (defect.uneven > 0) light *= 1 + .3 * (c - 1);
           for (int i = 0; i < 2; ++i) {
             const double drift = i == 0 && c == 0 ? defect.drift * (2.0 * u / kWide - 1) : 0;
             light += double((*capture.shots[size_t(k)].lightColors[size_t(i)])[c]) * (1 + drift) *
@@ -165,10 +166,22 @@ TEST(CauseEvidence, NamesAmbientLightWithTheCurveThatLooksLikeIt) {
 TEST(CauseEvidence, NamesAmbientLightThatIsNotTheSameEverywhere) {
   for (const double uneven : {.5, 1.0}) {
     const MisfitCauses causes = causesIn(photographed({.ambient = .1, .uneven = uneven}));
-    EXPECT_NE(std::ranges::find(causes.likely, Cause::Ambient), causes.likely.end())
-        << uneven << told(causes);
-    EXPECT_NE(wordsFor(causes).find("ambient light"), std::string::npos);
+    ASSERT_FALSE(causes.likely.empty()) << uneven << told(causes);
+    EXPECT_EQ(causes.likely.front(), Cause::Ambient) << uneven << told(causes);
+    EXPECT_NE(wordsFor(causes).find("cannot be told which"), std::string::npos);
   }
+}
+
+// The evidence weighs errors to .15 only: what is seen of larger ones is no more.
+TEST(CauseEvidence, NamesColoursThatAreWrongByMoreThanIsWeighed) {
+  Capture said = swappedCapture();
+  for (auto& color : said.shots[0].lightColors) color->r *= 2.5F;
+  for (auto& color : said.shots[1].lightColors) color->b *= .4F;
+  (*said.shots[0].lightColors[0]).g *= 2;
+  const MisfitCauses causes = causesIn(photographed(), said);
+  EXPECT_GT(sizeOf(causes, Cause::Colors), .3) << told(causes);
+  ASSERT_FALSE(causes.likely.empty()) << told(causes);
+  EXPECT_EQ(causes.likely.front(), Cause::Colors) << told(causes);
 }
 
 TEST(CauseEvidence, NamesNoNegativeAmbientLight) {
