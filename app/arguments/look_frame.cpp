@@ -9,11 +9,6 @@
 namespace swaplight {
 
 namespace fs = std::filesystem;
-namespace {
-
-constexpr size_t kWorkedOnAtOnce = size_t{128} << 20;  // bytes of a large frame
-
-}  // namespace
 
 FilteredImage readFrame(const fs::path& file, bool alpha) {
   ImageFile read = readImage(file);
@@ -34,9 +29,8 @@ FilteredImage readFrame(const fs::path& file, bool alpha) {
 
 std::unique_ptr<const ImagesInFiles> largeImagesBeside(const std::filesystem::path& output, int partSide) {
   const auto side = static_cast<size_t>(partSide);
-  return std::make_unique<const ImagesInFiles>(
-      output.parent_path(),
-      ImageMemory{.largest = 3 * sizeof(float) * side * side, .ofFiles = kWorkedOnAtOnce});
+  return std::make_unique<const ImagesInFiles>(output.parent_path(),
+                                               ImageMemory{.largest = 3 * sizeof(float) * side * side});
 }
 
 }  // namespace swaplight
