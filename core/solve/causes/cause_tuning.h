@@ -53,8 +53,8 @@ struct CauseTuning {
   double leastDrift = .015, mostDrift = .05;
   /// Where none is named: beyond both something is wrong all the same. Bounced light may explain as much, but
   /// makes no light negative: colours that are told rightly seem wrong by .012 at most on clean sets; deep
-  /// gels on real lamps by .14, of which a cause explains .41 at most. How sure it is
-  /// says nothing: in a room, bounced light was 19 standard errors sure.
+  /// gels on real lamps by .14, of which a cause explains .41 at most. How sure it is says
+  /// nothing: in a room, bounced light was 19 standard errors sure.
   double unnamedExplained = .45, unnamedColors = .05;
 };
 
