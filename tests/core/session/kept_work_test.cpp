@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -94,9 +95,12 @@ TEST(KeptWork, ALockIsLockedFromTheMomentItCanBeSeen) {
       const int handle = open(entry.path().c_str(), O_RDONLY | O_CLOEXEC);
       if (handle < 0) continue;  // it has gone meanwhile
       const bool taken = flock(handle, LOCK_EX | LOCK_NB) == 0;
-      // Free only once it is gone from the folder: its process has cleaned up.
+      // Free only once it is gone from the folder: its process has cleaned up. Asked of the file, not of its
+      // name, which the next slot of the same millisecond has again.
+      struct stat found = {};
+      ASSERT_EQ(fstat(handle, &found), 0);
       if (taken) {
-        EXPECT_FALSE(fs::exists(entry.path()));
+        EXPECT_EQ(found.st_nlink, 0U);
       }
       close(handle);
     }
