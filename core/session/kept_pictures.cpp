@@ -59,10 +59,6 @@ void KeptPictures::keep(const fs::path& file, const SmallPicture& picture) const
   return;
 }
 
-SmallPicture KeptPictures::find(const fs::path& file) const {
-  return readSmallPicture(pictureOf(file));
-}
-
 void KeptPictures::keepOnly(const std::vector<fs::path>& files) const {
   std::set<fs::path> wanted;
   for (const fs::path& file : files) wanted.insert(pictureOf(file));

@@ -15,14 +15,12 @@ class KeptPictures {
   explicit KeptPictures(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
   void keep(const std::filesystem::path& file, const SmallPicture& picture) const;
-  /// Empty where none was kept.
-  [[nodiscard]] SmallPicture find(const std::filesystem::path& file) const;
+  /// Where the picture of a file is, if one was kept.
+  [[nodiscard]] std::filesystem::path pictureOf(const std::filesystem::path& file) const;
   /// Removes the pictures of all other files.
   void keepOnly(const std::vector<std::filesystem::path>& files) const;
 
  private:
-  [[nodiscard]] std::filesystem::path pictureOf(const std::filesystem::path& file) const;
-
   std::filesystem::path m_folder;
 };
 

@@ -66,7 +66,7 @@ class StartPage(StudioTest):
         studio.wait(lambda _: studio.state('tour') == '', 'Escape ends it')
 
     def kept(self):
-        return sum(name.endswith('.png') for folder, _, names in os.walk(self.folder)
+        return sum(name.endswith('.png') and not name.startswith('.') for folder, _, names in os.walk(self.folder)
                    if os.path.basename(folder) == 'pictures' for name in names)
 
 

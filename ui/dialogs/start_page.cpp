@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <utility>
 
 #include "core/base/json.h"
@@ -67,13 +68,14 @@ bool wideButton(const char* icon, const std::string& text, float width) {
 }  // namespace
 
 StartPage::StartPage(const fs::path& samples, KeptPictures kept, std::function<void()> wake)
-    : m_samplesFolder(samples), m_kept(std::move(kept)), m_wake(std::move(wake)) {
+    : m_kept(std::move(kept)), m_wake(std::move(wake)) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(samples, error)) {
     const fs::path capture = entry.path() / "capture.json";
+    const std::string name = entry.path().filename().string();
     if (fs::exists(capture, error))
-      m_samples.push_back(
-          {capture, "sample." + entry.path().filename().string(), nameOf(capture), lightsOf(capture)});
+      m_samples.push_back({capture, samples / "pictures" / (name + ".jpg"), "sample." + name, nameOf(capture),
+                           lightsOf(capture)});
   }
   std::sort(m_samples.begin(), m_samples.end(),
             [](const Entry& a, const Entry& b) { return a.file < b.file; });
@@ -86,33 +88,29 @@ void StartPage::read(const std::vector<Entry>& recent, int written) {
   }
   // The page comes back when what was open is closed, whose picture may still be being written.
   const bool back = ImGui::GetFrameCount() != std::exchange(m_lastFrame, ImGui::GetFrameCount()) + 1;
-  std::vector<fs::path> files;
-  for (const Entry& entry : recent) files.push_back(entry.file);
-  m_due |= back || m_recent != files || std::exchange(m_written, written) != written;
+  std::vector<fs::path> pictures;
+  for (const std::vector<Entry>& entries : {std::cref(m_samples), std::cref(recent)})
+    for (const Entry& entry : entries) pictures.push_back(entry.picture);
+  m_due |= back || m_asked != pictures || std::exchange(m_written, written) != written;
   if (!m_due || m_reading.running()) return;
   m_due = false;
-  m_recent = files;
-  std::map<std::string, fs::path> samples;
-  for (const Entry& sample : m_samples)
-    samples[sample.id] =
-        m_samplesFolder / "pictures" / (sample.file.parent_path().filename().string() + ".jpg");
+  m_asked = pictures;
   m_reading.start(
-      [samples, recent, kept = m_kept](const Progress& progress) {
-        Pictures pictures;
-        for (const auto& [id, picture] : samples) pictures[id] = readSmallPicture(picture);
-        for (const Entry& entry : recent) {
+      [pictures](const Progress& progress) {
+        Pictures read;
+        for (const fs::path& picture : pictures) {
           progress.update(0, "pictures");
-          pictures[entry.id] = kept.find(entry.file);
+          read[picture] = readSmallPicture(picture);
         }
-        return pictures;
+        return read;
       },
       m_wake);
 }
 
-unsigned StartPage::textureOf(const std::string& id, int width, int height) {
-  const auto found = m_pictures.find(id);
+unsigned StartPage::textureOf(const fs::path& picture, int width, int height) {
+  const auto found = m_pictures.find(picture);
   if (found == m_pictures.end() || found->second.empty()) return 0;
-  Texture& made = m_textures[id];
+  Texture& made = m_textures[picture];
   if (made.width != width || made.height != height) {
     made.texture.update(width, height, filling(found->second, width, height).rgba.data());
     made.width = width;
@@ -131,7 +129,7 @@ bool StartPage::drawCard(const Entry& entry, float width) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 corner(at.x + width, at.y + high);
   list->AddRectFilled(at, ImVec2(corner.x, corner.y + px(kWords)), lit ? kCardChosen : kCard, px(4));
-  if (const unsigned texture = textureOf(entry.id, static_cast<int>(width), static_cast<int>(high));
+  if (const unsigned texture = textureOf(entry.picture, static_cast<int>(width), static_cast<int>(high));
       texture != 0)
     drawTexture(texture, at, corner);
   else
@@ -162,8 +160,8 @@ void StartPage::draw(SessionController& session, const ActionTable& actions, int
   std::vector<Entry> recent;
   for (const fs::path& file : session.recent().files())
     if (recent.size() < kRecentShown)
-      recent.push_back(
-          {file, fmt::format("recent.{}", recent.size()), nameOf(file), homely(file.parent_path())});
+      recent.push_back({file, m_kept.pictureOf(file), fmt::format("recent.{}", recent.size()), nameOf(file),
+                        homely(file.parent_path())});
   read(recent, written);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -24,11 +24,12 @@ TEST(KeptPictures, WhatWasKeptOfAFileIsFoundByItsPath) {
   const KeptPictures pictures(folder / "pictures");
   pictures.keep("/sets/one/capture.json", gradient(16, 9));
   pictures.keep("/sets/two/capture.json", gradient(8, 8));
-  const SmallPicture found = KeptPictures(folder / "pictures").find("/sets/./one/capture.json");
+  const SmallPicture found =
+      readSmallPicture(KeptPictures(folder / "pictures").pictureOf("/sets/./one/capture.json"));
   EXPECT_EQ(found.width, 16);
   EXPECT_EQ(found.height, 9);
   EXPECT_EQ(found.rgba, gradient(16, 9).rgba);
-  EXPECT_TRUE(pictures.find("/sets/three/capture.json").empty());
+  EXPECT_TRUE(readSmallPicture(pictures.pictureOf("/sets/three/capture.json")).empty());
 }
 
 TEST(KeptPictures, ThoseOfOtherFilesAreRemoved) {
@@ -37,9 +38,9 @@ TEST(KeptPictures, ThoseOfOtherFilesAreRemoved) {
   for (const char* file : {"/a", "/b", "/c"}) pictures.keep(file, gradient(4, 4));
   std::ofstream(folder / "not_ours.txt") << "kept";
   pictures.keepOnly({"/b", "/d"});
-  EXPECT_TRUE(pictures.find("/a").empty());
-  EXPECT_FALSE(pictures.find("/b").empty());
-  EXPECT_TRUE(pictures.find("/c").empty());
+  EXPECT_TRUE(readSmallPicture(pictures.pictureOf("/a")).empty());
+  EXPECT_FALSE(readSmallPicture(pictures.pictureOf("/b")).empty());
+  EXPECT_TRUE(readSmallPicture(pictures.pictureOf("/c")).empty());
   EXPECT_TRUE(std::filesystem::exists(folder / "not_ours.txt"));
 }
 
@@ -48,7 +49,7 @@ TEST(KeptPictures, WhatCannotBeWrittenOrReadIsNoPicture) {
   std::ofstream(folder / "file") << "no folder";
   const KeptPictures nowhere(folder / "file");
   EXPECT_NO_THROW(nowhere.keep("/a", gradient(4, 4)));
-  EXPECT_TRUE(nowhere.find("/a").empty());
+  EXPECT_TRUE(readSmallPicture(nowhere.pictureOf("/a")).empty());
   EXPECT_TRUE(readSmallPicture(folder / "file").empty());
   EXPECT_TRUE(readSmallPicture(folder / "missing.png").empty());
 }
