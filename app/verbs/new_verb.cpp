@@ -31,6 +31,7 @@ struct NewCommand {
   std::vector<std::string> cards;
   std::string rotation = "guess";
   std::string exposures;
+  std::string crossed;
   bool oneAtATime = false;
   std::string colorSpace;
   std::string response;
@@ -94,6 +95,21 @@ std::string placeRing(const NewCommand& arguments, const std::vector<ShotColor>&
               : "as told: from shot to shot a light takes the colour of the next one";
 }
 
+void placeCrossed(const NewCommand& arguments, CaptureDraft& draft) {
+  for (const std::string& file : partsOf(arguments.crossed)) {
+    const auto& shots = draft.folder.shots;
+    if (std::none_of(shots.begin(), shots.end(), [&](const FoundShot& shot) { return shot.file == file; }))
+      throw InputError("--crossed {}: there is no such shot in the folder", file);
+    draft.crossed.insert(file);
+  }
+}
+
+/// The same lighting through another filter is no other exposure.
+Brackets bracketsOf(const NewCommand& arguments, const CaptureDraft& draft, const CapturePixels& pixels) {
+  if (!arguments.exposures.empty()) return toldBrackets(draft.folder, arguments.exposures);
+  return draft.crossed.empty() ? findBrackets(draft.folder, pixels) : Brackets{};
+}
+
 void placeOneAtATime(CaptureDraft& draft) {
   if (draft.lights.size() != draft.lightings())
     throw InputError("--one-at-a-time: {} lights and {} {}: there must be one a light", draft.lights.size(),
@@ -153,6 +169,10 @@ Description describe(const CaptureDraft& draft, const std::filesystem::path& fil
       colors.push_back(color.text);
     }
     shots.push_back({{"image", draft.folder.shots[k].file}, {"colors", colors}});
+    if (draft.crossed.contains(draft.folder.shots[k].file)) {
+      rows.back()[1] += " (crossed)";
+      shots.back()["polarisation"] = "cross";
+    }
   }
   Description d{tableText(rows) + "\n", Json::object()};
   if (!draft.leftOut.empty()) d.line("left out", leftOutWords(draft.leftOut));
@@ -206,6 +226,7 @@ int run(NewCommand arguments, Terminal& terminal) {
   folder = withShotsLeftOut(std::move(folder), arguments.leftOut, "--leave-out");
   CaptureDraft draft = draftOf(folder, partsOf(arguments.lights));
   placeCoding(arguments, draft);
+  placeCrossed(arguments, draft);
   for (const auto& [light, name] : arguments.flats.lamps(folder.folder)) draft.flats[light] = name;
   if (const std::string lens = arguments.flats.lens(folder.folder); !lens.empty()) draft.vignetting = lens;
   const std::vector<std::string> ofCharts = readCharts(*config, draft, arguments, progress.part(0, .3F));
@@ -216,8 +237,7 @@ int run(NewCommand arguments, Terminal& terminal) {
         "FILE=COLOUR,COLOUR, --card LIGHT=X,Y, or --one-at-a-time");
 
   const CapturePixels pixels = loadCapturePixels(*config, captureOf(draft), progress.part(.3F, .7F));
-  setBrackets(draft, arguments.exposures.empty() ? findBrackets(folder, pixels)
-                                                 : toldBrackets(folder, arguments.exposures));
+  setBrackets(draft, bracketsOf(arguments, draft, pixels));
   std::string how;
   if (!ring.empty()) how = placeRing(arguments, ring, pixels, draft);
   if (arguments.oneAtATime) placeOneAtATime(draft);
@@ -266,6 +286,9 @@ void addNewVerb(Program& program) {
           "--exposures", a->exposures,
           "Stops of each photograph of a bracket, over its first one; 0: no brackets (default: found)")
       ->type_name("0,-3,+2");
+  verb.add_option("--crossed", a->crossed,
+                  "Photographs through a polariser across those of the lamps: the others show the highlights")
+      ->type_name("FILE,FILE");
   verb.add_flag("--one-at-a-time", a->oneAtATime,
                 "One light per photograph: the first light in the first one, and so on");
   verb.add_option("--shot", a->shots, "Colours of one photograph, one per light; may be repeated")

@@ -35,6 +35,7 @@ struct Shot {
   /// stands (a gel that travels). "" for a colour without a name; may be shorter than the lights.
   std::vector<std::string> colorNames;
   float exposureStops = 0;  ///< this shot's exposure over the first one's
+  bool crossed = false;     ///< through a polariser across those of the lamps: without the highlights
   KeptJson extra;
 
   /// "?a", or "" where the light's colour is known or has no name.

@@ -19,6 +19,9 @@ constexpr const char* kFormat = "swaplight-capture";
 constexpr int kVersion = 1;
 constexpr const char* kLeftOut = "left_out";
 constexpr const char* kLeftOutShot = "left-out shot";
+constexpr const char* kPolarisation = "polarisation";
+constexpr const char* kCross = "cross";
+constexpr const char* kOpen = "open";
 constexpr size_t kMostLights = 64;  // far beyond what a solve takes; longer lists only take time
 constexpr size_t kMostShots = 4096;
 
@@ -126,6 +129,15 @@ std::string requiredPath(JsonFields& fields, const std::string& key) {
   return *path;
 }
 
+/// "polarisation".
+bool crossedFromJson(JsonFields& shot) {
+  const std::string polarisation = shot.text(kPolarisation).value_or(kOpen);
+  if (polarisation != kCross && polarisation != kOpen)
+    throw InputError("{}: \"{}\" is \"{}\", expected \"{}\" (crossed polarisers) or \"{}\".", shot.where(),
+                     kPolarisation, polarisation, kCross, kOpen);
+  return polarisation == kCross;
+}
+
 /// Those under a key; `noun` is what messages call one of them.
 std::vector<Shot> shotsFromJson(JsonFields& fields, const std::string& key, const char* noun,
                                 const std::vector<Light>& lights, std::vector<std::string>& warnings) {
@@ -139,6 +151,7 @@ std::vector<Shot> shotsFromJson(JsonFields& fields, const std::string& key, cons
     readColors(fieldsOfShot, lights, shot);
     shot.exposureStops = static_cast<float>(
         fieldsOfShot.number("exposure_stops", -kMostExposureStops, kMostExposureStops).value_or(0));
+    shot.crossed = crossedFromJson(fieldsOfShot);
     Json kept = flatsFromJson(fieldsOfShot, lights);
     kept.update(keepUnknown(fieldsOfShot, warnings), true);
     shot.extra = std::move(kept);
@@ -229,6 +242,7 @@ Json jsonFromShot(const Shot& shot) {
     colors.push_back(shot.colorName(i).empty() ? jsonFromColor(shot.lightColors[i])
                                                : Json(shot.colorName(i)));
   if (shot.exposureStops != 0) json["exposure_stops"] = jsonNumber(shot.exposureStops);
+  if (shot.crossed) json[kPolarisation] = kCross;
   addExtra(json, shot.extra);
   return json;
 }

@@ -5,7 +5,7 @@
 namespace swaplight {
 
 bool litAlike(const Shot& a, const Shot& b) {
-  if (a.lightColors.size() != b.lightColors.size()) return false;
+  if (a.crossed != b.crossed || a.lightColors.size() != b.lightColors.size()) return false;
   for (size_t i = 0; i < a.lightColors.size(); ++i) {
     if (a.lightColors[i] != b.lightColors[i]) return false;
     if (!a.lightColors[i] && (a.colorName(i).empty() || a.colorName(i) != b.colorName(i))) return false;

@@ -49,7 +49,7 @@ std::vector<float> exposuresOf(const CaptureDraft& draft) {
 CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& lights) {
   checkLightNames(lights, "the lights");
   if (lights.empty()) throw InputError("name at least one light");
-  CaptureDraft draft{folder, lights, {}, colorSpaceOf(folder), {}, {}, {}, {}, {}};
+  CaptureDraft draft{folder, lights, {}, colorSpaceOf(folder), {}, {}, {}, {}, {}, {}};
   if (folder.response && draft.colorSpace == "srgb") draft.colorSpace = *folder.response;
   for (const auto& [light, name] : folder.flats)
     if (std::find(lights.begin(), lights.end(), light) != lights.end()) draft.flats[light] = name;
@@ -118,6 +118,7 @@ Capture captureOf(const CaptureDraft& draft) {
     }
     if (!anyName) shot.colorNames.clear();
     shot.exposureStops = exposures[k];
+    shot.crossed = draft.crossed.contains(shot.image);
     capture.shots.push_back(std::move(shot));
   }
   if (!draft.leftOut.empty()) capture = withLeftOut(std::move(capture), draft.leftOut);

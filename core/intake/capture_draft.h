@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct CaptureDraft {
   Brackets brackets = {};                         ///< which shots are exposures of one lighting
   std::map<std::string, std::string> flats = {};  ///< light: a picture of a grey card (flat_fields.h)
   std::string vignetting = {};                    ///< a picture of an evenly lit surface, or ""
+  std::set<std::string> crossed = {};             ///< files of shots through crossed polarisers
   std::vector<Shot> leftOut = {};                 ///< photographs of the set that are not used
 
   [[nodiscard]] size_t lightings() const {

@@ -30,7 +30,9 @@ void addKept(std::vector<Shot>& made, const std::vector<Shot>& before) {
   for (Shot& shot : made) {
     const auto same =
         std::find_if(before.begin(), before.end(), [&](const Shot& one) { return one.image == shot.image; });
-    if (same != before.end()) addKept(shot.extra, same->extra);
+    if (same == before.end()) continue;
+    addKept(shot.extra, same->extra);
+    shot.crossed |= same->crossed;
   }
 }
 

@@ -7,8 +7,8 @@
 namespace swaplight {
 
 /// A description that is made anew, with what the one that it replaces says and it does not: name, noise,
-/// truth, roles, flat pictures, ambient and dark pictures, and what other programs wrote there. Lights are
-/// found by their names, photographs by their files; what is told of others is dropped.
+/// truth, roles, flat pictures, crossed polarisers, ambient and dark pictures, and what other programs wrote
+/// there. Lights are found by their names, photographs by their files; what is told of others is dropped.
 [[nodiscard]] Capture withKept(Capture made, const Capture& before);
 
 /// The same with the capture.json that lies there; as it is where there is none. One that cannot

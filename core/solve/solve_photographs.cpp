@@ -3,8 +3,10 @@
 #include <chrono>
 
 #include "core/solve/causes/tone_correction.h"
+#include "core/solve/crossed_shots.h"
 #include "core/solve/even_lamps.h"
-#include "core/solve/highlights.h"
+#include "core/solve/highlights/highlights.h"
+#include "core/solve/solve_crossed.h"
 
 namespace swaplight {
 
@@ -18,11 +20,21 @@ bool showsHighlights(const SolvedSet& set) {
   return model != Model::Single && model != Model::Lambert;
 }
 
+/// Highlights fit no matte model: where some photographs are without, those say what the curve is.
+std::optional<ToneCorrection> toneOf(const Capture& capture, CapturePixels& photographs,
+                                     const std::optional<SensorNoise>& noise) {
+  if (!isPartlyCrossed(capture)) return findToneCorrection(capture, photographs, noise);
+  BorrowedShots crossed(capture, true, photographs);
+  return findToneCorrection(shotsOf(capture, true), crossed.pixels(), noise);
+}
+
 }  // namespace
 
 SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, const FlatFields& fields,
                            const SolveOptions& options, const Progress& progress) {
   const auto solved = [&] {
+    if (isPartlyCrossed(capture))
+      return solveCrossed(capture, std::move(photographs), fields, options, progress);
     if (!options.highlights) return solveUneven(capture, photographs, fields, options, progress);
     SolvedSet set = solveUneven(capture, photographs, fields, options, progress.part(0, kSolving));
     const auto started = std::chrono::steady_clock::now();
@@ -31,7 +43,7 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
     return set;
   };
   if (!options.correctTone) return solved();
-  const std::optional<ToneCorrection> tone = findToneCorrection(capture, photographs, options.noise);
+  const std::optional<ToneCorrection> tone = toneOf(capture, photographs, options.noise);
   if (tone) correctTone(*tone, photographs);
   SolvedSet set = solved();
   if (tone)

@@ -1,4 +1,4 @@
-#include "core/solve/highlights.h"
+#include "core/solve/highlights/highlights.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/solve/highlights.h"
+#include "core/solve/highlights/highlights.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/solve/highlight_surroundings.h"
+#include "core/solve/highlights/highlight_surroundings.h"
 
 namespace swaplight {
 namespace {

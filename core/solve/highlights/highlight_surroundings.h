@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/set/solved_set.h"
-#include "core/solve/light_saturation.h"
+#include "core/solve/highlights/light_saturation.h"
 
 namespace swaplight {
 

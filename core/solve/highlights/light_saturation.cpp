@@ -1,4 +1,4 @@
-#include "core/solve/light_saturation.h"
+#include "core/solve/highlights/light_saturation.h"
 
 #include <algorithm>
 #include <cmath>

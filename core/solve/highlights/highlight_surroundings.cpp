@@ -1,4 +1,4 @@
-#include "core/solve/highlight_surroundings.h"
+#include "core/solve/highlights/highlight_surroundings.h"
 
 #include <algorithm>
 #include <cmath>
