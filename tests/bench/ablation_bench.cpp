@@ -148,10 +148,15 @@ Json shadowFigures(const LightShadows& found, const Image& truth) {
   const int channel = truth.channelIndex("Y");
   const float* visible = truth.plane(channel);
   double both = 0, either = 0, umbra = 0, wrong = 0, error = 0, known = 0;
+  double allBoth = 0, allEither = 0, allError = 0;  // unknown pixels as what their visibility says
   for (size_t p = 0; p < truth.pixelCount(); ++p) {
     const bool isUmbra = visible[p] < .02F;
     umbra += isUmbra;
     wrong += found.labels[p] == ShadowLabel::Umbra && visible[p] > .98F;
+    const bool dark = found.visibility.plane(0)[p] < .1F;
+    allBoth += dark && isUmbra;
+    allEither += dark || isUmbra;
+    allError += std::abs(found.visibility.plane(0)[p] - visible[p]);
     if (found.labels[p] == ShadowLabel::Unknown) continue;
     const bool called = found.labels[p] == ShadowLabel::Umbra;
     both += called && isUmbra;
@@ -163,6 +168,9 @@ Json shadowFigures(const LightShadows& found, const Image& truth) {
   return {{"umbra", both / std::max(either, 1.)},
           {"error", error / std::max(known, 1.)},
           {"false", wrong / pixels},
+          {"all_umbra", allBoth / std::max(allEither, 1.)},
+          {"all_error", allError / pixels},
+          {"unknown", 1 - known / pixels},
           {"truth", umbra / pixels}};
 }
 

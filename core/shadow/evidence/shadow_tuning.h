@@ -131,7 +131,7 @@ struct ShadowCutTuning {
   float border = 3;           ///< units: where two cuts part by less than twice this, they mean one border
   float strongUmbra = 3;      ///< log-odds of umbra that are believed against the level
   float weakUmbra = 1.2F;     ///< ... that are not; in between it cannot be told
-  float bearingUmbra = .3F;   ///< ... that bear out a shadow of the level's
+  float bearingUmbra = 1;     ///< ... that bear out a shadow of the level's
   float strongLit = 1;        ///< log-odds of lit that are believed
 
   static constexpr auto fields() {
