@@ -16,6 +16,7 @@
 #include "core/intake/rotation_guess.h"
 #include "core/ocio/chosen_config.h"
 #include "core/solve/causes/linearity.h"
+#include "core/solve/model/crossed_shots.h"
 
 namespace swaplight {
 namespace {
@@ -63,13 +64,46 @@ std::vector<ShotColor> ringOf(const NewCommand& arguments) {
   return namedUnknowns(std::move(ring));
 }
 
+/// Of each lighting: how many of its kind, crossed or not, came before. The same lightings are photographed
+/// through both filters, in the same order.
+std::vector<size_t> turnsOf(const CaptureDraft& draft) {
+  std::vector<size_t> turns;
+  size_t counts[2] = {0, 0};
+  for (size_t k = 0; k < draft.lightings(); ++k) {
+    const std::string& file = draft.folder.shots[k * static_cast<size_t>(draft.brackets.length)].file;
+    turns.push_back(counts[draft.crossed.contains(file)]++);
+  }
+  return turns;
+}
+
 /// Every colour the same step on in every lighting.
 std::vector<int> steadySteps(const CaptureDraft& draft, int step) {
   std::vector<int> steps;
   const auto count = static_cast<int>(draft.lights.size());
-  for (size_t k = 0; k < draft.lightings(); ++k)
-    steps.push_back(static_cast<int>(k) * (step + count) % count);
+  for (const size_t turn : turnsOf(draft)) steps.push_back(static_cast<int>(turn) * (step + count) % count);
   return steps;
+}
+
+/// As the crossed photographs tell, which have no highlights; all, where none is crossed.
+RotationGuess guessOf(const CaptureDraft& draft, const CapturePixels& pixels,
+                      const std::vector<ShotColor>& ring) {
+  if (draft.crossed.empty()) return guessRotation(draft, pixels, ring);
+  CaptureDraft crossed = draft;
+  std::erase_if(crossed.folder.shots,
+                [&](const FoundShot& shot) { return !draft.crossed.contains(shot.file); });
+  crossed.colors.resize(crossed.folder.shots.size());
+  RotationGuess guess = guessRotation(crossed, copiedShots(captureOf(draft), true, pixels), ring);
+  std::vector<int> steps;
+  for (const size_t turn : turnsOf(draft)) {
+    if (turn >= guess.steps.size())
+      throw InputError(
+          "--crossed: there are more of the other photographs: how the colours moved cannot be guessed. Say "
+          "it "
+          "with --rotation or --shot");
+    steps.push_back(guess.steps[turn]);
+  }
+  guess.steps = std::move(steps);
+  return guess;
 }
 
 /// Fills in the ring's colours; returns how it was decided which light had which, in words.
@@ -81,7 +115,7 @@ std::string placeRing(const NewCommand& arguments, const std::vector<ShotColor>&
     throw InputError("--gels, --colors: {} colours for {} lights: give one a light, as in the first shot",
                      ring.size(), draft.lights.size());
   if (arguments.rotation == "guess" && known) {
-    const RotationGuess guess = guessRotation(draft, pixels, ring);
+    const RotationGuess guess = guessOf(draft, pixels, ring);
     draft = withRotation(draft, ring, guess.steps);
     return guess.words;
   }
@@ -96,6 +130,8 @@ std::string placeRing(const NewCommand& arguments, const std::vector<ShotColor>&
 }
 
 void placeCrossed(const NewCommand& arguments, CaptureDraft& draft) {
+  if (!arguments.crossed.empty()) draft.crossed.clear();
+  if (arguments.crossed == "none") return;
   for (const std::string& file : partsOf(arguments.crossed)) {
     const auto& shots = draft.folder.shots;
     if (std::none_of(shots.begin(), shots.end(), [&](const FoundShot& shot) { return shot.file == file; }))
@@ -111,13 +147,15 @@ Brackets bracketsOf(const NewCommand& arguments, const CaptureDraft& draft, cons
 }
 
 void placeOneAtATime(CaptureDraft& draft) {
-  if (draft.lights.size() != draft.lightings())
+  const std::vector<size_t> turns = turnsOf(draft);
+  const size_t most = turns.empty() ? 0 : *std::max_element(turns.begin(), turns.end()) + 1;
+  if (draft.lights.size() != most)
     throw InputError("--one-at-a-time: {} lights and {} {}: there must be one a light", draft.lights.size(),
-                     draft.lightings(), draft.brackets.length > 1 ? "brackets" : "shots");
+                     most, draft.brackets.length > 1 ? "brackets" : "shots");
   for (size_t k = 0; k < draft.lightings(); ++k) {
     std::vector<ShotColor> colors;
     for (size_t i = 0; i < draft.lights.size(); ++i)
-      colors.push_back(i == k ? ShotColor{"on", Rgb(1)} : ShotColor{"off", Rgb(0)});
+      colors.push_back(i == turns[k] ? ShotColor{"on", Rgb(1)} : ShotColor{"off", Rgb(0)});
     setLighting(draft, k, std::move(colors));
   }
 }
@@ -286,8 +324,10 @@ void addNewVerb(Program& program) {
           "--exposures", a->exposures,
           "Stops of each photograph of a bracket, over its first one; 0: no brackets (default: found)")
       ->type_name("0,-3,+2");
-  verb.add_option("--crossed", a->crossed,
-                  "Photographs through a polariser across those of the lamps: the others show the highlights")
+  verb.add_option(
+          "--crossed", a->crossed,
+          "Photographs through a polariser across those of the lamps, or none (default: as an existing "
+          "capture.json says); the others show the highlights")
       ->type_name("FILE,FILE");
   verb.add_flag("--one-at-a-time", a->oneAtATime,
                 "One light per photograph: the first light in the first one, and so on");

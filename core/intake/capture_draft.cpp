@@ -54,6 +54,7 @@ CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& l
   for (const auto& [light, name] : folder.flats)
     if (std::find(lights.begin(), lights.end(), light) != lights.end()) draft.flats[light] = name;
   draft.vignetting = folder.vignetting.value_or("");
+  draft.crossed = crossedIn(folder.folder / "capture.json");
   for (const std::string& file : folder.leftOut) {
     Shot shot;
     shot.image = file;

@@ -30,10 +30,9 @@ struct CaptureDraft {
   }
 };
 
-/// A draft in which every colour is unknown; the folder's flat_key… is the flat picture of the light "key",
-/// its response.csv the curve of JPEG, PNG and TIFF.
-/// Throws InputError: names that cannot be, colour spaces that
-/// differ.
+/// A draft in which every colour is unknown; shots that the folder's capture.json marks as crossed are; the
+/// folder's flat_key… is the flat picture of the light "key", its response.csv the curve of JPEG, PNG and
+/// TIFF. Throws InputError: names that cannot be, colour spaces that differ.
 [[nodiscard]] CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& lights);
 
 /// Groups the shots; every colour is unknown again.

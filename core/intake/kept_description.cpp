@@ -30,9 +30,7 @@ void addKept(std::vector<Shot>& made, const std::vector<Shot>& before) {
   for (Shot& shot : made) {
     const auto same =
         std::find_if(before.begin(), before.end(), [&](const Shot& one) { return one.image == shot.image; });
-    if (same == before.end()) continue;
-    addKept(shot.extra, same->extra);
-    shot.crossed |= same->crossed;
+    if (same != before.end()) addKept(shot.extra, same->extra);
   }
 }
 
@@ -61,6 +59,18 @@ Capture withKept(Capture made, const Capture& before) {
   addKept(made.shots, leftOutOf(before));
   addKept(made.extra, withLeftOut(before, {}).extra);
   return withoutLostFlats(std::move(made), std::move(leftOut));
+}
+
+std::set<std::string> crossedIn(const std::filesystem::path& file) {
+  std::set<std::string> crossed;
+  if (!std::filesystem::exists(file)) return crossed;
+  try {
+    for (const Shot& shot : captureFromJson(readJson(file), file.parent_path(), file).shots)
+      if (shot.crossed) crossed.insert(shot.image);
+  } catch (const InputError&) {
+    crossed.clear();  // withKept() keeps it aside
+  }
+  return crossed;
 }
 
 Capture withKept(Capture made, const std::filesystem::path& file) {

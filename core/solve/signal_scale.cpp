@@ -75,6 +75,7 @@ SensorNoise scaledNoise(const SensorNoise& noise, float scale) {
 void unscale(SolvedSet& set, float scale) {
   const float back = 1 / scale;
   for (Image& contribution : set.contributions) multiply(contribution, back);
+  for (Image& highlight : set.highlights) multiply(highlight, back);
   if (set.ambient) multiply(*set.ambient, back);
 }
 

@@ -1,11 +1,12 @@
 #include "core/solve/solve_photographs.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/solve/causes/tone_correction.h"
-#include "core/solve/crossed_shots.h"
 #include "core/solve/even_lamps.h"
 #include "core/solve/highlights/highlights.h"
+#include "core/solve/model/crossed_shots.h"
 #include "core/solve/solve_crossed.h"
 
 namespace swaplight {
@@ -14,8 +15,10 @@ namespace {
 
 constexpr float kSolving = 0.9F;  // of the work; the rest finds highlights
 
-/// Whether the model lets a light have another colour than the others.
+/// Whether there may be highlights, and the model lets a light have another colour than the others.
 bool showsHighlights(const SolvedSet& set) {
+  const auto crossed = [](const Shot& shot) { return shot.crossed; };
+  if (std::all_of(set.capture.shots.begin(), set.capture.shots.end(), crossed)) return false;
   const Model model = modelFromName(set.report->model);
   return model != Model::Single && model != Model::Lambert;
 }

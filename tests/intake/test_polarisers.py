@@ -30,24 +30,26 @@ def error(found, truth):
 
 
 class PolarisersTest(cli.CliTest):
-    def shots(self, kinds, matte=None, shine=None, ambient=0, name='set', seed=1):
-        """A capture with a shot a kind: (lighting, whether it is crossed)."""
+    def shots(self, kinds, matte=None, shine=None, ambient=0, tell=True, name='set', coding=cli.SWAPPED, level=1, seed=1):
+        """A capture with a shot a kind: (lighting, whether it is crossed). `tell`: of the ambient light, by a picture.
+        `level`: all light is so much."""
         random = np.random.default_rng(seed)
         if matte is None:
             matte, shine = scene()
         capture = cli.Capture(self.path(name))
-        capture.manifest['noise'] = NOISE
+        if level == 1:
+            capture.manifest['noise'] = NOISE
         capture.shots, capture.manifest['shots'] = [], []
         for k, (lighting, crossed) in enumerate(kinds):
-            colors = copy.deepcopy(cli.SWAPPED[lighting])
+            colors = copy.deepcopy(coding[lighting])
             clean = cli.photograph(matte, colors) + ambient
             clean = clean * PASS if crossed else clean + cli.photograph(shine, colors)
-            capture.shots.append(clean + random.normal(size=clean.shape) * np.sqrt(clean / NOISE['full_well'] + NOISE['read'] ** 2))
+            capture.shots.append(level * (clean + random.normal(size=clean.shape) * np.sqrt(clean / NOISE['full_well'] + NOISE['read'] ** 2)))
             shot = {'image': f'shot_{k}.exr', 'light_colors': colors}
             if crossed:
                 shot['polarisation'] = 'cross'
             capture.manifest['shots'].append(shot)
-        if ambient:
+        if tell and np.any(ambient):
             capture.manifest['ambient'] = 'ambient.exr'
             cli.write_image(self.path(name, 'ambient.exr'), np.full((*matte.shape[1:3], 3), ambient))
         capture.save()
@@ -84,11 +86,38 @@ class PolarisersTest(cli.CliTest):
         self.assertLess(error(lights, matte + shine), .03)
 
     def test_ambient_light_loses_as_much(self):
-        _, shine = scene()
-        capture = self.shots([(0, False), (1, False), (0, True), (1, True)], ambient=.1)
-        _, said = self.solved(capture)
-        self.assertIn('which pass 43 %', said['message'])
+        matte, shine = scene()
+        kinds = [(0, False), (1, False), (0, True), (1, True)]
+        lights, said = self.solved(self.shots(kinds, ambient=.1))
+        self.assertIn('which pass 43 % of matte light', said['message'])
         self.assertLess(error(self.highlights(), shine), .06)
+        self.assertLess(error(lights, matte + shine), .03)
+        # The filter's tint is in the ambient light, too.
+        for channel in range(3):
+            found, truth = (np.median((x.sum(0) - shine.sum(0))[..., channel]) for x in (lights, matte + shine))
+            self.assertLess(abs(found / truth - 1), .015)
+
+    def test_ambient_light_that_is_solved_for_is_no_highlight(self):
+        matte, shine = scene()
+        y, x = np.mgrid[:HEIGHT, :WIDTH]
+        ambient = (.03 + .02 * np.sin(y / 20) * np.cos(x / 30))[..., None] * matte.sum(0) / matte.sum(0).mean()
+        thrice = [*cli.SWAPPED, [[.6, .5, .2], [.3, .4, .9]]]
+        kinds = [(k, crossed) for crossed in (False, True) for k in range(3)]
+        lights, _ = self.solved(self.shots(kinds, ambient=ambient, tell=False, coding=thrice), '--solve-ambient')
+        self.assertLess(error(self.highlights(), shine), .2)
+        self.assertLess(error(lights, matte + shine), .1)
+
+    def test_light_of_any_strength(self):
+        _, shine = scene()
+        for level in (1e-7, 1e6):
+            self.solved(self.shots([(0, False), (1, False), (0, True), (1, True)], level=level), '--float')
+            self.assertLess(error(self.highlights() / level, shine), .08, level)
+
+    def test_lamps_of_nearly_one_colour(self):
+        _, shine = scene()
+        alike = [[[1, .8, .6], [.6, .8, 1]], [[.6, .8, 1], [1, .8, .6]]]
+        self.solved(self.shots([(0, False), (1, False), (0, True), (1, True)], coding=alike))
+        self.assertLess(error(self.highlights(), shine), .15)
 
     def test_a_matte_set_has_none(self):
         matte, shine = scene()
@@ -118,13 +147,28 @@ class PolarisersTest(cli.CliTest):
             cli.write_image(os.path.join(capture.folder, shot['image']), np.clip(pixels, 0, 1), 'uint16')
         with open(capture.path, 'w') as file:
             json.dump(capture.manifest, file)
-        lights, _ = self.solved(capture)
+        lights, said = self.solved(capture)
+        self.assertGreater(said['clipped'], 0)
         found = self.highlights()
         self.assertTrue(np.isfinite(lights).all())
         for own, places in zip((0, 1), (((50, 40), (160, 50)), ((80, 100), (200, 90)))):
             for x, y in places:
                 self.assertGreater(found[own, y, x, 0], .7)
                 self.assertLess(found[1 - own, y, x, 0], .3 * found[own, y, x, 0])
+
+    def test_saturated_highlights_of_lamps_one_at_a_time(self):
+        matte, shine = scene()
+        single = [[[1, 1, 1], [0, 0, 0]], [[0, 0, 0], [1, 1, 1]]]
+        capture = self.shots([(0, False), (1, False), (0, True), (1, True)], matte, 3 * shine, coding=single)
+        for shot, pixels in zip(capture.manifest['shots'], capture.shots):
+            shot['image'] = shot['image'].replace('.exr', '.tif')
+            cli.write_image(os.path.join(capture.folder, shot['image']), np.clip(pixels, 0, 1), 'uint16')
+        with open(capture.path, 'w') as file:
+            json.dump(capture.manifest, file)
+        lights, _ = self.solved(capture)
+        # What is saturated is as bright as the photograph, no brighter.
+        self.assertLess(abs(lights[0, 40, 50].max() - 1), .05)
+        self.assertLess(error((lights - self.highlights()), matte), .05)
 
     def test_marks_the_wrong_way_round_are_noticed(self):
         capture = self.shots([(0, False), (1, False), (0, True), (1, True)])
@@ -166,6 +210,28 @@ class PolarisersTest(cli.CliTest):
         with open(capture.path) as file:
             self.assertEqual([s['image'] for s in json.load(file)['shots'] if s.get('polarisation') == 'cross'], crossed)
         self.deny('new', '--crossed', 'shot_9.exr', *told, naming='--crossed shot_9.exr: there is no such shot')
+        self.assertNotIn('polarisation', json.dumps(self.succeed_json('new', '--crossed', 'none', *told)))
+        with open(capture.path) as file:
+            self.assertNotIn('polarisation', file.read())
+
+    def test_new_gives_both_filters_the_same_colours(self):
+        for kinds in ([(0, False), (0, True), (1, False), (1, True)], [(0, False), (1, False), (0, True), (1, True)]):
+            for how in ('guess', 'forward'):
+                capture = self.shots(kinds)
+                os.remove(capture.path)
+                crossed = ','.join(f'shot_{k}.exr' for k, kind in enumerate(kinds) if kind[1])
+                said = self.succeed_json('new', capture.folder, '--lights', 'key,fill', '--crossed', crossed, '--rotation', how,
+                                         '--colors', '.9/.2/.15,.15/.8/.25', '--force')
+                with open(capture.path) as file:
+                    colors = [shot['light_colors'] for shot in json.load(file)['shots']]
+                np.testing.assert_allclose(colors, [cli.SWAPPED[lighting] for lighting, _ in kinds], atol=1e-6)
+                self.assertNotIn('do not hold light', ' '.join(said['warnings']))
+        capture = self.shots([(0, False), (0, True), (1, False), (1, True)])
+        self.succeed('new', capture.folder, '--lights', 'key,fill', '--crossed', 'shot_1.exr,shot_3.exr', '--one-at-a-time',
+                     '--force')
+        with open(capture.path) as file:
+            on = [[sum(color) > 0 for color in shot['light_colors']] for shot in json.load(file)['shots']]
+        self.assertEqual(on, [[True, False], [True, False], [False, True], [False, True]])
 
     def test_the_mark_travels_with_the_set(self):
         self.solved(self.shots([(0, False), (1, False), (0, True), (1, True)]))

@@ -12,6 +12,7 @@
 #include "core/solve/causes/cause_fit.h"
 #include "core/solve/causes/cause_slopes.h"
 #include "core/solve/causes/tone_correction.h"
+#include "core/solve/model/crossed_shots.h"
 #include "core/solve/model/pixel_run.h"
 #include "core/solve/model/unknown_color.h"
 
@@ -317,6 +318,9 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
 LinearityEvidence linearityOf(const Capture& capture, const CapturePixels& photographs,
                               const Progress& progress, const CauseTuning& tuning) {
   using Answer = LinearityEvidence::Answer;
+  // The same light through another filter would look like a curve: those without highlights are asked.
+  if (isPartlyCrossed(capture))
+    return linearityOf(shotsOf(capture, true), copiedShots(capture, true, photographs), progress, tuning);
   LinearityEvidence evidence;
   if (capture.shotCount() > kMaxShots || capture.lightCount() > kMaxLights) {
     answer(evidence, Answer::Unknown,

@@ -13,15 +13,17 @@
 namespace swaplight {
 namespace {
 
-constexpr int kBlock = 8;           // pixels a side
-constexpr double kSame = 1e-3;      // relative: a lighting that is the sum of others
-constexpr double kMostWeights = 3;  // length of what others are multiplied with: beyond it they are noise
-constexpr double kBright = 0.1;     // of the 95th percentile of the blocks' light
-constexpr size_t kFewBlocks = 20;   // too few to tell
-constexpr double kWidth = 0.01;     // of the place where ratios gather: of the logarithm
-constexpr int kMostSteps = 50;      // of the mean shift
-constexpr double kDark = 0.9;       // of the part: a block with highlights, or their want
-constexpr float kMostPass = 1.05F;  // no filter lets more through
+constexpr int kBlock = 8;              // pixels a side
+constexpr double kSame = 1e-3;         // relative: a lighting that is the sum of others
+constexpr double kNoWeight = 1e-6;     // what rounding leaves of a shot that does not count
+constexpr double kMostWeights = 3;     // length of what others are multiplied with: beyond it they are noise
+constexpr double kBright = 0.1;        // of the 95th percentile of the blocks' light
+constexpr double kMostBlocks = 20000;  // of a large picture, evenly
+constexpr size_t kFewBlocks = 20;      // too few to tell
+constexpr double kWidth = 0.01;        // of the place where ratios gather: of the logarithm
+constexpr int kMostSteps = 50;         // of the mean shift
+constexpr double kDark = 0.9;          // of the part: a block with highlights, or their want
+constexpr float kMostPass = 1.05F;     // no filter lets more through
 constexpr double kFewHighlights = 0.01;  // part of the blocks
 
 /// A crossed shot's channel as a sum of the open ones'.
@@ -56,9 +58,12 @@ std::optional<Sum> sumFor(const Capture& capture, const LightingMatrix& lighting
   Sum sum{shot, channel, std::vector<double>(capture.shots.size(), 0), 0};
   sum.ambient = std::exp2(capture.shots[shot].exposureStops);
   for (size_t j = 0; j < open.size(); ++j) {
-    sum.weights[open[j]] = weights(static_cast<Eigen::Index>(j));
+    const double weight = weights(static_cast<Eigen::Index>(j));
+    if (std::abs(weight) < kNoWeight) continue;
+    sum.weights[open[j]] = weight;
     sum.ambient -= sum.weights[open[j]] * std::exp2(capture.shots[open[j]].exposureStops);
   }
+  if (std::abs(sum.ambient) < kNoWeight) sum.ambient = 0;
   return sum;
 }
 
@@ -96,8 +101,10 @@ std::vector<double> ratiosOf(const CapturePixels& photographs, const std::vector
   for (const Sum& sum : sums) {
     if (sum.channel != channel) continue;
     std::vector<Block> blocks;
-    for (int y = 0; y + kBlock <= photographs.height(); y += kBlock)
-      for (int x = 0; x + kBlock <= photographs.width(); x += kBlock)
+    const double all = double(photographs.width()) * double(photographs.height()) / (kBlock * kBlock);
+    const int step = kBlock * std::max(1, static_cast<int>(std::ceil(std::sqrt(all / kMostBlocks))));
+    for (int y = 0; y + kBlock <= photographs.height(); y += step)
+      for (int x = 0; x + kBlock <= photographs.width(); x += step)
         if (const auto block = blockAt(photographs, sum, x, y)) blocks.push_back(*block);
     if (blocks.empty()) continue;
     const auto high = blocks.begin() + static_cast<ptrdiff_t>(blocks.size() * 95 / 100);
@@ -159,7 +166,7 @@ CrossedPass crossedPass(const Capture& capture, const CapturePixels& photographs
     throw InputError(
         "{}: what the crossed polarisers leave of the light cannot be told: take each lighting twice, with "
         "the "
-        "camera's filter crossed and not.",
+        "camera's filter crossed and not, and enough of the picture lit and not clipped.",
         where);
   // A channel of which nothing is known passes what the others do.
   float sum = 0;

@@ -15,40 +15,80 @@ namespace swaplight {
 namespace {
 
 constexpr int kBandRows = 16;         // at once
-constexpr double kApart = 1e-3;       // of the largest eigenvalue: lights that are told apart
+constexpr double kApart = 0.01;       // of the largest eigenvalue: lights that are told apart
 constexpr float kDoubt = 1.5F;        // standard errors that may be noise
 constexpr float kSurely = 3;          // standard errors above none
 constexpr float kMatteError = 0.01F;  // of the matte light: what is known of the part that passes
-constexpr int kMostSweeps = 60;       // of the fit
+constexpr int kMostSweeps = 400;      // of the fit
 constexpr float kSettledFit = 1e-5F;  // of the highest
-constexpr float kLeastGain = 1e-6F;   // of a light's own colours
+constexpr float kLeastGain = 1e-6F;   // of a light's own colours, over the most of them
+constexpr int kLost = kMoved | kNotFinite;
 
 using Lights = std::array<float, kMaxLights>;
+
+/// What photographs show of a set that is matte.
+class MatteLight {
+ public:
+  MatteLight(const Capture& capture, const SolvedSet& set)
+      : m_set(set), m_lighting(lightingFromCapture(capture)) {
+    for (const Shot& shot : capture.shots) m_exposure.push_back(std::exp2(shot.exposureStops));
+  }
+  [[nodiscard]] float at(size_t shot, int channel, size_t p) const {
+    float sum = m_set.ambient ? m_exposure[shot] * m_set.ambient->plane(channel)[p] : 0;
+    for (size_t i = 0; i < m_set.contributions.size(); ++i)
+      sum += color(shot, i, channel) * m_set.contributions[i].plane(channel)[p];
+    return sum;
+  }
+  [[nodiscard]] float color(size_t shot, size_t light, int channel) const {
+    return m_lighting.color(static_cast<int>(shot), static_cast<int>(light))[channel];
+  }
+  [[nodiscard]] size_t shots() const { return m_exposure.size(); }
+
+ private:
+  const SolvedSet& m_set;
+  LightingMatrix m_lighting;
+  std::vector<float> m_exposure;
+};
 
 /// Least squares of numbers >= 0, one a light: the equations' sums.
 struct Equations {
   std::array<Lights, kMaxLights> products{};
   Lights right{};
+
+  [[nodiscard]] Eigen::MatrixXd matrix(size_t lights) const {
+    const auto size = static_cast<Eigen::Index>(lights);
+    Eigen::MatrixXd result(size, size);
+    for (size_t i = 0; i < lights; ++i)
+      for (size_t j = 0; j < lights; ++j)
+        result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = double(products[i][j]);
+    return result;
+  }
 };
 
-/// By turns, each light given the others (coordinate descent: the problem is convex).
-Lights nonNegative(const Equations& e, size_t lights) {
-  Lights s{};
+bool tellApart(const Eigen::MatrixXd& products) {
+  const SymmetricEigen parts = symmetricEigen(products);
+  return parts.values(0) > kApart * parts.values(parts.values.size() - 1);
+}
+
+/// By turns, each light given the others, from `start` (coordinate descent: the problem is convex).
+Lights nonNegative(const Equations& e, size_t lights, Lights start) {
+  float brightest = 0;
+  for (size_t i = 0; i < lights; ++i) brightest = std::max(brightest, e.products[i][i]);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     float change = 0, most = 0;
     for (size_t i = 0; i < lights; ++i) {
-      if (e.products[i][i] <= kLeastGain) continue;
       float rest = e.right[i];
       for (size_t j = 0; j < lights; ++j)
-        if (j != i) rest -= e.products[i][j] * s[j];
-      const float next = std::max(0.0F, rest / e.products[i][i]);
-      change = std::max(change, std::abs(next - s[i]));
+        if (j != i) rest -= e.products[i][j] * start[j];
+      const bool seen = e.products[i][i] > kLeastGain * brightest;
+      const float next = seen ? std::max(0.0F, rest / e.products[i][i]) : 0.0F;
+      change = std::max(change, std::abs(next - start[i]));
       most = std::max(most, next);
-      s[i] = next;
+      start[i] = next;
     }
     if (change <= kSettledFit * most) break;
   }
-  return s;
+  return start;
 }
 
 class HighlightFit {
@@ -56,99 +96,86 @@ class HighlightFit {
   HighlightFit(const Capture& capture, const CapturePixels& photographs, const SolvedSet& matte)
       : m_photographs(photographs),
         m_matte(matte),
-        m_lighting(lightingFromCapture(capture)),
+        m_light(capture, matte),
         m_noise(noiseModel(matte.report->noise, photographs, 0)),
         m_lights(static_cast<size_t>(capture.lightCount())) {
-    for (const Shot& shot : capture.shots) m_exposure.push_back(std::exp2(shot.exposureStops));
-    for (size_t k = 0; k < m_exposure.size(); ++k)
-      for (int c = 0; c < 3; ++c) add(k, c, 0, m_all);
-    Eigen::MatrixXd products(m_lights, m_lights);
-    for (size_t i = 0; i < m_lights; ++i)
-      for (size_t j = 0; j < m_lights; ++j)
-        products(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = double(m_all.products[i][j]);
-    const SymmetricEigen parts = symmetricEigen(products);
-    if (!(parts.values(0) > kApart * parts.values(parts.values.size() - 1)))
+    Equations all;
+    for (size_t k = 0; k < m_light.shots(); ++k)
+      for (int c = 0; c < 3; ++c) add(k, c, 0, all);
+    const Eigen::MatrixXd products = all.matrix(m_lights);
+    if (!tellApart(products))
       throw InputError(
-          "{}: whose a highlight is cannot be told: the lights have too much the same colours in the "
-          "photographs "
-          "that are not crossed. Take one more of those, with other colours.",
+          "{}: whose a highlight is cannot be told: in the photographs that are not crossed the lights are "
+          "off, or have too much the same colours. Take one more of those, with other colours.",
           capture.file.empty() ? capture.name : capture.file.filename().string());
     const Eigen::MatrixXd inverse = inverseOf(products);
     for (size_t i = 0; i < m_lights; ++i)
-      m_gain[i] =
-          static_cast<float>(std::sqrt(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i))));
+      for (size_t j = 0; j < m_lights; ++j)
+        m_inverse[i][j] =
+            static_cast<float>(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   }
 
-  /// Each light's highlight at a pixel, and the standard error of a photograph's value there.
-  float at(size_t p, Lights& highlights) const {
-    Equations equations;
+  struct Found {
+    Lights highlights{};
+    float error = 0;  ///< standard, of a photograph's value
     bool clipped = false;
+  };
+  [[nodiscard]] Found at(size_t p) const {
+    Found found;
+    if (static_cast<int>(m_matte.quality.plane(kFlags)[p]) & kLost) return found;
+    Equations equations, all;
     float brightest = 0, matte = 0;
-    for (size_t k = 0; k < m_exposure.size(); ++k)
+    for (size_t k = 0; k < m_light.shots(); ++k)
       for (int c = 0; c < 3; ++c) {
         const float value = m_photographs.shots[k].plane(c)[p];
-        if (!std::isfinite(value)) return highlights = {}, 0.0F;
-        const float left = matteLight(k, c, p);
-        matte = std::max(matte, left);
+        if (!std::isfinite(value)) return {};
+        const float without = m_light.at(k, c, p);
+        matte = std::max(matte, without);
         brightest = std::max(brightest, value);
-        if (value < m_photographs.clipLevel[k])
-          add(k, c, value - left, equations);
-        else
-          clipped = true;
+        const bool clipped = !(value < m_photographs.clipLevel[k]);
+        add(k, c, value - without, all);
+        if (!clipped) add(k, c, value - without, equations);
+        found.clipped |= clipped;
       }
-    if (clipped && !tellsApart(equations)) {
-      equations = {};
-      for (size_t k = 0; k < m_exposure.size(); ++k)
-        for (int c = 0; c < 3; ++c)
-          add(k, c, m_photographs.shots[k].plane(c)[p] - matteLight(k, c, p), equations);
-    }
-    highlights = nonNegative(equations, m_lights);
+    if (found.clipped && tellApart(equations.matrix(m_lights)))
+      found.highlights = nonNegative(equations, m_lights, {});
+    else
+      found.highlights = solved(all);
     const float own = std::hypot(m_matte.quality.plane(kSigma)[p], kMatteError) * matte;
-    return std::sqrt(m_noise.variance(brightest) + own * own);
+    found.error = std::sqrt(m_noise.variance(brightest) + own * own);
+    return found;
   }
-  /// Of a light's highlight, over that of a photograph's value.
-  [[nodiscard]] float gain(size_t light) const { return m_gain[light]; }
+  /// The standard error of a light's highlight, over that of a photograph's value.
+  [[nodiscard]] float gain(size_t light) const { return std::sqrt(m_inverse[light][light]); }
   [[nodiscard]] size_t lights() const { return m_lights; }
 
  private:
   void add(size_t shot, int channel, float beyond, Equations& equations) const {
     for (size_t i = 0; i < m_lights; ++i) {
-      const float own = m_lighting.color(static_cast<int>(shot), static_cast<int>(i))[channel];
+      const float own = m_light.color(shot, i, channel);
       equations.right[i] += own * beyond;
-      for (size_t j = 0; j < m_lights; ++j)
-        equations.products[i][j] +=
-            own * m_lighting.color(static_cast<int>(shot), static_cast<int>(j))[channel];
+      for (size_t j = 0; j < m_lights; ++j) equations.products[i][j] += own * m_light.color(shot, j, channel);
     }
   }
 
-  /// What a photograph would show of the matte set.
-  [[nodiscard]] float matteLight(size_t shot, int channel, size_t p) const {
-    float sum = m_photographs.ambient ? m_exposure[shot] * m_photographs.ambient->plane(channel)[p] : 0;
-    for (size_t i = 0; i < m_lights; ++i)
-      sum += m_lighting.color(static_cast<int>(shot), static_cast<int>(i))[channel] *
-             m_matte.contributions[i].plane(channel)[p];
-    return sum;
-  }
-
-  /// Whether what is not saturated says something of each light: near enough to how much all of it would.
-  [[nodiscard]] bool tellsApart(const Equations& equations) const {
-    Eigen::MatrixXd products(m_lights, m_lights);
-    for (size_t i = 0; i < m_lights; ++i)
-      for (size_t j = 0; j < m_lights; ++j)
-        products(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-            double(equations.products[i][j]);
-    const SymmetricEigen parts = symmetricEigen(products);
-    return parts.values(0) > kApart * parts.values(parts.values.size() - 1);
+  /// Of all values: exact where no light's is negative.
+  [[nodiscard]] Lights solved(const Equations& all) const {
+    Lights free{};
+    bool negative = false;
+    for (size_t i = 0; i < m_lights; ++i) {
+      for (size_t j = 0; j < m_lights; ++j) free[i] += m_inverse[i][j] * all.right[j];
+      negative |= free[i] < 0;
+      free[i] = std::max(free[i], 0.0F);
+    }
+    return negative ? nonNegative(all, m_lights, free) : free;
   }
 
   const CapturePixels& m_photographs;
   const SolvedSet& m_matte;
-  LightingMatrix m_lighting;
+  MatteLight m_light;
   NoiseModel m_noise;
   size_t m_lights;
-  std::vector<float> m_exposure;
-  Equations m_all;
-  Lights m_gain{};
+  std::array<Lights, kMaxLights> m_inverse{};
 };
 
 /// The mean of the squares of 3 x 3 pixels.
@@ -175,17 +202,19 @@ HighlightLight highlightLight(const Capture& capture, const CapturePixels& photo
   std::vector<Image> raw;
   for (size_t i = 0; i < fit.lights(); ++i) raw.emplace_back(single);
   Image error(single);
+  HighlightLight found;
+  found.clipped.resize(error.pixelCount(), 0);
   std::atomic<int> done = 0;
   parallelRows(height, kBandRows, [&](int begin, int end) {
-    Lights values;
     for (size_t p = size_t(begin) * size_t(width); p < size_t(end) * size_t(width); ++p) {
-      error.plane(0)[p] = fit.at(p, values);
-      for (size_t i = 0; i < raw.size(); ++i) raw[i].plane(0)[p] = values[i];
+      const HighlightFit::Found here = fit.at(p);
+      error.plane(0)[p] = here.error;
+      found.clipped[p] = here.clipped;
+      for (size_t i = 0; i < raw.size(); ++i) raw[i].plane(0)[p] = here.highlights[i];
     }
     progress.update(float(done += end - begin) / float(height), "Finding highlights");
   });
 
-  HighlightLight found;
   for (size_t i = 0; i < raw.size(); ++i)
     found.lights.emplace_back(ImageSpec{width, height, {"R", "G", "B"}, matte.colorSpace()});
   std::atomic<size_t> sure = 0;
@@ -211,23 +240,29 @@ HighlightLight highlightLight(const Capture& capture, const CapturePixels& photo
   return found;
 }
 
-void takeHighlights(const Capture& capture, const std::vector<Image>& highlights,
+void takeHighlights(const Capture& capture, const std::vector<Image>& highlights, const SolvedSet& matte,
                     CapturePixels& photographs) {
-  const LightingMatrix lighting = lightingFromCapture(capture);
+  const MatteLight light(capture, matte);
   parallelRows(photographs.height(), kBandRows, [&](int begin, int end) {
     const size_t first = size_t(begin) * size_t(photographs.width());
     const size_t last = size_t(end) * size_t(photographs.width());
-    for (size_t k = 0; k < photographs.shots.size(); ++k)
+    for (size_t k = 0; k < photographs.shots.size(); ++k) {
+      const float clip = photographs.clipLevel[k];
       for (int c = 0; c < 3; ++c) {
         float* values = photographs.shots[k].plane(c);
         for (size_t p = first; p < last; ++p) {
-          if (!(values[p] < photographs.clipLevel[k])) continue;
+          if (!std::isfinite(values[p])) continue;
+          if (!(values[p] < clip)) {  // how much of it is highlight is not known; what the rest is, is
+            values[p] = std::min(light.at(k, c, p), std::nextafter(clip, 0.0F));
+            continue;
+          }
           float rest = values[p];
           for (size_t i = 0; i < highlights.size(); ++i)
-            rest -= lighting.color(static_cast<int>(k), static_cast<int>(i))[c] * highlights[i].plane(c)[p];
+            rest -= light.color(k, i, c) * highlights[i].plane(c)[p];
           values[p] = std::max(rest, std::min(values[p], 0.0F));  // no less than nothing of what it was
         }
       }
+    }
   });
 }
 

@@ -51,7 +51,7 @@ TEST(CameraRaw, ShotsOfACaptureAreLinearAndClipAtFullScale) {
   capture.folder = folder.path();
   capture.colorSpace = "srgb";
   capture.lights = {{"key", Role::Key, {}}};
-  capture.shots = {{"one.dng", {Rgb(1)}, {}, 0, {}}};
+  capture.shots = {{"one.dng", {Rgb(1)}, {}, 0, false, {}}};
   const CapturePixels pixels = loadCapturePixels(test::builtinColors(), capture);
   EXPECT_NEAR(pixels.shots[0].view().at(1, 32, 32), 0.4F, 2e-4F);
   EXPECT_FALSE(pixels.encoded);

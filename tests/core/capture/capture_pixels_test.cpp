@@ -30,7 +30,7 @@ class Set {
     capture.file = folder / "capture.json";
     capture.lights = {{"key", Role::Key, {}}};
     for (const char* name : {"one", "two"}) {
-      capture.shots.push_back({name + extension, {Rgb(1)}, {}, 0, {}});
+      capture.shots.push_back({name + extension, {Rgb(1)}, {}, 0, false, {}});
       images.push_back(ramp(largest));
     }
   }

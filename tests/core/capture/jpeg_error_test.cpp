@@ -140,7 +140,7 @@ TEST(JpegError, IsOfLinearLightInACapture) {
   Capture capture;
   capture.folder = folder.path();
   capture.lights = {{"key", Role::Key, {}}};
-  capture.shots = {{"one.jpg", {Rgb(1)}, {}, 0, {}}};
+  capture.shots = {{"one.jpg", {Rgb(1)}, {}, 0, false, {}}};
   capture.colorSpace = "srgb";
   const Image codes = texture(2, .08F);
   writeSubsampled(codes, folder / "one.jpg", 90);

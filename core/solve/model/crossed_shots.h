@@ -11,7 +11,10 @@ namespace swaplight {
 /// The capture with its crossed shots only, or with the others only.
 [[nodiscard]] Capture shotsOf(const Capture& capture, bool crossed);
 
-/// The photographs of shotsOf(), as long as this lives: taken from all of them, and put back.
+/// The photographs of shotsOf(), copied.
+[[nodiscard]] CapturePixels copiedShots(const Capture& capture, bool crossed, const CapturePixels& from);
+
+/// The same, as long as this lives: taken from all of them, and put back.
 class BorrowedShots {
  public:
   BorrowedShots(const Capture& capture, bool crossed, CapturePixels& from);
