@@ -24,8 +24,7 @@ SolvedSet twoLights() {
   put(1, 0, {0.1F, 0.2F, 0.1F});
   put(1, 1, {0.3F, 0.3F, 0.4F});
   updateBeta(set);
-  set.capture.shots.push_back(
-      {"a.exr", {Rgb(0.9F, 0.2F, 0.1F), Rgb(0.1F, 0.8F, 0.3F)}, {}, 0, false, {}});
+  set.capture.shots.push_back({"a.exr", {Rgb(0.9F, 0.2F, 0.1F), Rgb(0.1F, 0.8F, 0.3F)}, {}, 0, false, {}});
   set.capture.shots.push_back({"b.exr", {Rgb(0.1F, 0.8F, 0.3F), std::nullopt}, {}, 1.5F, false, {}});
   return set;
 }
