@@ -26,7 +26,9 @@ void ShadowController::follow() {
   m_click.reset();
   m_chosenOf.reset();
   m_seen.clear();
-  m_previewing.cancel();
+  m_previewing.drop();
+  m_drawing.drop();
+  m_choosing.drop();
   m_parts.state.chosen.reset();
 }
 

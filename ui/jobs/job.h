@@ -50,6 +50,16 @@ class Job {
   void cancel() {
     if (running()) m_last.run->stop = true;
   }
+  /// The last work counts no more: it is told to stop, and nobody hears of its result, not even of one that
+  /// is there already.
+  void drop() {
+    if (running()) {
+      m_last.run->dropped = true;
+      m_last.run->stop = true;
+      m_dropped.push_back(std::exchange(m_last, {}));
+    }
+    forgetEnded();
+  }
   /// Told to stop, and still running.
   [[nodiscard]] bool cancelling() const { return running() && m_last.run->stop; }
 
@@ -138,16 +148,6 @@ class Job {
   static Thread join(Thread thread) {
     thread.thread.join();
     return thread;
-  }
-
-  /// The last work counts no more.
-  void drop() {
-    if (running()) {
-      m_last.run->dropped = true;
-      m_last.run->stop = true;
-      m_dropped.push_back(std::exchange(m_last, {}));
-    }
-    forgetEnded();
   }
 
   /// Threads that have come to their end are joined without waiting.

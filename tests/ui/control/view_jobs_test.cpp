@@ -1,7 +1,9 @@
 // What is made in threads of what is seen: shadows, scopes, exports.
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "core/image/io/image_io.h"
 #include "core/relight/setting.h"
@@ -82,6 +84,16 @@ TEST(ShadowController, AnotherSetForgetsWhatWasShown) {
   studio.shadows.show();
   EXPECT_EQ(studio.shadows.preview(), nullptr);
   EXPECT_FALSE(studio.editing.shadow.chosen.has_value());
+}
+
+TEST(ShadowController, APreviewThatNobodyHasTakenYetIsNotTheNextSets) {
+  StudioParts studio;
+  studio.open(test::discSet());
+  studio.shadows.show();
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // it is made meanwhile
+  studio.open(test::smallSet(2, 64, 48));
+  studio.shadows.show();
+  EXPECT_EQ(studio.shadows.preview(), nullptr);
 }
 
 TEST(ShadowController, GivesALightsVisibilityToTheViewer) {
