@@ -29,6 +29,15 @@ def error(found, truth):
     return np.linalg.norm(found - truth) / np.linalg.norm(truth)
 
 
+def saturate(capture):
+    """Its shots as 16-bit pictures that end at full scale."""
+    for shot, pixels in zip(capture.manifest['shots'], capture.shots):
+        shot['image'] = shot['image'].replace('.exr', '.tif')
+        cli.write_image(os.path.join(capture.folder, shot['image']), np.clip(pixels, 0, 1), 'uint16')
+    with open(capture.path, 'w') as file:
+        json.dump(capture.manifest, file)
+
+
 class PolarisersTest(cli.CliTest):
     def shots(self, kinds, matte=None, shine=None, ambient=0, tell=True, name='set', coding=cli.SWAPPED, level=1, seed=1):
         """A capture with a shot a kind: (lighting, whether it is crossed). `tell`: of the ambient light, by a picture.
@@ -141,12 +150,7 @@ class PolarisersTest(cli.CliTest):
     def test_saturated_highlights_stay_with_their_lamp(self):
         matte, shine = scene()
         capture = self.shots([(0, False), (1, False), (0, True), (1, True)], matte, 3 * shine)
-        capture.manifest['color_space'] = 'lin_rec709'
-        for shot, pixels in zip(capture.manifest['shots'], capture.shots):
-            shot['image'] = shot['image'].replace('.exr', '.tif')
-            cli.write_image(os.path.join(capture.folder, shot['image']), np.clip(pixels, 0, 1), 'uint16')
-        with open(capture.path, 'w') as file:
-            json.dump(capture.manifest, file)
+        saturate(capture)
         lights, said = self.solved(capture)
         self.assertGreater(said['clipped'], 0)
         found = self.highlights()
@@ -160,11 +164,7 @@ class PolarisersTest(cli.CliTest):
         matte, shine = scene()
         single = [[[1, 1, 1], [0, 0, 0]], [[0, 0, 0], [1, 1, 1]]]
         capture = self.shots([(0, False), (1, False), (0, True), (1, True)], matte, 3 * shine, coding=single)
-        for shot, pixels in zip(capture.manifest['shots'], capture.shots):
-            shot['image'] = shot['image'].replace('.exr', '.tif')
-            cli.write_image(os.path.join(capture.folder, shot['image']), np.clip(pixels, 0, 1), 'uint16')
-        with open(capture.path, 'w') as file:
-            json.dump(capture.manifest, file)
+        saturate(capture)
         lights, _ = self.solved(capture)
         # What is saturated is as bright as the photograph, no brighter.
         self.assertLess(abs(lights[0, 40, 50].max() - 1), .05)
