@@ -90,11 +90,11 @@ class Select(Tools):
         _, session = self.save_as('parts')
         self.assertEqual([part['combine'] for part in session['selection'][0]['parts']], ['add', 'add', 'subtract'])
         self.assertTrue(session['selection'][0]['invert'])
-        self.assertTrue(studio.has('select.feather'))
+        self.assertFalse(studio.has('select.none'))
         studio.key('ctrl+d')
-        studio.wait(lambda layout: 'select.feather' not in layout['items'], 'nothing is selected')
+        studio.item('select.none')
         studio.key('ctrl+z')
-        studio.item('select.feather')
+        studio.wait(lambda layout: 'select.none' not in layout['items'], 'it is selected again')
 
     def test_what_is_alike_is_selected_by_a_click(self):
         studio = self.open()
@@ -105,6 +105,24 @@ class Select(Tools):
         _, session = self.save_as('alike')
         part = session['selection'][0]['parts'][0]
         self.assertEqual((part['shape'], part['by'], part['connected']), ('similar', 'color', True))
+
+    def test_the_list_of_edits_stays_where_it_is(self):
+        """Whatever kind of selection is taken, whatever gets selected: nothing moves from under the pointer."""
+        studio = self.open()
+        place = studio.item('edits.add')
+        for kind in ('lasso', 'similar', 'shadow', 'rectangle'):
+            studio.click(f'select.{kind}')
+            self.assertEqual(studio.item('edits.add'), place, kind)
+        self.drag(0.2, 0.2, 0.5, 0.6)
+        studio.wait(lambda layout: 'select.none' not in layout['items'], 'something is selected')
+        self.assertEqual(studio.item('edits.add'), place)
+        studio.click('edits.add')
+        studio.click('add.gain')
+        studio.item('edits.0')
+        self.assertEqual(studio.item('edits.add'), place, 'an edit is selected')
+        studio.key('ctrl+d')
+        studio.item('select.none')
+        self.assertEqual(studio.item('edits.add'), place, 'nothing is selected')
 
     def seconds_of_work(self):
         """Processor time of the studio so far."""

@@ -19,6 +19,8 @@ namespace {
 using Kind = SelectionState::Kind;
 
 constexpr float kMostSelectionFeather = 400;
+/// Below the kinds, whichever is chosen: what stands further down stays where it is.
+constexpr float kDetailRows = 3;
 
 void kinds(SelectionState& state, const std::string& light) {
   struct Choice {
@@ -60,6 +62,22 @@ void similar(SelectionState& state) {
   markItem("select.connected");
 }
 
+void shadows(EditingContext& studio, const LightSetting& light) {
+  if (ImGui::Button(("All shadows of " + light.title()).c_str(), ImVec2(ImGui::GetContentRegionAvail().x, 0)))
+    selectShadows(studio, light.light);
+  markItem("select.all_shadows");
+  if (studio.edits.findingShadows()) hint("Finding shadows \u2026");
+}
+
+/// Does the selected edit act within other bounds than the selection's?
+const Edit* editToLimit(const EditingContext& studio) {
+  const int chosen = studio.editing.chosen;
+  const auto& edits = studio.document().edits.edits;
+  if (chosen < 0 || chosen >= static_cast<int>(edits.size())) return nullptr;
+  const Edit* edit = edits[static_cast<size_t>(chosen)].get();
+  return selectionOf(edit->mask) == studio.document().selection ? nullptr : edit;
+}
+
 }  // namespace
 
 void drawSelectionPanel(EditingContext& studio) {
@@ -70,22 +88,21 @@ void drawSelectionPanel(EditingContext& studio) {
   ImGui::PopFont();
   tooltip("The brush, stencils, gradients and new edits stay inside the selection.");
   kinds(state, light.title());
+  const float top = ImGui::GetCursorPosY();
   if (state.kind == Kind::Similar) similar(state);
-  if (state.kind == Kind::Shadow) {
-    if (ImGui::Button(("All shadows of " + light.title()).c_str(),
-                      ImVec2(ImGui::GetContentRegionAvail().x, 0)))
-      selectShadows(studio, light.light);
-    markItem("select.all_shadows");
-    if (studio.edits.findingShadows()) hint("Finding shadows \u2026");
-  }
+  if (state.kind == Kind::Shadow) shadows(studio, light);
+  ImGui::SetCursorPosY(top + kDetailRows * ImGui::GetFrameHeightWithSpacing());
   hint("Shift adds, Alt subtracts");
 }
 
 void drawSelectionBar(EditingContext& studio) {
   const Mask& selection = studio.document().selection;
-  if (selection.empty()) return;
-  hint("Edits stay inside the selection");
-  float feather = featherOf(selection);
+  const bool none = selection.empty();
+  if (none && studio.tool != &kSelect) return;
+  hint(none ? "Nothing is selected" : "Edits stay inside the selection");
+  if (none) markItem("select.none");
+  ImGui::BeginDisabled(none);
+  float feather = none ? 0 : featherOf(selection);
   if (labelledSlider("Soft edge", "select.feather", &feather, 0, kMostSelectionFeather, "%.0f px",
                      "Width of the soft edge, in image pixels.", kLogarithmic)) {
     Document next = studio.document();
@@ -97,16 +114,16 @@ void drawSelectionBar(EditingContext& studio) {
   actionTextButton(studio.actions, "select.invert", "Invert", width);
   ImGui::SameLine(0, gap);
   actionTextButton(studio.actions, "select.clear", "Clear", width);
-  const int chosen = studio.editing.chosen;
-  const auto& edits = studio.document().edits.edits;
-  if (chosen < 0 || chosen >= static_cast<int>(edits.size())) return;
-  const Edit& edit = *edits[static_cast<size_t>(chosen)];
-  if (selectionOf(edit.mask) == studio.document().selection) return;
-  if (ImGui::Button("Limit the selected edit to it", ImVec2(ImGui::GetContentRegionAvail().x, 0))) {
-    Edit restricted = edit;
-    restricted.mask = maskWithin(edit.mask, studio.document().selection);
-    editEdit(studio, static_cast<size_t>(chosen), "Limit to the selection", std::move(restricted));
+  ImGui::EndDisabled();
+  const Edit* edit = none ? nullptr : editToLimit(studio);
+  ImGui::BeginDisabled(!edit);
+  if (ImGui::Button("Limit the selected edit to it", ImVec2(ImGui::GetContentRegionAvail().x, 0)) && edit) {
+    Edit restricted = *edit;
+    restricted.mask = maskWithin(edit->mask, selection);
+    editEdit(studio, static_cast<size_t>(studio.editing.chosen), "Limit to the selection",
+             std::move(restricted));
   }
+  ImGui::EndDisabled();
   markItem("select.restrict");
 }
 

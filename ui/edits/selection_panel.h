@@ -6,7 +6,8 @@ namespace swaplight {
 
 /// How to select: the shape of it, and what counts as alike.
 void drawSelectionPanel(EditingContext& studio);
-/// What is selected: soft edge, invert, clear. Nothing where nothing is.
+/// What is selected: soft edge, invert, clear. Where nothing is: greyed with the tool in hand, else nothing.
+/// What stands below does not move when something gets selected.
 void drawSelectionBar(EditingContext& studio);
 
 }  // namespace swaplight

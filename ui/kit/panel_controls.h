@@ -7,7 +7,7 @@ namespace swaplight {
 // What the panels at the left are made of.
 
 /// Behind a label, where what it names begins. Pixels at scale 1.
-inline constexpr float kLabelWidth = 70;
+inline constexpr float kLabelWidth = 77;
 inline constexpr ImGuiSliderFlags kLogarithmic = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic;
 
 /// One of several choices as a button. True when clicked.

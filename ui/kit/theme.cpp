@@ -14,7 +14,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kBodySize = 18;
-constexpr float kSmallSize = 15;
+constexpr float kSmallSize = 16;
 constexpr float kTitleSize = 38;
 
 // Latin with accents, Greek for beta and sigma, punctuation, arrows and mathematics.

@@ -18,6 +18,7 @@ namespace {
 constexpr ImU32 kGrid = IM_COL32(255, 255, 255, 34);
 constexpr float kRoomForNames = 130;  // side of a chromaticity plot, below which names would only overlap
 constexpr ImU32 kGridStrong = IM_COL32(255, 255, 255, 80);
+constexpr float kLabelHeight = .8F;  // of a line of text: digits have nothing below them
 
 /// Draws in a rectangle whose corners stand for 0, 0 (lower left) and 1, 1.
 class Plot {
@@ -37,14 +38,19 @@ class Plot {
   void line(float x0, float y0, float x1, float y1, ImU32 color = kGrid) const {
     m_draw->AddLine(at(x0, y0), at(x1, y1), color, std::max(1.0F, px(1)));
   }
-  /// Left of the plot at a height.
-  void labelLeft(float y, const std::string& text) const {
+  /// Left of the plot at a height, from below upwards. Not where the label before leaves no room.
+  void labelLeft(float y, const std::string& text) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float half = kLabelHeight * size.y / 2;
+    if (at(0, y).y + half > m_writtenLeft) return;
+    m_writtenLeft = at(0, y).y - half;
     m_draw->AddText(ImVec2(m_low.x - size.x - px(4), at(0, y).y - size.y / 2), kFaint, text.c_str());
   }
-  /// Below the plot.
-  void labelBelow(float x, const std::string& text) const {
+  /// Below the plot, from the left to the right. Not where the label before leaves no room.
+  void labelBelow(float x, const std::string& text) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    if (at(x, 0).x - size.x / 2 < m_writtenBelow) return;
+    m_writtenBelow = at(x, 0).x + size.x / 2 + px(4);
     m_draw->AddText(ImVec2(at(x, 0).x - size.x / 2, m_high.y + px(2)), kFaint, text.c_str());
   }
   void label(float x, float y, const std::string& text, ImU32 color) const {
@@ -54,6 +60,7 @@ class Plot {
 
  private:
   ImVec2 m_low, m_high;
+  float m_writtenLeft = 1e9F, m_writtenBelow = -1e9F;  ///< where the last label ends
   ImDrawList* m_draw;
 };
 
@@ -93,7 +100,7 @@ HistogramAxis axisOf(const ScopePictures& pictures, ScopeOptions::Axis axis, std
 
 void drawWaveform(unsigned texture, int columns, const std::vector<ScopeTick>& scale, ImVec2 low,
                   ImVec2 high) {
-  const Plot plot(ImVec2(low.x + px(38), low.y + px(8)), ImVec2(high.x, high.y - px(8)));
+  Plot plot(ImVec2(low.x + px(38), low.y + px(8)), ImVec2(high.x, high.y - px(8)));
   plot.image(texture);
   for (const auto& [y, text] : scale) {
     plot.line(0, y, 1, y, y == 0 || y == 1 ? kGridStrong : kGrid);
@@ -137,7 +144,7 @@ void drawVectorscope(unsigned texture, ImVec2 low, ImVec2 high) {
 
 void drawChromaticity(const std::vector<LightSetting>& lights, unsigned texture, ImVec2 low, ImVec2 high) {
   const auto [from, to] = squareIn(low, high, px(26), px(20));
-  const Plot plot(from, to);
+  Plot plot(from, to);
   plot.image(texture);
   const auto at = [&](const Chromaticity& xy) {
     return plot.at(static_cast<float>(xy.x) / kScopeLargestX, static_cast<float>(xy.y) / kScopeLargestY);
@@ -181,7 +188,7 @@ void drawChromaticity(const std::vector<LightSetting>& lights, unsigned texture,
 void drawHistogram(const ScopePictures& pictures, const ScopeOptions& options, std::vector<ScopeTick> scale,
                    ImVec2 low, ImVec2 high) {
   const HistogramAxis axis = axisOf(pictures, options.histogramAxis, std::move(scale));
-  const Plot plot(ImVec2(low.x + px(38), low.y + px(8)), ImVec2(high.x - px(10), high.y - px(20)));
+  Plot plot(ImVec2(low.x + px(38), low.y + px(8)), ImVec2(high.x - px(10), high.y - px(20)));
   uint32_t most = 1;
   uint64_t pixels = 0;
   // The ends collect what lies beyond: they do not set the scale.
@@ -193,13 +200,9 @@ void drawHistogram(const ScopePictures& pictures, const ScopeOptions& options, s
                                          : count / static_cast<float>(most);
     return std::min(part, 1.0F);
   };
-  float written = -1e9F;
   for (const auto& [place, text] : axis.ticks) {
     plot.line(place, 0, place, 1);
-    const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
-    if (plot.at(place, 0).x - half < written) continue;  // there is no room for every number
     plot.labelBelow(place, text);
-    written = plot.at(place, 0).x + half + px(4);
   }
   const float percent = 100.0F * static_cast<float>(most) / static_cast<float>(std::max<uint64_t>(1, pixels));
   for (const float part : {0.0F, 0.5F, 1.0F}) {

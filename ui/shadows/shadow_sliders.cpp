@@ -18,7 +18,7 @@ namespace {
 using Kind = ShadowOperation::Kind;
 
 constexpr float kMostSoft = 256;  // pixels
-constexpr float kRemoveWidth = 68, kAllWidth = 36;
+constexpr float kRemoveWidth = 76, kAllWidth = 36;
 const Rgb kFirstColor{0.2F, 0.35F, 1};
 
 /// The light whose shadows are changed.
