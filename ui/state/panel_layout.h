@@ -35,7 +35,7 @@ struct PanelLayout {
   bool grade = false;
   bool hidden = false;  ///< everything but the viewer
   float mixerWidth = 372;
-  float scopesHeight = 220;
+  float scopesHeight = 228;
   ScopeOptions scopeOptions;
   bool operator==(const PanelLayout&) const = default;
 };

@@ -28,8 +28,9 @@ double guessedArea(const PreparedEdit& edit, const LampGain& gain, const EditedL
   return all > 0 ? double(guessed) / all : 0;
 }
 
-// Of a cone's ellipse, what lies in the picture.
+// Of a cone, what lies in the picture: of its ellipse, where its outline goes on beyond.
 double seenOf(const LightCone& cone, const EditedLights& lights) {
+  if (cone.outline && !cone.outline->isCut()) return 1;
   constexpr int kSteps = 40;
   const double halfHeight = .5 * lights.height / lights.width;
   int seen = 0;

@@ -14,6 +14,12 @@ using Parameters = cv::Vec4d;  // x, y, log z, log of the level
 // What is likely before anything was seen: widths of the picture, logarithms.
 const Parameters kLikely(0, 0, std::log(0.8), 0);
 const Parameters kLikelySpread(1, 1, 0.5, 10);
+// Of a lamp with a cone: how far it is over the cone's radius there (a cone of 44 degrees; the spread allows
+// for 27 to 67), and how much less is known of the distance itself: spots hang near a background and far from
+// a stage.
+constexpr double kConeReach = 2.5;
+constexpr double kConeReachSpread = 0.5;
+constexpr double kSpotSpread = 0.8;
 // Texture is a factor of 1.6 or so, and about forty neighbours (of 64 x 36) share theirs.
 constexpr double kTexture = 0.5;
 constexpr double kAlike = 40;
@@ -44,7 +50,8 @@ double residualScale(const Parameters& p, const std::vector<PoolPixel>& pixels) 
 }
 
 // One damped step of Gauss and Newton.
-Parameters stepFrom(const Parameters& p, const Parameters& likely, const std::vector<PoolPixel>& pixels) {
+Parameters stepFrom(const Parameters& p, const Parameters& likely, const Parameters& likelySpread,
+                    const std::vector<PoolPixel>& pixels) {
   const double scale = residualScale(p, pixels);
   cv::Matx44d normal = cv::Matx44d::zeros();
   cv::Vec4d right(0, 0, 0, 0);
@@ -57,7 +64,7 @@ Parameters stepFrom(const Parameters& p, const Parameters& likely, const std::ve
     right += robust * r * slope;
   }
   for (int i = 0; i < 4; ++i) {
-    const double precision = 1 / (kLikelySpread[i] * kLikelySpread[i]);
+    const double precision = 1 / (likelySpread[i] * likelySpread[i]);
     normal(i, i) = (normal(i, i) + precision) * 1.001;
     right[i] += precision * (likely[i] - p[i]);
   }
@@ -68,7 +75,7 @@ Parameters stepFrom(const Parameters& p, const Parameters& likely, const std::ve
 
 }  // namespace
 
-LampModel fitLamp(std::span<const PoolPixel> pixels) {
+LampModel fitLamp(std::span<const PoolPixel> pixels, std::optional<double> coneRadius) {
   double weight = 0;
   double light = 0;
   for (const PoolPixel& at : pixels) {
@@ -89,11 +96,17 @@ LampModel fitLamp(std::span<const PoolPixel> pixels) {
     level += at.weight * std::log(at.light / mean);
     count += at.weight;
   }
-  Parameters likely = kLikely;
+  Parameters likely = kLikely, likelySpread = kLikelySpread;
   likely[3] = level / count;
+  if (coneRadius) {
+    const double own = 1 / (kSpotSpread * kSpotSpread);
+    const double byCone = 1 / (kConeReachSpread * kConeReachSpread);
+    likely[2] = (own * kLikely[2] + byCone * std::log(kConeReach * *coneRadius)) / (own + byCone);
+    likelySpread[2] = 1 / std::sqrt(own + byCone);
+  }
   Parameters p = likely;
   for (int i = 0; i < kMostSteps; ++i) {
-    const Parameters step = stepFrom(p, likely, bright);
+    const Parameters step = stepFrom(p, likely, likelySpread, bright);
     p += step;
     if (cv::norm(step, cv::NORM_INF) < 1e-4) break;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/edit/pool/lamp_model.h"
@@ -16,7 +17,8 @@ struct PoolPixel {
 /// Where a lamp has to stand for its light to fall off as it does: n.l / d^2 of the plane, fitted to the
 /// logarithm of the light, robustly (Geman and McClure's weights), since what is not the pool is texture and
 /// geometry; a prior (a lamp about .8 of the picture's width away, near its middle) holds what the picture
-/// does not tell. The aim is the middle of the light, by its weight; the lobe stays that of an even lamp.
-[[nodiscard]] LampModel fitLamp(std::span<const PoolPixel> pixels);
+/// does not tell. A lamp with a cone is also as far away as the cone's width (`coneRadius`) makes likely. The
+/// aim is the middle of the light, by its weight; the lobe stays that of an even lamp.
+[[nodiscard]] LampModel fitLamp(std::span<const PoolPixel> pixels, std::optional<double> coneRadius = {});
 
 }  // namespace swaplight

@@ -64,7 +64,7 @@ LampGain::Cones LampGain::conesAt(int x, int y) const {
   double fromY = 0;
   const double now = cone.radius(px, py);
   const double source = m_lamp.sourceOf(px, py, fromX, fromY) ? cone.radius(fromX, fromY) : kFarAway;
-  const double band = cone.softness + LightCone::kUnsure;
+  const double band = cone.softness + cone.unsure();
   const auto widened = [&](double radius) { return std::clamp((1 - radius) / band + .5, 0., 1.); };
   const double own = std::clamp((1 - .5 * band - now) / kInner, 0., 1.);
   const double change = std::min(kSteep * std::abs(widened(source) - widened(now)), 1.);
@@ -104,8 +104,8 @@ void LampGain::changeRow(int x, int y, int count, const float* mask, const LampR
       }
       if (m_coneMoves) {
         const float others = m_pool.alone ? 1.F : std::max(row.white[c][i] - row.solved[c][i], 0.F);
-        changed =
-            withCone(changed, cones[i].before, cones[i].after, cones[i].guess, bounce, ratio[i] * others);
+        const float would = std::min(ratio[i] * others, m_pool.most[static_cast<size_t>(c)]);
+        changed = withCone(changed, cones[i].before, cones[i].after, cones[i].guess, bounce, would);
       }
       light[i] = std::max(light[i] + mask[i] * (gain[i] * changed - light[i]), 0.F);
     }

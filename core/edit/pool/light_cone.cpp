@@ -19,7 +19,7 @@ constexpr double kLeastFill = 0.6;  // mean light inside
 
 LightCone coneOf(const double* n) {
   const auto size = [](double logarithm) { return std::exp(std::clamp(logarithm, -5., 3.)); };
-  return {n[0], n[1], size(n[2]), size(n[3]), std::cos(n[4]), std::sin(n[4]), size(n[5])};
+  return {n[0], n[1], size(n[2]), size(n[3]), std::cos(n[4]), std::sin(n[4]), size(n[5]), {}};
 }
 
 class ConeCost : public cv::MinProblemSolver::Function {
@@ -27,15 +27,9 @@ class ConeCost : public cv::MinProblemSolver::Function {
   explicit ConeCost(std::span<const SeenPixel> pixels) : m_pixels(pixels) {}
   [[nodiscard]] int getDims() const override { return kNumbers; }
   double calc(const double* n) const override {
-    const LightCone cone = coneOf(n);
-    double cost = 0;
-    for (const SeenPixel& pixel : m_pixels) {
-      const double missing = cone.at(pixel.x, pixel.y) - pixel.seen;
-      cost += (missing > 0 ? kShadow : 1) * missing * missing;
-    }
     const double longer = n[2] - n[3];
     const double soft = std::max(n[5], 0.);
-    return cost / static_cast<double>(m_pixels.size()) + kRound * longer * longer + kSoft * soft * soft;
+    return unexplainedBy(coneOf(n), m_pixels) + kRound * longer * longer + kSoft * soft * soft;
   }
 
  private:
@@ -86,7 +80,31 @@ bool divides(const LightCone& cone, std::span<const SeenPixel> pixels) {
 
 }  // namespace
 
+double unexplainedBy(const LightCone& cone, std::span<const SeenPixel> pixels) {
+  double cost = 0;
+  for (const SeenPixel& pixel : pixels) {
+    const double missing = cone.at(pixel.x, pixel.y) - pixel.seen;
+    cost += (missing > 0 ? kShadow : 1) * missing * missing;
+  }
+  return cost / static_cast<double>(pixels.size());
+}
+
+cv::Point2d LightCone::middle() const {
+  return outline && !outline->isCut() ? outline->middle() : cv::Point2d(x, y);
+}
+
+double LightCone::meanRadius() const {
+  return outline ? outline->spread() : std::sqrt(radiusA * radiusB);
+}
+
+void LightCone::setEdge(double radius) {
+  radiusA *= radius;
+  radiusB *= radius;
+  if (outline) outline->setEdge(radius);
+}
+
 double LightCone::radius(double px, double py) const {
+  if (outline) return outline->radius(px, py);
   const double a = (cosine * (px - x) + sine * (py - y)) / radiusA;
   const double b = (cosine * (py - y) - sine * (px - x)) / radiusB;
   return std::sqrt(a * a + b * b);

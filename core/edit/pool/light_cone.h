@@ -3,17 +3,27 @@
 #include <optional>
 #include <span>
 
+#include "core/edit/pool/cone_outline.h"
+
 namespace swaplight {
 
-/// The edge of a light's cone in the picture: an ellipse with a soft edge. Lengths are widths of the picture,
-/// x to the right and y up from its middle.
+/// The edge of a light's cone in the picture: an ellipse with a soft edge, or what is seen of it. Lengths are
+/// widths of the picture, x to the right and y up from its middle.
 struct LightCone {
-  double x = 0, y = 0;              ///< its middle
-  double radiusA = 1, radiusB = 1;  ///< half axes
-  double cosine = 1, sine = 0;      ///< of the angle from x to the first axis
-  double softness = 0.2;            ///< the edge's width, in radii
-  /// An ellipse follows the edge of a cone on a set's surfaces so well: radii.
-  static constexpr double kUnsure = 0.15;
+  double x = 0, y = 0;                      ///< the ellipse's middle
+  double radiusA = 1, radiusB = 1;          ///< half axes
+  double cosine = 1, sine = 0;              ///< of the angle from x to the first axis
+  double softness = 0.2;                    ///< the edge's width, in radii
+  std::optional<ConeOutline> outline = {};  ///< where there is one it counts, not the ellipse
+
+  /// How well this follows the edge of the cone on the set's surfaces: radii.
+  [[nodiscard]] double unsure() const { return outline ? 0.05 : 0.15; }
+  /// Of what is lit, in and beyond the picture.
+  [[nodiscard]] cv::Point2d middle() const;
+  /// Of a disk of the same area, widths of the picture.
+  [[nodiscard]] double meanRadius() const;
+  /// The edge brought to a radius.
+  void setEdge(double radius);
 
   /// 0 in its middle, 1 at its edge.
   [[nodiscard]] double radius(double px, double py) const;
@@ -31,5 +41,9 @@ struct SeenPixel {
 /// The cone that divides where a light shines from where it does not, if there is one: dark nearly everywhere
 /// outside, while shadows may lie inside. The pixels are a grid over the picture.
 [[nodiscard]] std::optional<LightCone> findCone(std::span<const SeenPixel> pixels);
+
+/// What a cone leaves unexplained: the mean square of what is missing of it, where shadows count less, or is
+/// too much.
+[[nodiscard]] double unexplainedBy(const LightCone& cone, std::span<const SeenPixel> pixels);
 
 }  // namespace swaplight

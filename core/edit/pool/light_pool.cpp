@@ -13,11 +13,16 @@
 namespace swaplight {
 namespace {
 
-constexpr int kWidth = 64;  // of the small pictures that are measured: a pool has no detail
+constexpr int kWidth = 64;       // of the small pictures that are measured: a pool has no detail
+constexpr int kEdgeWidth = 160;  // of those that its cone's edge is measured in
 // How much of the light is there, from its ratio to the others over that ratio where the light is: from none
 // (bounced light only) to all.
 constexpr double kNoLight = 0.04;
 constexpr double kAllLight = 0.25;
+// The same of its level: where no other light reaches either, bounced light alone makes any ratio. From the
+// darkest surfaces that are lit to the brightest that only bounced light reaches.
+constexpr double kDarkest = 0.02;
+constexpr double kBounced = 0.08;
 constexpr double kFaintOthers = 0.02;  // of their mean: below, a ratio to them says nothing
 constexpr double kMostRatio = 400;
 constexpr double kMostBounce = 0.2;
@@ -27,8 +32,8 @@ struct SmallPictures {
   cv::Mat ownGrey, othersGrey;
 };
 
-SmallPictures shrunkSet(const SolvedSet& set, size_t light) {
-  const int width = std::min(kWidth, set.width());
+SmallPictures shrunkSet(const SolvedSet& set, size_t light, int most) {
+  const int width = std::min(most, set.width());
   const cv::Size size(
       width, std::max(1, static_cast<int>(std::lround(double{1} * set.height() * width / set.width()))));
   const size_t lights = set.contributions.size();
@@ -70,10 +75,13 @@ double weightedMedian(const cv::Mat& values, const cv::Mat& weights) {
 cv::Mat seenOf(const SmallPictures& small, bool alone) {
   const double faint = kFaintOthers * cv::mean(small.othersGrey)[0];
   const cv::Mat ratio = alone ? small.ownGrey : cv::Mat(small.ownGrey / cv::max(small.othersGrey, faint));
-  const double full = weightedMedian(ratio, small.ownGrey);
-  cv::Mat seen = (ratio / std::max(full, 1e-12) - kNoLight) / (kAllLight - kNoLight);
-  seen = cv::min(cv::max(seen, 0), 1);
-  return seen.mul(seen).mul(3 - 2 * seen);
+  const auto step = [&](const cv::Mat& light, double none, double all) {
+    const double full = weightedMedian(light, small.ownGrey);
+    cv::Mat seen = (light / std::max(full, 1e-12) - none) / (all - none);
+    seen = cv::min(cv::max(seen, 0), 1);
+    return cv::Mat(seen.mul(seen).mul(3 - 2 * seen));
+  };
+  return cv::min(step(ratio, kNoLight, kAllLight), step(small.ownGrey, kDarkest, kBounced));
 }
 
 // Values known where `weights` are, continued: the mean over the nearest of them, at growing distances.
@@ -141,10 +149,28 @@ double widthOf(const cv::Mat& weight) {
   return 4 * std::sqrt((m.mu20 + m.mu02) / m.m00 / 2) / weight.cols;
 }
 
-std::optional<LightCone> coneIn(const cv::Mat& seen) {
-  return findCone(gridOf<SeenPixel>(seen.size(), [&](const Place& place, int y, int x) {
+std::vector<SeenPixel> pixelsOf(const cv::Mat& seen) {
+  return gridOf<SeenPixel>(seen.size(), [&](const Place& place, int y, int x) {
     return SeenPixel{place.x, place.y, seen.at<float>(y, x)};
-  }));
+  });
+}
+
+// The outline that is seen, if that tells better what is lit than an ellipse does.
+LightCone asSeen(const LightCone& ellipse, const cv::Mat& seen) {
+  const std::vector<SeenPixel> pixels = pixelsOf(seen);
+  LightCone outlined = ellipse, best = ellipse;
+  outlined.outline = ConeOutline::in(seen);
+  if (!outlined.outline) return ellipse;
+  double least = unexplainedBy(ellipse, pixels);
+  for (const double softness : {.05, .1, .2, .4, .8}) {
+    outlined.softness = softness;
+    const double cost = unexplainedBy(outlined, pixels);
+    if (cost < least) {
+      least = cost;
+      best = outlined;
+    }
+  }
+  return best;
 }
 
 // 0..1: where the light's own level tells of its pool. Penumbras and the cone's edge do not.
@@ -163,6 +189,15 @@ std::array<cv::Mat, 3> continuedRatio(const SmallPictures& small, bool alone, co
   for (size_t c = 0; c < 3; ++c)
     cv::exp(continuedFrom(logRatio(small.own[c], small.others[c], alone), weight), ratio[c]);
   return ratio;
+}
+
+// Of the pixels where a light shines.
+float brightest(const cv::Mat& light, const cv::Mat& weight) {
+  std::vector<float> values;
+  for (int y = 0; y < light.rows; ++y)
+    for (int x = 0; x < light.cols; ++x)
+      if (weight.at<float>(y, x) > .5F) values.push_back(light.at<float>(y, x));
+  return values.empty() ? 0.F : static_cast<float>(quantile(std::span(values), .98));
 }
 
 // The light's ratio to the others along the cone's radius: 1 inside, 0 far outside. Shadows lie in it, so
@@ -222,8 +257,7 @@ LightCone withEdge(LightCone cone, const SmallPictures& small, bool alone) {
     if (profile.at(r) <= 0.25) {
       const double edge = .5 * (full + r);
       cone.softness = std::clamp((r - full) / kQuarters / edge, 0.05, 1.);
-      cone.radiusA *= edge;
-      cone.radiusB *= edge;
+      cone.setEdge(edge);
       break;
     }
   return cone;
@@ -232,22 +266,28 @@ LightCone withEdge(LightCone cone, const SmallPictures& small, bool alone) {
 }  // namespace
 
 LightPool measurePool(const SolvedSet& set, size_t light) {
-  const SmallPictures small = shrunkSet(set, light);
+  const SmallPictures small = shrunkSet(set, light, kWidth);
   const cv::Size size = small.ownGrey.size();
   LightPool pool;
   pool.alone = !(cv::sum(small.othersGrey)[0] > 0);
   const cv::Mat seen = seenOf(small, pool.alone);
-  pool.cone = coneIn(seen);
-  if (pool.cone) pool.cone = withEdge(*pool.cone, small, pool.alone);
+  pool.cone = findCone(pixelsOf(seen));
+  if (pool.cone) {
+    const SmallPictures edges = shrunkSet(set, light, kEdgeWidth);
+    pool.cone = withEdge(asSeen(*pool.cone, seenOf(edges, pool.alone)), edges, pool.alone);
+  }
   const cv::Mat weight = poolWeight(seen, pool.cone);
   pool.width = widthOf(weight.mul(small.ownGrey));
   pool.ratio = continuedRatio(small, pool.alone, weight);
-  pool.lamp = fitLamp(gridOf<PoolPixel>(size, [&](const Place& place, int y, int x) {
+  for (size_t c = 0; c < 3; ++c) pool.most[c] = brightest(small.own[c], weight);
+  const auto pixels = gridOf<PoolPixel>(size, [&](const Place& place, int y, int x) {
     return PoolPixel{place.x, place.y, small.ownGrey.at<float>(y, x), weight.at<float>(y, x)};
-  }));
+  });
+  pool.lamp = fitLamp(pixels, pool.cone ? std::optional(pool.cone->meanRadius()) : std::nullopt);
   if (pool.cone) {
     pool.lamp.lobe = 0;
-    pool.lamp.aim = {pool.cone->x, pool.cone->y, 0};
+    const cv::Point2d middle = pool.cone->middle();
+    pool.lamp.aim = {middle.x, middle.y, 0};
     pool.bounce = bounceOutside(small, pool);
   }
   return pool;

@@ -23,6 +23,9 @@ struct LightPool {
   /// shines, smoothly continued beyond. Times the other lights it is the light on surfaces that it never
   /// reached: a guess.
   std::array<cv::Mat, 3> ratio;
+  /// What it gives at most where it shines, R G B (the 98th percentile): a surface that it never reached, and
+  /// on which the others are bright, would not get more.
+  std::array<float, 3> most{};
   /// No other light shines: the same of the light itself, without texture.
   bool alone = false;
 };

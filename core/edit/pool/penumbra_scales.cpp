@@ -36,7 +36,7 @@ cv::Size sizeWithin(const cv::Size& size, int width) {
 cv::Mat nearCone(const cv::Size& size, const std::optional<LightCone>& cone) {
   cv::Mat near = cv::Mat::zeros(size, CV_32F);
   if (!cone) return near;
-  const double half = .5 * cone->softness + LightCone::kUnsure;
+  const double half = .5 * cone->softness + cone->unsure();
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
       const double radius =

@@ -107,6 +107,30 @@ TEST(LampGain, SaysWhereItGuesses) {
   EXPECT_EQ(at(-.45), 0);   // dark before and after
 }
 
+TEST(LampGain, GivesWhatTheOthersLightBrightlyNoMoreThanTheLampGives) {
+  const int width = 320;
+  const int height = 180;
+  SolvedSet set = test::lampSet(width, height, {0, 0, .8, .2});
+  const int x = static_cast<int>(.75 * width), y = height / 2;  // beside the cone, close before the fill
+  const float most = measurePool(set, 0).most[1];
+  set.contributions[1].span().at(1, x, y) = 100 * most;
+  LampChange change;
+  change.pan = 15;
+  const LampGain gain(measurePool(set, 0), change, width, height);
+  float light[3], white[3], solved[3];
+  for (int c = 0; c < 3; ++c) {
+    light[c] = solved[c] = set.contributions[0].view().at(c, x, y);
+    white[c] = solved[c] + set.contributions[1].view().at(c, x, y);
+  }
+  const float mask = 1;
+  gain.changeRow(x, y, 1, &mask,
+                 {{&light[0], &light[1], &light[2]},
+                  {&white[0], &white[1], &white[2]},
+                  {&solved[0], &solved[1], &solved[2]}});
+  EXPECT_GT(light[1], .2F * most);
+  EXPECT_LT(light[1], 1.2F * most);
+}
+
 TEST(LampHandle, TheLampFollowsTheMiddleOfItsLight) {
   for (const LampModel& lamp :
        {LampModel(), LampModel{{.4, .3, .6}, {-.1, .05, 0}, 1}, LampModel{{-.6, 0, .3}, {.1, .1, 0}, 0}})
