@@ -6,7 +6,7 @@ usage: removal_table.py SWAPLIGHT SHARED UNSHADOWED [--seeds 6,7,8] [--keep FOLD
 UNSHADOWED/random_N holds what render_unshadowed.py makes. Each set is composed with noise (full well 5,000, read noise
 .004) and solved by `auto`; its sum at unit white with one light's shadows removed is held against the truth: mean
 CIEDE2000, the 99.5th percentile of the truth shown at .9, in the umbra (visibility below .02, in the light's reach) and
-six pixels around it. Beside it: nothing done, and the best plain threshold on beta (of 50, chosen with the truth at
+six pixels around it; elsewhere the removal should leave everything as it is. Beside it: nothing done, and the best plain threshold on beta (of 50, chosen with the truth at
 hand), below which the light gets the ratio to the others that it has on the median pixel above.
 
 A light with less than .5 % of umbra in its reach is left out. Rows marked * are of sets that no constant was chosen on.
@@ -101,8 +101,8 @@ def main():
     arguments.add_argument('--keep')
     a = arguments.parse_args()
     bench = Bench(a.swaplight, a.shared, a.keep or tempfile.mkdtemp())
-    print('| set | light | umbra | nothing | by beta | removed | around: nothing | by beta | removed |')
-    print('|---|---|---|---|---|---|---|---|---|')
+    print('| set | light | umbra | nothing | by beta | removed | around: nothing | by beta | removed | elsewhere: nothing | by beta | removed |')
+    print('|---|---|---|---|---|---|---|---|---|---|---|---|')
     told = []
     for seed in a.seeds.split(','):
         name = f'random/random_{seed}'
@@ -123,18 +123,20 @@ def main():
             row = dict(seed=seed, light=light, umbra=umbra.mean())
             for method, frame in (('nothing', rgb(set_)), ('beta', by_beta(set_, light, shadow['Y'] < .02)),
                                   ('removed', bench.without_shadows(solved, light))):
-                row[method], row[method + '_around'] = (bench.difference(frame, truth, zone) for zone in (umbra, around))
+                row[method], row[method + '_around'], row[method + '_elsewhere'] = (
+                    bench.difference(frame, truth, zone) for zone in (umbra, around, ~(umbra | around)))
             told.append(row)
             mark = '*' if name in KEPT_BACK else ''
             print(f'| random {seed}{mark} | {light} | {row["umbra"]:.1%} | ' + ' | '.join(
-                f'{row[method + zone]:.2f}' for zone in ('', '_around') for method in ('nothing', 'beta', 'removed')) + ' |', flush=True)
+                f'{row[method + zone]:.2f}' for zone in ('', '_around', '_elsewhere') for method in ('nothing', 'beta', 'removed')) + ' |', flush=True)
     print()
     for title, rows in (('Kept back', [r for r in told if f'random/random_{r["seed"]}' in KEPT_BACK]),
                         ('Others', [r for r in told if f'random/random_{r["seed"]}' not in KEPT_BACK])):
         if rows:
             mean = {k: np.mean([r[k] for r in rows]) for k in rows[0] if k not in ('seed', 'light')}
             print(f'{title}: {len(rows)} lights, umbra {mean["nothing"]:.2f} -> {mean["removed"]:.2f} (by beta {mean["beta"]:.2f}), '
-                  f'around {mean["nothing_around"]:.2f} -> {mean["removed_around"]:.2f} (by beta {mean["beta_around"]:.2f}); '
+                  f'around {mean["nothing_around"]:.2f} -> {mean["removed_around"]:.2f} (by beta {mean["beta_around"]:.2f}), elsewhere '
+                  f'{mean["nothing_elsewhere"]:.2f} -> {mean["removed_elsewhere"]:.2f} (by beta {mean["beta_elsewhere"]:.2f}); '
                   f'better than nothing {sum(r["removed"] < r["nothing"] for r in rows)}, '
                   f'than beta {sum(r["removed"] < r["beta"] for r in rows)}')
 

@@ -35,12 +35,13 @@ std::vector<ShadowChange> shadowChanges(const ShadowOperation& operation, const 
   const ShadowSource& shadows = context.shadows();
   if (!shadows) throw InputError("the edit \"{}\" uses shadows, which are not available here.", edit.name);
   const auto* before = earlier ? std::get_if<ShadowOperation>(&earlier->edit->operation) : nullptr;
-  const bool same = before && earlier->lights == chosen;
+  const bool all = edit.mask.empty();
+  const bool same = before && earlier->lights == chosen && earlier->edit->mask.empty() == all;
   if (same && sameShadowChange(*before, operation)) return earlier->shadows;
   std::vector<ShadowChange> changes;
   for (size_t k = 0; k < chosen.size(); ++k) {
     const auto light = static_cast<size_t>(chosen[k]);
-    changes.push_back(shadowChange(operation, shadows(lights.names[light]), context.set(), light,
+    changes.push_back(shadowChange(operation, shadows(lights.names[light]), context.set(), light, all,
                                    same ? &earlier->shadows[k] : nullptr));
   }
   return changes;

@@ -4,6 +4,7 @@
 
 #include "core/edit/apply/shadow_silhouette.h"
 #include "core/edit/apply/soft_visibility.h"
+#include "core/edit/pool/spot_pool.h"
 
 namespace swaplight {
 namespace {
@@ -23,10 +24,17 @@ std::shared_ptr<const Image> stepTo(Image next, const Image& visibility) {
   return std::make_shared<const Image>(std::move(next));
 }
 
+std::shared_ptr<const Image> missingWithin(const Image& pool, const Image& visibility) {
+  Image missing(visibility.spec());
+  std::transform(visibility.plane(0), visibility.plane(0) + visibility.pixelCount(), pool.plane(0),
+                 missing.plane(0), [](float v, float within) { return (1 - v) * within; });
+  return std::make_shared<const Image>(std::move(missing));
+}
+
 }  // namespace
 
 ShadowChange shadowChange(const ShadowOperation& operation, std::shared_ptr<const LightShadows> shadows,
-                          const SolvedSet& set, size_t light, const ShadowChange* earlier) {
+                          const SolvedSet& set, size_t light, bool all, const ShadowChange* earlier) {
   const Image& visibility = shadows->visibility;
   ShadowChange change;
   if (operation.kind == Kind::Soften) {
@@ -36,6 +44,9 @@ ShadowChange shadowChange(const ShadowOperation& operation, std::shared_ptr<cons
     change.step = stepTo(softVisibility(visibility, *change.silhouettes, operation.radius), visibility);
   } else if (operation.kind == Kind::Sharpen) {
     change.step = stepTo(hardened(visibility), visibility);
+  } else if (operation.kind != Kind::Deepen && all) {
+    change.pool = earlier && earlier->pool ? earlier->pool : spotPool(set, light);
+    if (change.pool) change.step = missingWithin(*change.pool, visibility);
   }
   change.shadows = std::move(shadows);
   return change;

@@ -23,6 +23,7 @@ constexpr double kAllLight = 0.25;
 // darkest surfaces that are lit to the brightest that only bounced light reaches.
 constexpr double kDarkest = 0.02;
 constexpr double kBounced = 0.08;
+constexpr double kBenefit = 1.25;      // of the doubt, for a cone's edge as it is seen
 constexpr double kFaintOthers = 0.02;  // of their mean: below, a ratio to them says nothing
 constexpr double kMostRatio = 400;
 constexpr double kMostBounce = 0.2;
@@ -161,7 +162,7 @@ LightCone asSeen(const LightCone& ellipse, const cv::Mat& seen) {
   LightCone outlined = ellipse, best = ellipse;
   outlined.outline = ConeOutline::in(seen);
   if (!outlined.outline) return ellipse;
-  double least = unexplainedBy(ellipse, pixels);
+  double least = kBenefit * unexplainedBy(ellipse, pixels);
   for (const double softness : {.05, .1, .2, .4, .8}) {
     outlined.softness = softness;
     const double cost = unexplainedBy(outlined, pixels);
