@@ -130,8 +130,9 @@ std::optional<LightCone> findCone(std::span<const SeenPixel> pixels) {
   double without = 0;
   for (const SeenPixel& pixel : pixels) without += kShadow * (1 - pixel.seen) * (1 - pixel.seen);
   without /= static_cast<double>(pixels.size());
-  const LightCone cone = coneOf(found.ptr<double>());
-  if (!(least < (1 - kLeastGain) * without) || !divides(cone, pixels)) return std::nullopt;
+  LightCone cone = coneOf(found.ptr<double>());
+  cone.explained = 1 - least / without;
+  if (!(cone.explained > kLeastGain) || !divides(cone, pixels)) return std::nullopt;
   return cone;
 }
 

@@ -16,6 +16,8 @@ struct LightCone {
   double softness = 0.2;                    ///< the edge's width, in radii
   std::optional<ConeOutline> outline = {};  ///< where there is one it counts, not the ellipse
 
+  double explained = 1;  ///< of what is dark in the picture, by the ellipse: 0.5..1
+
   /// How well this follows the edge of the cone on the set's surfaces: radii.
   [[nodiscard]] double unsure() const { return outline ? 0.05 : 0.15; }
   /// Of what is lit, in and beyond the picture.
