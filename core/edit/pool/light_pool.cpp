@@ -19,11 +19,11 @@ constexpr int kEdgeWidth = 160;  // of those that its cone's edge is measured in
 // (bounced light only) to all.
 constexpr double kNoLight = 0.04;
 constexpr double kAllLight = 0.25;
-// The same of its level: where no other light reaches either, bounced light alone makes any ratio. From the
-// darkest surfaces that are lit to the brightest that only bounced light reaches.
+// The same of its level, where a cone is looked for: where no other light reaches either, bounced light alone
+// makes any ratio. From the darkest surfaces that are lit to the brightest that only bounced light reaches.
 constexpr double kDarkest = 0.02;
 constexpr double kBounced = 0.08;
-constexpr double kBenefit = 1.25;      // of the doubt, for a cone's edge as it is seen
+constexpr double kBenefit = 1.1;       // of the doubt, for a cone's edge as it is seen
 constexpr double kFaintOthers = 0.02;  // of their mean: below, a ratio to them says nothing
 constexpr double kMostRatio = 400;
 constexpr double kMostBounce = 0.2;
@@ -72,17 +72,24 @@ double weightedMedian(const cv::Mat& values, const cv::Mat& weights) {
   return 0;
 }
 
+// A smooth step up, from none to all of what the light is where it shines.
+cv::Mat stepOf(const cv::Mat& light, const SmallPictures& small, double none, double all) {
+  const double full = weightedMedian(light, small.ownGrey);
+  cv::Mat seen = (light / std::max(full, 1e-12) - none) / (all - none);
+  seen = cv::min(cv::max(seen, 0), 1);
+  return seen.mul(seen).mul(3 - 2 * seen);
+}
+
 // 0..1: how much of the light is there. Ratios to the other lights are free of texture.
 cv::Mat seenOf(const SmallPictures& small, bool alone) {
   const double faint = kFaintOthers * cv::mean(small.othersGrey)[0];
   const cv::Mat ratio = alone ? small.ownGrey : cv::Mat(small.ownGrey / cv::max(small.othersGrey, faint));
-  const auto step = [&](const cv::Mat& light, double none, double all) {
-    const double full = weightedMedian(light, small.ownGrey);
-    cv::Mat seen = (light / std::max(full, 1e-12) - none) / (all - none);
-    seen = cv::min(cv::max(seen, 0), 1);
-    return cv::Mat(seen.mul(seen).mul(3 - 2 * seen));
-  };
-  return cv::min(step(ratio, kNoLight, kAllLight), step(small.ownGrey, kDarkest, kBounced));
+  return stepOf(ratio, small, kNoLight, kAllLight);
+}
+
+// The same, and bright enough for more than bounced light: where a cone may be.
+cv::Mat litOf(const SmallPictures& small, const cv::Mat& seen) {
+  return cv::min(seen, stepOf(small.ownGrey, small, kDarkest, kBounced));
 }
 
 // Values known where `weights` are, continued: the mean over the nearest of them, at growing distances.
@@ -272,10 +279,10 @@ LightPool measurePool(const SolvedSet& set, size_t light) {
   LightPool pool;
   pool.alone = !(cv::sum(small.othersGrey)[0] > 0);
   const cv::Mat seen = seenOf(small, pool.alone);
-  pool.cone = findCone(pixelsOf(seen));
+  pool.cone = findCone(pixelsOf(litOf(small, seen)));
   if (pool.cone) {
     const SmallPictures edges = shrunkSet(set, light, kEdgeWidth);
-    pool.cone = withEdge(asSeen(*pool.cone, seenOf(edges, pool.alone)), edges, pool.alone);
+    pool.cone = withEdge(asSeen(*pool.cone, litOf(edges, seenOf(edges, pool.alone))), edges, pool.alone);
   }
   const cv::Mat weight = poolWeight(seen, pool.cone);
   pool.width = widthOf(weight.mul(small.ownGrey));
