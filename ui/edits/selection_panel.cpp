@@ -69,7 +69,7 @@ void shadows(EditingContext& studio, const LightSetting& light) {
   if (studio.edits.findingShadows()) hint("Finding shadows \u2026");
 }
 
-/// Does the selected edit act within other bounds than the selection's?
+/// The selected edit, where it acts within other bounds than the selection's; else nullptr.
 const Edit* editToLimit(const EditingContext& studio) {
   const int chosen = studio.editing.chosen;
   const auto& edits = studio.document().edits.edits;

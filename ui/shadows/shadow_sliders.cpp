@@ -45,7 +45,7 @@ void removeButton(const ShadowSliders& sliders) {
   markItem("shadows.remove");
   tooltip(
       "Fills the shadow with an estimate of the missing light, from its ratio to the other lights around the "
-      "shadow.");
+      "shadow. What lies outside a spot's cone stays as it is.");
 }
 
 /// Whose shadows are changed, and what does away with them.

@@ -17,9 +17,9 @@ struct ShadowChange {
   std::shared_ptr<const Image> pool;  ///< of a spot whose shadows are filled (spot_pool.h); else nullptr
 };
 
-/// Of light number `light` of the set. `all`: no mask says where, so that what
-/// lies outside a spot's cone is no shadow to be filled. `earlier`, if there is one, is what an operation
-/// looked up of it before: what has not changed is taken from it.
+/// Of light number `light` of the set. `all`: no mask says where, so that what lies outside a spot's cone is
+/// no shadow to be filled. `earlier`, if there is one, is what an operation looked up of it before: what has
+/// not changed is taken from it.
 [[nodiscard]] ShadowChange shadowChange(const ShadowOperation& operation,
                                         std::shared_ptr<const LightShadows> shadows, const SolvedSet& set,
                                         size_t light, bool all, const ShadowChange* earlier = nullptr);

@@ -58,7 +58,7 @@ std::optional<ConeOutline> ConeOutline::in(const cv::Mat& seen) {
   cv::copyMakeBorder(seen > kLit, lit, margin, margin, margin, margin, cv::BORDER_REPLICATE);
   const cv::Rect picture(margin, margin, seen.cols, seen.rows);
   cv::morphologyEx(lit, lit, cv::MORPH_OPEN, disk(kSpeck, seen.cols), {-1, -1}, 1, cv::BORDER_REPLICATE);
-  cv::Mat part = cv::Mat::zeros(lit.size(), CV_8U);
+  cv::Mat part;
   cv::copyMakeBorder(largestPart(lit(picture)), part, margin, margin, margin, margin, cv::BORDER_REPLICATE);
   cv::morphologyEx(part, part, cv::MORPH_CLOSE, disk(kBite, seen.cols), {-1, -1}, 1, cv::BORDER_REPLICATE);
   part = filled(part);
