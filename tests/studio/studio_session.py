@@ -111,6 +111,8 @@ class Studio:
             [PROGRAM, 'studio', *map(str, arguments), '--scale', scale, '--probe-layout', self.probe]
             + (['--size', size] if size else []) + (['--frame-seconds', slow] if slow else []),
             env=self.environment, stderr=subprocess.PIPE, text=True)
+        # One for all that is done: starting one takes ten times as long as what it does.
+        self.hands = subprocess.Popen(['xdotool', '-'], env=self.environment, stdin=subprocess.PIPE, text=True, bufsize=1)
         self.last_click = (-1000, -1000, 0)
 
     def remember_plain_view(self):
@@ -191,6 +193,8 @@ class Studio:
     def wait_echo(self, before):
         end = time.time() + 60
         while self.echoes() <= before and self.process.poll() is None:
+            if self.hands.poll() is not None:
+                raise AssertionError('xdotool has ended: it did not understand what it was told')
             if time.time() > end:
                 raise AssertionError('the studio does not answer to keys')
             time.sleep(0.01)
@@ -205,7 +209,15 @@ class Studio:
     # A mouse and a keyboard
 
     def xdotool(self, *words):
-        subprocess.run(['xdotool', *map(str, words)], env=self.environment, check=True)
+        """Does it after all that came before, without waiting for it."""
+        print(*map(self.quoted, map(str, words)), file=self.hands.stdin, flush=True)
+
+    @staticmethod
+    def quoted(word):
+        """As a word of a line that xdotool reads."""
+        quote = "'" if '"' in word else '"'
+        assert word and quote not in word and '\n' not in word and word[0] != '$', f'xdotool cannot be told {word!r}'
+        return quote + word + quote
 
     def act(self, *words):
         """Does it, and waits until its effect is on the screen."""
@@ -272,6 +284,12 @@ class Studio:
     def kill(self):
         self.process.send_signal(signal.SIGKILL)
         self.process.communicate()
+        self.let_go()
+
+    def let_go(self):
+        if not self.hands.stdin.closed:
+            self.hands.stdin.close()
+        self.hands.wait()
 
     def quit(self):
         """Ends it as a person does; True where it went without complaint."""
@@ -281,6 +299,7 @@ class Studio:
         except subprocess.TimeoutExpired:
             self.kill()
             return False
+        self.let_go()
         return self.process.returncode == 0
 
 
@@ -301,8 +320,10 @@ class StudioTest(unittest.TestCase):
         self.studio = None
 
     def tearDown(self):
-        if self.studio and self.studio.process.poll() is None:
-            self.studio.kill()
+        if self.studio:
+            if self.studio.process.poll() is None:
+                self.studio.kill()
+            self.studio.let_go()
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def path(self, name):
