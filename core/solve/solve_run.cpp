@@ -243,11 +243,37 @@ void SolveRun::fitLightColors() {
   m_report.colorDisagreement = fit.disagreement;
   if (m_options.colorUncertainty >= 0) return;
   m_report.colorUncertainty = colorUncertaintyOf(fit, m_tuning.colors);
-  const float usual = m_report.noiseGiven ? 0 : usualColorUncertainty(m_report.noise, m_tuning.colors);
-  const float seen = usual > 0 ? judgeColors(usual) : m_report.colorUncertainty;
+  const float usual = usualColorUncertainty(m_report.noise, m_tuning.colors);
+  if (m_report.noiseGiven) doubtFittedError();
+  const float seen = !m_report.noiseGiven && usual > 0 ? judgeColors(usual) : m_report.colorUncertainty;
   if (!isUnnamed(m_report.causes, seen)) return;
   m_report.causes.unnamed = true;
   warn({wordsFor(m_report.causes)});
+}
+
+float SolveRun::colorErrorEverywhere() const {
+  return swaplight::colorErrorEverywhere(m_context, *m_signal, m_tuning.colorEvidence, m_tuning.colors);
+}
+
+/// What the photographs show of the colours' error, besides what a fit of them has found; `everywhere`: what
+/// the misfit asks for in all of the picture. Nothing where they show nothing.
+std::optional<float> SolveRun::shownColorError(float everywhere) const {
+  const float fitted = m_report.colorUncertainty;
+  // Blocks of a JPEG have lost colour, which is no error of the lights': it spoils the fit, and neighbours
+  // differ by little of it.
+  const bool blocks = !pixels().codingError.empty();
+  return colorUncertaintyByEvidence({m_context.lighting, m_ownNoise}, *m_signal,
+                                    blocks ? std::max(fitted, everywhere) : fitted, m_tuning.colorEvidence);
+}
+
+/// Where the noise is told: gloss, bounced light and relief, too, are misfit that noise does not explain. The
+/// colours are wrong by no more than light that comes out negative says, up to the errors that it can tell
+/// apart, but where a camera that moved makes it so.
+void SolveRun::doubtFittedError() {
+  if (m_report.causes.is(Cause::Moved)) return;
+  const std::optional<float> shown = shownColorError(colorErrorEverywhere());
+  if (shown && *shown < .5 * m_tuning.colorEvidence.largest)
+    m_report.colorUncertainty = std::min(m_report.colorUncertainty, *shown);
 }
 
 /// Where the noise is not told: how wrong the colours are, and what of the matte model's misfit that
@@ -256,12 +282,9 @@ void SolveRun::fitLightColors() {
 float SolveRun::judgeColors(float usual) {
   const ColorEvidenceTuning& tuning = m_tuning.colorEvidence;
   const float fitted = m_report.colorUncertainty;
-  const float everywhere = colorErrorEverywhere(m_context, *m_signal, tuning, m_tuning.colors);
-  // Blocks of a JPEG have lost colour, which is no error of the lights': it spoils the fit, and neighbours
-  // differ by little of it.
+  const float everywhere = colorErrorEverywhere();
+  const std::optional<float> judged = shownColorError(everywhere);
   const bool blocks = !pixels().codingError.empty();
-  const std::optional<float> judged = colorUncertaintyByEvidence(
-      {m_context.lighting, m_ownNoise}, *m_signal, blocks ? std::max(fitted, everywhere) : fitted, tuning);
   // Where no light is blocked anywhere the fit alone speaks, if there are photographs enough.
   const bool few = m_context.lighting.shots < m_context.lighting.lights;
   const float unseen = few || blocks ? usual : float(tuning.unseen);

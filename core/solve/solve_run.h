@@ -40,6 +40,9 @@ class SolveRun {
   void fitLightColors();
   void setSwappedColor(const SwappedColor& swapped, const Rgb& color);
   void startFromLine(const SwappedColor& swapped, const SwappedColorLine& line);
+  [[nodiscard]] float colorErrorEverywhere() const;
+  [[nodiscard]] std::optional<float> shownColorError(float everywhere) const;
+  void doubtFittedError();
   float judgeColors(float usual);
   [[nodiscard]] bool mayHaveMoved() const;
   [[nodiscard]] const CapturePixels& pixels() const { return m_aligned ? *m_aligned : m_photographs; }

@@ -67,6 +67,8 @@ def compose(shared, source, lights, noise, size, told, out):
         manifest = json.load(file)
     if not told:
         manifest.pop('noise', None)
+    else:  # codes without any but their rounding
+        manifest.setdefault('noise', {'read': 0, 'full_well': 1e9})
     if noise == 'jpeg90':
         as_jpeg(out, manifest)
     with open(path, 'w') as file:
