@@ -244,8 +244,11 @@ void SolveRun::fitLightColors() {
   if (m_options.colorUncertainty >= 0) return;
   m_report.colorUncertainty = colorUncertaintyOf(fit, m_tuning.colors);
   const float usual = usualColorUncertainty(m_report.noise, m_tuning.colors);
-  if (m_report.noiseGiven) doubtFittedError();
-  const float seen = !m_report.noiseGiven && usual > 0 ? judgeColors(usual) : m_report.colorUncertainty;
+  float seen = m_report.colorUncertainty;  // by what something is said to be wrong: rather too much
+  if (m_report.noiseGiven)
+    doubtFittedError();
+  else if (usual > 0)
+    seen = judgeColors(usual);
   if (!isUnnamed(m_report.causes, seen)) return;
   m_report.causes.unnamed = true;
   warn({wordsFor(m_report.causes)});
