@@ -132,35 +132,38 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
 
   std::vector<LightShadows> all(count);
   std::vector<float> thresholds(count);
+  std::vector<LightOdds> odds(count);
+  const SmallSet small =
+      smallSetOf(evidence.contributions, sizeWithin(evidence.known.size(), tuning.odds.longest));
   forEachLight(count, progress.part(.3f, .4f), kFinding, [&](size_t i) {
     const ShadowEvidence& light = evidence.lights[i];
+    const std::string& name = set.capture.lights[i].name;
+    const std::optional<float> given = options.thresholdOf(name);
+    // A threshold that is given is the user's word: nothing weighs against it.
+    if (light.shines && (!given || !options.marksOf(name).empty()))
+      odds[i] = umbraOdds(small, i, tuning.odds);
     const float lit = litLevel(light, evidence.known);
-    const std::optional<float> given = options.thresholdOf(set.capture.lights[i].name);
-    thresholds[i] = given ? lit + std::log(std::max(*given, 1e-6f))
-                          : shadowThreshold(light, evidence.known, tuning.threshold);
+    thresholds[i] = given
+                        ? lit + std::log(std::max(*given, 1e-6f))
+                        : shadowThreshold(light, evidence.known, evidenceOfLight(odds[i]), tuning.threshold);
     all[i].threshold = std::exp(thresholds[i] - lit);
   });
   const std::vector<cv::Mat> bright = brightParts(evidence, thresholds);
-  const SmallSet small =
-      smallSetOf(evidence.contributions, sizeWithin(evidence.known.size(), tuning.odds.longest));
   std::vector<cv::Mat> divided(count);
   std::vector<cv::Mat> told(count);
   std::vector<std::optional<SettledPixels>> settled(count);
   forEachLight(count, progress.part(.4f, .5f), kFinding, [&](size_t i) {
     const ShadowEvidence& light = evidence.lights[i];
     const ShadowSides sides = shadowSides(evidence, bright, i, tuning);
-    // A threshold that is given is the user's word: nothing weighs against it.
     const std::string& name = set.capture.lights[i].name;
     const bool weighed = light.shines && !options.thresholdOf(name);
     const cv::Size size = sides.apart.size();
     const cv::Size full = light.level.size();
     const ShadowMarks& marks = options.marksOf(name);
-    const LightOdds odds =
-        weighed || (light.shines && !marks.empty()) ? umbraOdds(small, i, tuning.odds) : LightOdds{};
-    const cv::Mat word = wordOfMarks(marks, {shrunk(light.shading, size), sides.own, evidenceOfLight(odds)},
-                                     full, tuning.marks);
+    const cv::Mat word = wordOfMarks(
+        marks, {shrunk(light.shading, size), sides.own, evidenceOfLight(odds[i])}, full, tuning.marks);
     const ShadowDivision division = divideShadow(shrunk(light.level, size), thresholds[i], sides,
-                                                 weighed ? odds : LightOdds{}, word, tuning);
+                                                 weighed ? odds[i] : LightOdds{}, word, tuning);
     settled[i].emplace(marks, full, word, division.shadow, full, tuning.marks);
     divided[i] =
         visibilityOf(light, division.shadow, evidence.known, smallest, tuning.regions, settled[i]->pixels());

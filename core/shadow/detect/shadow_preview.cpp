@@ -78,22 +78,21 @@ ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress)
                  : gatherShadowEvidence(set, gathering));
   m_scale = static_cast<float>(set.width()) / static_cast<float>(evidence->known.cols);
   std::vector<float> thresholds;
-  for (const ShadowEvidence& light : evidence->lights) {
+  const SmallSet small =
+      smallSetOf(evidence->contributions, sizeWithin(evidence->known.size(), UmbraOddsTuning{}.longest));
+  for (size_t i = 0; i < evidence->lights.size(); ++i) {
+    const ShadowEvidence& light = evidence->lights[i];
     const float lit = litLevel(light, evidence->known);
-    thresholds.push_back(shadowThreshold(light, evidence->known));
     PreviewedLight& previewed = m_lights.emplace_back();
+    previewed.odds = std::make_shared<const LightOdds>(light.shines ? umbraOdds(small, i) : LightOdds{});
+    thresholds.push_back(shadowThreshold(light, evidence->known, evidenceOfLight(*previewed.odds)));
     previewed.histogram = histogramOf(light.level, evidence->known, lit);
     previewed.lit = lit;
     previewed.threshold = std::exp(thresholds.back() - lit);
   }
   const std::vector<cv::Mat> bright = brightParts(*evidence, thresholds);
-  const SmallSet small =
-      smallSetOf(evidence->contributions, sizeWithin(evidence->known.size(), UmbraOddsTuning{}.longest));
-  for (size_t i = 0; i < m_lights.size(); ++i) {
+  for (size_t i = 0; i < m_lights.size(); ++i)
     m_lights[i].sides = std::make_shared<const ShadowSides>(shadowSides(*evidence, bright, i));
-    m_lights[i].odds =
-        std::make_shared<const LightOdds>(evidence->lights[i].shines ? umbraOdds(small, i) : LightOdds{});
-  }
   m_words = std::make_shared<LastWords>();
   m_words->words.resize(m_lights.size());
   evidence->contributions.clear();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "core/shadow/numeric/shadow_pictures.h"
 
@@ -11,14 +12,17 @@ namespace {
 
 constexpr int kLevels = 128;
 
+size_t binOf(float level, float low, float scale) {
+  return static_cast<size_t>(std::clamp(static_cast<int>((level - low) * scale), 0, kLevels - 1));
+}
+
 // What is summed along the contour of each level.
 struct Contours {
   std::array<double, kLevels + 1> edge{}, slope{}, length{}, pixels{}, ratio{};
 
   // The contours between two neighbours' levels pass through here.
-  void add(int a, int b, float edgeHere, float slopeHere) {
-    const auto low = static_cast<size_t>(std::min(a, b));
-    const auto high = static_cast<size_t>(std::max(a, b));
+  void add(size_t a, size_t b, float edgeHere, float slopeHere) {
+    const size_t low = std::min(a, b), high = std::max(a, b);
     edge[low] += edgeHere, edge[high] -= edgeHere;
     slope[low] += slopeHere, slope[high] -= slopeHere;
     length[low] += 1, length[high] -= 1;
@@ -29,13 +33,27 @@ struct Contours {
   }
 };
 
+/// The mean log-odds of light that each level leaves below it: all of the picture counts.
+std::array<double, kLevels> litBelow(const cv::Mat& level, const cv::Mat& oddsOfLight, float low, float scale,
+                                     double most) {
+  std::array<double, kLevels> below{};
+  const cv::Mat small = shrunk(level, oddsOfLight.size());
+  for (int y = 0; y < small.rows; ++y)
+    for (int x = 0; x < small.cols; ++x)
+      below[binOf(small.at<float>(y, x), low, scale)] +=
+          std::clamp(static_cast<double>(oddsOfLight.at<float>(y, x)), 0., most);
+  std::partial_sum(below.begin(), below.end(), below.begin());
+  for (double& sum : below) sum /= static_cast<double>(small.total());
+  return below;
+}
+
 }  // namespace
 
 float litLevel(const ShadowEvidence& light, const cv::Mat& known) {
   return percentile(light.level, .95, known);
 }
 
-float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known,
+float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known, const cv::Mat& oddsOfLight,
                       const ShadowThresholdTuning& tuning) {
   const float low = percentile(light.level, .005, known);
   const float high = percentile(light.level, .995, known);
@@ -43,9 +61,7 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known,
   if (!light.shines) return high + tuning.outside;
   if (!(high > low)) return low - tuning.outside;
   const float scale = kLevels / (high - low);
-  const auto binAt = [&](int y, int x) {
-    return std::clamp(static_cast<int>((light.level.at<float>(y, x) - low) * scale), 0, kLevels - 1);
-  };
+  const auto binAt = [&](int y, int x) { return binOf(light.level.at<float>(y, x), low, scale); };
 
   // Let every pair of neighbours vote for the levels between them.
   Contours contours;
@@ -58,8 +74,8 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known,
   for (int y = 0; y < known.rows; ++y)
     for (int x = 0; x < known.cols; ++x) {
       if (!known.at<uchar>(y, x)) continue;
-      contours.pixels[static_cast<size_t>(binAt(y, x))] += 1;
-      contours.ratio[static_cast<size_t>(binAt(y, x))] += light.ratio.at<float>(y, x);
+      contours.pixels[binAt(y, x)] += 1;
+      contours.ratio[binAt(y, x)] += light.ratio.at<float>(y, x);
       if (x + 1 < known.cols) vote(y, x, y, x + 1);
       if (y + 1 < known.rows) vote(y, x, y + 1, x);
     }
@@ -93,10 +109,12 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known,
       if (smoothed(j) > smoothed(i)) return false;
     return true;
   };
-  std::array<double, kLevels> value{};
+  std::array<double, kLevels> leftDark{}, value{};
+  if (!oddsOfLight.empty()) leftDark = litBelow(light.level, oddsOfLight, low, scale, tuning.mostLit);
   for (size_t i = 1; i + 1 < kLevels; ++i)
     if (isPeak(i))
-      value[i] = smoothed(i) * std::pow(1 - contours.pixels[i] / contours.pixels[kLevels], tuning.areaBonus);
+      value[i] = smoothed(i) * std::pow(1 - contours.pixels[i] / contours.pixels[kLevels], tuning.areaBonus) *
+                 std::exp(-tuning.litWeight * leftDark[i]);
   // Of levels that divide alike the darkest: the lighter ones run through what is lit.
   const double enough = tuning.alike * *std::max_element(value.begin(), value.end());
   const auto best = std::find_if(value.begin(), value.end(), [&](double v) { return v >= enough; });

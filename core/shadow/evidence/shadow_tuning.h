@@ -62,12 +62,14 @@ struct ShadowThresholdTuning {
   double leastTrust = .05;   ///< in levels that divide at the same ratio
   double usualLevel = .06;   ///< bounced light in a shadow, of what surfaces get that see the light
   double spreadBelow = 2.2;  ///< log: it may be so much less; there may be little to bounce from
-  double spreadAbove = 1;    ///< log: or so much more
+  double spreadAbove = 1.4;  ///< log: or so much more
   double leastEdge = .02;    ///< unshared log step a pixel along a contour: less is shading
   float smallestUnit = .5F;  ///< reference unit below which pictures blur their edges no further
   float outside = 3;         ///< log, beyond nearly all pixels' levels: surely lit, or surely shadow
   double alike = .93;        ///< of the best level's score: the darkest such level is taken
   double leastLit = .03;     ///< share of the pixels above, against contours of highlights
+  double litWeight = 2;      ///< of the mean log-odds of light that a level leaves in shadow
+  double mostLit = 3;        ///< log-odds of light: a pixel's at most
 
   static constexpr auto fields() {
     using T = ShadowThresholdTuning;
@@ -78,7 +80,8 @@ struct ShadowThresholdTuning {
         std::pair{"spread_below", &T::spreadBelow}, std::pair{"spread_above", &T::spreadAbove},
         std::pair{"least_edge", &T::leastEdge},     std::pair{"smallest_unit", &T::smallestUnit},
         std::pair{"outside", &T::outside},          std::pair{"alike", &T::alike},
-        std::pair{"least_lit", &T::leastLit}};
+        std::pair{"least_lit", &T::leastLit},       std::pair{"lit_weight", &T::litWeight},
+        std::pair{"most_lit", &T::mostLit}};
   }
 };
 
