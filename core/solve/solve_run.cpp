@@ -51,6 +51,10 @@ SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
 /// Amplification up to which lights count as photographed one at a time.
 constexpr double kOneByOne = 1.1;
 
+/// Of the largest error of the colours that negative light is weighed for: what comes so near to it may be
+/// larger still.
+constexpr double kToldApart = 0.5;
+
 /// Relative standard error of an unknown colour above which it is said to be hardly determined.
 constexpr double kUnsure = 0.1;
 
@@ -243,11 +247,10 @@ void SolveRun::fitLightColors() {
   m_report.colorDisagreement = fit.disagreement;
   if (m_options.colorUncertainty >= 0) return;
   m_report.colorUncertainty = colorUncertaintyOf(fit, m_tuning.colors);
-  const float usual = usualColorUncertainty(m_report.noise, m_tuning.colors);
   float seen = m_report.colorUncertainty;  // by what something is said to be wrong: rather too much
   if (m_report.noiseGiven)
     doubtFittedError();
-  else if (usual > 0)
+  else if (const float usual = usualColorUncertainty(m_report.noise, m_tuning.colors); usual > 0)
     seen = judgeColors(usual);
   if (!isUnnamed(m_report.causes, seen)) return;
   m_report.causes.unnamed = true;
@@ -275,7 +278,7 @@ std::optional<float> SolveRun::shownColorError(float everywhere) const {
 void SolveRun::doubtFittedError() {
   if (m_report.causes.is(Cause::Moved)) return;
   const std::optional<float> shown = shownColorError(colorErrorEverywhere());
-  if (shown && *shown < .5 * m_tuning.colorEvidence.largest)
+  if (shown && *shown < kToldApart * m_tuning.colorEvidence.largest)
     m_report.colorUncertainty = std::min(m_report.colorUncertainty, *shown);
 }
 
