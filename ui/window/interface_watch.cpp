@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <utility>
 
 namespace swaplight {
 namespace {
@@ -14,8 +15,7 @@ bool underWay(const ImGuiContext& g) {
     return true;
   return std::any_of(g.Windows.begin(), g.Windows.end(), [](const ImGuiWindow* window) {
     return window->Active &&
-           (window->HiddenFramesCanSkipItems > 0 || window->HiddenFramesCannotSkipItems > 0 ||
-            window->AutoFitFramesX > 0 || window->AutoFitFramesY > 0);
+           (window->HiddenFramesCanSkipItems > 0 || window->HiddenFramesCannotSkipItems > 0);
   });
 }
 
@@ -34,12 +34,24 @@ InterfaceWatch::Focus InterfaceWatch::focusNow() {
   return focus;
 }
 
+// Dear ImGui counts frames of fitting itself (AutoFitFramesY), but begins anew every frame with a window that
+// is as high as its contents: whether there is anything to fit, the places say.
+std::vector<InterfaceWatch::Place> InterfaceWatch::placesNow() {
+  std::vector<Place> places;
+  for (const ImGuiWindow* window : GImGui->Windows)
+    if (window->Active)
+      places.push_back({window->ID, window->Pos.x, window->Pos.y, window->Size.x, window->Size.y});
+  return places;
+}
+
 void InterfaceWatch::frameDrawn() {
   const Focus focus = focusNow();
-  const bool settled = focus == m_focus && !underWay(*GImGui);
+  std::vector<Place> places = placesNow();
+  const bool settled = focus == m_focus && places == m_places && !underWay(*GImGui);
   m_moves = !settled || GImGui->HoveredId != m_hovered;
   m_hovered = GImGui->HoveredId;
   m_focus = focus;
+  m_places = std::move(places);
   m_state = {focus.typing, settled};
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "ui/input/input_queue.h"
 
 namespace swaplight {
@@ -23,8 +25,16 @@ class InterfaceWatch {
     bool operator==(const Focus&) const = default;
   };
   static Focus focusNow();
+  /// A window that is drawn, and where, in pixels.
+  struct Place {
+    unsigned window = 0;
+    float x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const Place&) const = default;
+  };
+  static std::vector<Place> placesNow();
 
   Focus m_focus;
+  std::vector<Place> m_places;
   unsigned m_hovered = 0;
   InterfaceState m_state;
   bool m_moves = true;
