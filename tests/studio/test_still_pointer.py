@@ -9,6 +9,8 @@ import unittest
 from studio_session import SAMPLES, StudioTest
 
 PATIENCE = 10  # seconds, on a busy machine: what waits for a twitch of the mouse never comes
+WATCHED = 2  # seconds
+MOST_AT_REST = 0.1  # of one processor, for the timers; drawing all the time takes all of one and more
 SLOW = {'SWAPLIGHT_FRAME_SECONDS': '0.2'}  # five frames a second
 
 
@@ -62,6 +64,38 @@ class StillPointer(StudioTest):
         self.still('key', 'ctrl+a', 'type', '--delay', '0', 'export')
         studio.wait(lambda layout: not any(name == 'palette.view.zebra' for name in layout['items'])
                     and any(name.startswith('palette.file.export') for name in layout['items']), 'the new words', PATIENCE)
+
+
+class AtRest(StudioTest):
+    """What stands on the screen and does not change is not drawn again and again."""
+
+    def rests(self, what):
+        studio = self.studio
+        studio.settle()
+        before = studio.processor_seconds()
+        time.sleep(WATCHED)
+        used = studio.processor_seconds() - before
+        self.assertLess(used, MOST_AT_REST * WATCHED, what)
+
+    def test_nothing_is_drawn_while_nothing_changes(self):
+        studio = self.open_sample()
+        self.rests('the set')
+        for what, key, item in (('export', 'ctrl+e', 'export.file'), ('the search of actions', 'ctrl+shift+p', 'palette.filter'),
+                                ('keys', 'F1', 'keys.filter'), ('the choice of a file', 'ctrl+o', 'chooser.name')):
+            with self.subTest(what):
+                studio.key(key)
+                studio.item(item)
+                self.rests(what)
+                studio.key('Escape')
+                studio.wait(lambda layout: item not in layout['items'], what + ' is closed')
+        studio.click('menu.Help')
+        self.rests('a menu')
+        studio.click('menu.help.about')
+        studio.item('about')
+        self.rests('about')
+        studio.key('Escape', 'ctrl+l')
+        studio.item('desk.line')
+        self.rests('the command line')
 
 
 class SlowFrames(StillPointer):
