@@ -1,6 +1,5 @@
 """Selections, stencils, gradients and painted lights in a real window: the picture, and what the command line makes."""
 import json
-import os
 import subprocess
 import time
 import unittest
@@ -124,12 +123,6 @@ class Select(Tools):
         studio.item('select.none')
         self.assertEqual(studio.item('edits.add'), place, 'nothing is selected')
 
-    def seconds_of_work(self):
-        """Processor time of the studio so far."""
-        with open(f'/proc/{self.studio.process.pid}/stat') as file:
-            fields = file.read().rsplit(')', 1)[1].split()
-        return (int(fields[11]) + int(fields[12])) / os.sysconf('SC_CLK_TCK')
-
     def test_the_outline_marches_light_and_dark_and_costs_little(self):
         studio = self.open()
         studio.click('select.rectangle')
@@ -138,7 +131,10 @@ class Select(Tools):
         x, top = self.at(0.5, 0.2)
         bottom = self.at(0.5, 0.7)[1]
         rest = studio.screenshot('select_march')
-        steps = [studio.screenshot(f'select_march_{i}') for i in range(3)]
+        # Dashes come round: a picture may happen to be taken when they stand as in the first.
+        steps = []
+        while len(steps) < 3 or len(steps) < 20 and np.ptp([step[top, x - 60:x + 60] for step in (rest, *steps)], axis=0).max() == 0:
+            steps.append(studio.screenshot(f'select_march_{min(len(steps), 2)}'))
         line = rest[top - 2:top + 3, x - 60:x + 60].max(axis=(0, 2))
         self.assertGreater(line.max(), 180, 'light dashes')
         self.assertLess(rest[top - 2:top + 3, x - 60:x + 60].min(axis=(0, 2)).min(), 40, 'and dark ones')
@@ -146,9 +142,9 @@ class Select(Tools):
         self.assertGreater(moved[top - 2:top + 3, x - 60:x + 60].max(), 100, 'they march')
         inside = moved[top + 6:bottom - 6, x - 60:x + 60]
         self.assertEqual(inside.max(), 0, 'the picture stays')
-        begun = self.seconds_of_work()
+        begun = studio.processor_seconds()
         time.sleep(3)
-        marching = (self.seconds_of_work() - begun) / 3
+        marching = (studio.processor_seconds() - begun) / 3
         print(f'marching: {100 * marching:.0f} % of a core')
         self.assertLess(marching, 0.5, 'a few frames a second')
 
