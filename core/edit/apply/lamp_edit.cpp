@@ -20,6 +20,20 @@ void lookUpShadows(LampEdit& edit, const std::string& light, const MaskContext& 
                        : std::make_shared<const PenumbraScales>(edit.shadows->visibility, edit.pool->cone);
 }
 
+// How much of the lamp is seen once it has its size. A smaller one gives no pixel less that sees all of it,
+// nor more to one that sees nothing, and what cannot be told stays.
+void seenThen(const LampEdit& edit, int x, int y, int count, float* then) {
+  const LightShadows& shadows = *edit.shadows;
+  edit.penumbras->row(edit.size, edit.gain->diameter(), x, y, count, then);
+  if (edit.size > 1) return;
+  const float* now = shadows.visibility.view().row(0, y) + x;
+  const ShadowLabel* label =
+      &shadows.labels[static_cast<size_t>(y) * static_cast<size_t>(shadows.visibility.width()) +
+                      static_cast<size_t>(x)];
+  for (int i = 0; i < count; ++i)
+    if (label[i] != ShadowLabel::Penumbra) then[i] = now[i];
+}
+
 }  // namespace
 
 LampEdit lampEdit(const LampChange& change, size_t light, const MaskContext& context,
@@ -46,7 +60,7 @@ void changeLampRow(const LampEdit& edit, int x, int y, int count, const float* m
   if (!edit.gain) return;
   if (edit.size == 1) return edit.gain->changeRow(x, y, count, mask, row);
   std::vector<float> then(static_cast<size_t>(count));
-  edit.penumbras->row(edit.size, edit.gain->diameter(), x, y, count, then.data());
+  seenThen(edit, x, y, count, then.data());
   LampRow sized = row;
   sized.seen = edit.shadows->visibility.view().row(0, y) + x;
   sized.seenThen = then.data();

@@ -25,9 +25,11 @@ float withCone(float light, float before, float after, float guess, float bounce
 }
 
 // Where more of the light is seen it is added. Where less is, what is there gets less, in its own colour:
-// what a light would give is not known so well as what it gives.
+// what a light would give is not known so well as what it gives. But it loses no more than the light that is
+// hidden now: in a shadow most of what is there has bounced, and stays.
 float withShadow(float light, float seen, float then, float direct) {
-  return then > seen ? light + (then - seen) * direct : then < seen ? light * (then / seen) : light;
+  if (then >= seen) return light + (then - seen) * direct;
+  return std::max(light * (then / seen), light - (seen - then) * direct);
 }
 
 // A lamp's size alone leaves the cone where it is: its edge gets softer as shadows do.

@@ -52,6 +52,14 @@ EditStack sized(const SizeOperation& size, Mask mask = {}) {
   return stack;
 }
 
+std::vector<ShadowLabel> labelsOf(const Image& visibility) {
+  std::vector<ShadowLabel> labels(visibility.pixelCount());
+  std::transform(visibility.plane(0), visibility.plane(0) + labels.size(), labels.begin(), [](float v) {
+    return v > .95F ? ShadowLabel::Lit : v < .05F ? ShadowLabel::Umbra : ShadowLabel::Penumbra;
+  });
+  return labels;
+}
+
 /// The key's light on a wall, a part of it hidden left of a line; and what it would be without.
 struct ShadowedWall {
   SolvedSet set;
@@ -62,6 +70,7 @@ struct ShadowedWall {
     shadows->visibility = shadowEdge(width);
     for (int y = 0; y < kHeight; ++y)  // light all around: or it would be a spot's
       std::fill_n(shadows->visibility.span().row(0, y), y < kHeight / 3 ? kWidth : kWidth / 4, 1.F);
+    shadows->labels = labelsOf(shadows->visibility);
     shadows->direct = set.contributions[0].clone();
     for (int c = 0; c < 3; ++c)
       for (size_t p = 0; p < shadows->direct.pixelCount(); ++p)
@@ -151,6 +160,29 @@ TEST(LampSize, ShadowsOfALargerLampAreSofter) {
   EXPECT_LT(ours, .5 * nothing);
 }
 
+TEST(LampSize, LightThatHasBouncedIntoAShadowStays) {
+  constexpr float kBounce = .1F;
+  constexpr float kFound = .05F;  // a search that takes some of it for the lamp's
+  for (const ShadowLabel inside : {ShadowLabel::Umbra, ShadowLabel::Unknown, ShadowLabel::Penumbra}) {
+    ShadowedWall wall(12);
+    std::replace(wall.shadows->labels.begin(), wall.shadows->labels.end(), ShadowLabel::Umbra, inside);
+    Image& light = wall.set.contributions[0];
+    for (size_t p = 0; p < light.pixelCount(); ++p) {
+      float& seen = wall.shadows->visibility.plane(0)[p];
+      seen = std::max(seen, kFound);
+      for (int c = 0; c < 3; ++c) light.plane(c)[p] += kBounce * wall.shadows->direct.plane(c)[p];
+    }
+    const Image edited = applyEdits(wall.set, sized({.5F, .4F}), wall.source()).contributions[0].clone();
+    const auto gain = [&](int x) {
+      return edited.view().at(1, x, kHeight / 2) / light.view().at(1, x, kHeight / 2);
+    };
+    const float level = gain(kWidth - 60);
+    const float left = gain(kWidth / 2 - 40) / level;
+    const float most = inside == ShadowLabel::Penumbra ? kFound / kBounce : 0;  // that may go
+    EXPECT_GT(left, .95F * (1 - most)) << static_cast<int>(inside);
+  }
+}
+
 TEST(LampSize, ASoftboxThatGrowsLightsAsARealOneWould) {
   const test::LampPlace middle{-.1, .1, .7};
   constexpr double kDiameter = .3;
@@ -159,6 +191,7 @@ TEST(LampSize, ASoftboxThatGrowsLightsAsARealOneWould) {
     SolvedSet set = softboxSet(middle, kDiameter);
     auto lit = std::make_shared<LightShadows>();
     lit->visibility = Image(ImageSpec{kWidth, kHeight, {"Y"}, "data"}, 1.F);
+    lit->labels = labelsOf(lit->visibility);
     lit->direct = set.contributions[0].clone();
     const SolvedSet truth = softboxSet(middle, times * kDiameter);
     const SolvedSet edited =
