@@ -31,7 +31,7 @@ struct SizeOperation {
         numberField(
             "diameter", &SizeOperation::diameter, {Scale::Unit::Percent, 0, 4, 0, 1}, "It was",
             "The lamp's diameter when the set was photographed, in per cent of its distance from what "
-            "it lights: 50 % is a softbox of 1 m, 2 m away. 0 %: not known; taken for 35 %, or 3 % "
+            "it lights: 50 % is a softbox of 1 m, 2 m away. 0 %: not known; taken for 15 %, or 1 % "
             "where the light makes a cone.")};
   }
   [[nodiscard]] std::string summary() const { return fmt::format("x {:.2f}", times); }
