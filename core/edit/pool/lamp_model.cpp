@@ -23,7 +23,7 @@ cv::Matx33d swing(const cv::Vec3d& axis, double pan, double tilt) {
 }
 
 // Of the distance: the geometric means of the lamps of eleven rendered sets (docs/edits.md). How wide the
-// edges of its shadows are does not tell.
+// edges of shadows are does not tell how large a lamp is.
 constexpr double kSpot = 0.01;
 constexpr double kSoftbox = 0.15;
 
