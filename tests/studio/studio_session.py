@@ -302,12 +302,22 @@ class Studio:
         """Ends it as a person does; True where it went without complaint."""
         self.xdotool('key', 'ctrl+q')
         try:
-            self.process.communicate(timeout=20)
+            _, complaint = self.process.communicate(timeout=60)
         except subprocess.TimeoutExpired:
+            print(f'the studio did not end; there is {self.layout()}', file=sys.stderr)
             self.kill()
             return False
         self.let_go()
+        if self.process.returncode != 0:
+            print(f'the studio ended with {self.process.returncode}: {complaint}', file=sys.stderr)
         return self.process.returncode == 0
+
+    def resize(self, width, height):
+        """By an xdotool of its own: one that has chosen a window sends keys to that window, not to the keyboard, and ends
+        with an error if the window is gone before a key is let go."""
+        subprocess.run(['xdotool', 'search', '--name', 'Swaplight', 'windowsize', '%@', str(width), str(height)],
+                       env=self.environment, check=True)
+        self.settle()
 
 
 class StudioTest(unittest.TestCase):

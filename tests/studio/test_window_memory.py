@@ -15,10 +15,6 @@ class WindowMemory(StudioTest):
         self.studio.settle()
         return self.studio
 
-    def resize(self, width, height):
-        self.studio.xdotool('search', '--name', 'Swaplight', 'windowsize', '%@', width, height)
-        self.studio.settle()
-
     def window(self):
         with open(os.path.join(self.folder, '.local/state/swaplight/window.json')) as file:
             return json.load(file)
@@ -30,7 +26,7 @@ class WindowMemory(StudioTest):
     def test_the_size_is_kept(self):
         self.begin()
         before = self.right_end()
-        self.resize(1200, 800)
+        self.studio.resize(1200, 800)
         smaller = self.right_end()
         self.assertLess(smaller, before - 300)
         self.assertTrue(self.studio.quit())
@@ -41,7 +37,7 @@ class WindowMemory(StudioTest):
 
     def test_a_size_that_was_asked_for_once_is_not_kept(self):
         self.begin()
-        self.resize(1200, 800)
+        self.studio.resize(1200, 800)
         self.assertTrue(self.studio.quit())
         self.begin(size='1700x1000')
         self.assertTrue(self.studio.quit())
