@@ -83,7 +83,8 @@ SolvedSet openSource(const ColorConfig& config, const fs::path& path, const Solv
   if (error) throw InputError("{}: cannot be read ({}).", path.string(), error.message());
   switch (sourceKind(path)) {
     case SourceKind::SolvedSet:
-      return readSolvedSet(path, progress);
+      return readSolvedSet(path, progress,
+                           options.highlights ? HighlightReading::All : HighlightReading::None);
     case SourceKind::Capture: {
       const Capture capture = readCapture(config, sourceFile(path));
       CapturePixels pixels = loadCapturePixels(config, capture, progress.part(0, kReadingShare));

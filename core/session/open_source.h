@@ -27,8 +27,8 @@ enum class SourceKind { Capture, SolvedSet, Session, Folder, Other };
 [[nodiscard]] std::vector<std::filesystem::path> filesOfSource(const std::filesystem::path& path);
 
 /// A set from a solved file or, solving it, from a capture, whose pictures may be in any colour space of the
-/// configuration. Throws InputError, which says what can be opened,
-/// for anything else; Stopped when asked to.
+/// configuration; without highlights where `options` say so. Throws InputError, which says what can be
+/// opened, for anything else; Stopped when asked to.
 [[nodiscard]] SolvedSet openSource(const ColorConfig& config, const std::filesystem::path& path,
                                    const SolveOptions& options, const Progress& progress = {});
 

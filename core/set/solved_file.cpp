@@ -217,7 +217,7 @@ class PlaneFinder {
   Image wantColor(const std::string& layer) {
     return want({layer + ".R", layer + ".G", layer + ".B"}, {"R", "G", "B"}, m_spec.colorSpace);
   }
-  /// A channel that follows from others.
+  /// A channel that follows from others, or that nobody looks at.
   void passOver(const std::string& channel) {
     if (has(channel)) m_passedOver.push_back(indexOf(channel));
   }
@@ -248,6 +248,10 @@ class PlaneFinder {
         highlights.emplace_back(ImageSpec{m_spec.width, m_spec.height, {"R", "G", "B"}, m_spec.colorSpace},
                                 0.0F);
     return highlights;
+  }
+  void passOverHighlights(const std::vector<std::string>& lights) {
+    for (const std::string& light : lights)
+      for (const char* color : kColors) passOver(highlightLayer(light) + "." + color);
   }
   [[nodiscard]] const std::vector<float*>& planes() const { return m_planes; }
 
@@ -329,7 +333,7 @@ void mendBroken(SolvedSet& set, const fs::path& file) {
 
 }  // namespace
 
-SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
+SolvedSet readSolvedSet(const fs::path& file, const Progress& progress, HighlightReading highlights) {
   SolvedSet set;
   const auto planes = [&](const ImageSpec& spec, const ImageFileInfo& info) {
     if (info.format != "openexr")
@@ -341,7 +345,10 @@ SolvedSet readSolvedSet(const fs::path& file, const Progress& progress) {
     std::vector<std::string> quality(std::begin(kQuality), std::end(kQuality));
     if (!finder.has("quality.model")) quality.pop_back();
     for (const std::string& light : lights) set.contributions.push_back(finder.wantColor(light));
-    set.highlights = finder.wantHighlights(lights);
+    if (highlights == HighlightReading::All)
+      set.highlights = finder.wantHighlights(lights);
+    else
+      finder.passOverHighlights(lights);
     if (finder.has("ambient.R")) set.ambient = finder.wantColor("ambient");
     set.beta = finder.want(inLayer("beta", lights), inLayer("beta", lights), "data");
     set.quality = finder.want(inLayer("quality", quality), quality, "data");

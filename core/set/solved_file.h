@@ -27,9 +27,13 @@ void checkSolvedFile(const std::filesystem::path& file);
 void writeSolvedSet(const SolvedSet& set, const std::filesystem::path& file,
                     const SolvedFileOptions& options = {}, const Progress& progress = {});
 
+/// For those who do not look at highlights: reading them takes up to a third of the memory and the time.
+enum class HighlightReading { All, None };
+
 /// Reads single-part and multi-part files. Throws InputError where a channel that docs/formats.md demands is
 /// missing.
-[[nodiscard]] SolvedSet readSolvedSet(const std::filesystem::path& file, const Progress& progress = {});
+[[nodiscard]] SolvedSet readSolvedSet(const std::filesystem::path& file, const Progress& progress = {},
+                                      HighlightReading highlights = HighlightReading::All);
 
 /// Whether a solved set's file of these channels holds the light's highlights: all three channels of them.
 [[nodiscard]] bool holdsHighlights(const ImageSpec& spec, const std::string& light);

@@ -110,6 +110,21 @@ TEST_P(SolvedFile, HighlightsComeBackWithinTheirLights) {
   EXPECT_TRUE(!back.carried || back.carried->channels.empty()) << "none is left over";
 }
 
+TEST_P(SolvedFile, IsReadWithoutItsHighlightsForThoseWhoDoNotLook) {
+  const TemporaryFolder folder;
+  SolvedSet set = threeLights();
+  for (const Image& light : set.contributions) set.highlights.push_back(light.clone());
+  writeSolvedSet(set, folder / "solved.exr", {GetParam()});
+  const SolvedSet all = readSolvedSet(folder / "solved.exr");
+  const SolvedSet lights = readSolvedSet(folder / "solved.exr", {}, HighlightReading::None);
+  EXPECT_TRUE(lights.highlights.empty());
+  EXPECT_TRUE(!lights.carried || lights.carried->channels.empty()) << "nor are they carried along";
+  for (size_t i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < set.beta.pixelCount(); ++p)
+        ASSERT_EQ(lights.contributions[i].plane(c)[p], all.contributions[i].plane(c)[p]);
+}
+
 TEST_P(SolvedFile, WithoutHighlightsHasNoChannelsForThem) {
   const TemporaryFolder folder;
   writeSolvedSet(threeLights(), folder / "solved.exr", {GetParam()});
