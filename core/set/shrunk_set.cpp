@@ -1,8 +1,45 @@
 #include "core/set/shrunk_set.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "core/image/shrunk_image.h"
 
 namespace swaplight {
+namespace {
+
+/// The mean of all channels of all lights together: what standard errors are told of.
+std::vector<float> lightOf(const SolvedSet& set) {
+  std::vector<float> light(set.quality.pixelCount(), 0.F);
+  for (const Image& contribution : set.contributions)
+    for (int c = 0; c < 3; ++c) {
+      const float* plane = contribution.plane(c);
+      for (size_t p = 0; p < light.size(); ++p) light[p] += plane[p] / 3;
+    }
+  return light;
+}
+
+/// A set's standard errors at a smaller size. They are told relative to a pixel's light, of which a dark one
+/// has next to none: what is averaged is the error itself. The mean of many pixels is surer than one of them,
+/// but for those no lighter than their error: most of their light is noise that could not be negative, and
+/// stays.
+void shrinkErrors(const SolvedSet& set, SolvedSet& small) {
+  Image error(ImageSpec{set.width(), set.height(), {"sigma"}, "data"});
+  const float* relative = set.quality.plane(kSigma);
+  const std::vector<float> light = lightOf(set);
+  for (size_t p = 0; p < light.size(); ++p) error.plane(0)[p] = relative[p] * light[p];
+  const Image mean = shrunkImage(error, small.width(), small.height());
+  const float surer = static_cast<float>(small.width()) / static_cast<float>(set.width());
+  const std::vector<float> smallLight = lightOf(small);
+  float* sigma = small.quality.plane(kSigma);
+  for (size_t p = 0; p < smallLight.size(); ++p) {
+    const float one = smallLight[p] > 0 ? mean.plane(0)[p] / smallLight[p] : sigma[p];  // of one of them
+    sigma[p] = one * std::lerp(surer, 1.F, std::min(one, 1.F));
+  }
+}
+
+}  // namespace
 
 SolvedSet shrunkSet(const SolvedSet& set, int width, int height, const Progress& progress) {
   SolvedSet small;
@@ -18,10 +55,7 @@ SolvedSet shrunkSet(const SolvedSet& set, int width, int height, const Progress&
   keepHighlightsInLights(small);
   if (set.quality.empty()) return small;
   small.quality = shrunkImage(set.quality, width, height);
-  // The mean of many pixels is surer than one of them.
-  const float factor = static_cast<float>(set.width()) / static_cast<float>(width);
-  float* sigma = small.quality.plane(kSigma);
-  for (size_t p = 0; p < small.quality.pixelCount(); ++p) sigma[p] /= factor;
+  shrinkErrors(set, small);
   return small;
 }
 
