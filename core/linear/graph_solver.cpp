@@ -1,5 +1,6 @@
 #include "core/linear/graph_solver.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -18,9 +19,10 @@ constexpr double kGoodEnough = .25;  // of the residual after one inner step: no
 constexpr int kMostSteps = 100;
 
 double dot(const std::vector<float>& a, const std::vector<float>& b) {
-  double sum = 0;
-  for (size_t i = 0; i < a.size(); ++i) sum += double(a[i]) * b[i];
-  return sum;
+  const auto as = [](const std::vector<float>& x) {
+    return Eigen::Map<const Eigen::VectorXf>(x.data(), Eigen::Index(x.size())).cast<double>();
+  };
+  return as(a).dot(as(b));
 }
 
 void add(std::vector<float>& to, double times, const std::vector<float>& x) {

@@ -5,7 +5,8 @@
 namespace swaplight {
 namespace {
 
-constexpr double kFew = 1e-5;  // of all pixels around: so few that are lit say nothing
+constexpr double kFew = 1e-5;        // of all pixels around: so few that are lit say nothing
+constexpr double kSmoothPixels = 5;  // a blur's standard deviation: as exact as more, and a wide one is slow
 
 }  // namespace
 
@@ -27,7 +28,9 @@ OtherLights otherLights(const SetEvidence& set, const std::vector<cv::Mat>& visi
 }
 
 cv::Mat lightsAround(const SetEvidence& set, const std::vector<cv::Mat>& visibilities, size_t light,
-                     const cv::Mat& lit, const OtherLightsTuning& tuning) {
+                     const cv::Mat& litSurfaces, const OtherLightsTuning& tuning) {
+  const double wide = tuning.around * referenceUnit(litSurfaces);
+  const cv::Mat lit = shrunk(litSurfaces, sizeDivided(litSurfaces.size(), wide / kSmoothPixels));
   const double reach = tuning.around * referenceUnit(lit);
   const auto around = [&](const cv::Mat& x) {
     cv::Mat mean;

@@ -9,6 +9,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kLeastWeight = 1e-3f;  // keeps every pixel connected
+constexpr double kTolerance = 1e-4;    // of the pull: fills differ by as much of what they continue
 constexpr std::pair<int, int> kNeighbours[] = {{0, -1}, {-1, 0}, {1, 0}, {0, 1}};
 
 // Minus the divergence of the gradients.
@@ -93,7 +94,7 @@ cv::Mat SmoothFill::of(const cv::Mat& values) const {
   std::vector<float> pull(count, 0), solution(count, static_cast<float>(cv::mean(values, m_fixed)[0]));
   for (const Pull& each : m_pulls)
     pull[static_cast<size_t>(each.node)] += each.weight * values.at<float>(each.from);
-  m_solver->solve(pull, solution);
+  m_solver->solve(pull, solution, kTolerance);
   size_t next = 0;
   for (int y = 0; y < values.rows; ++y)
     for (int x = 0; x < values.cols; ++x)

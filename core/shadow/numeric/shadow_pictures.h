@@ -64,6 +64,14 @@ inline cv::Mat meanOver(const cv::Mat& x, const cv::Mat& mask, cv::Size size) {
   return mean;
 }
 
+/// A picture's size divided by a number, which less than 1 is taken for 1.
+inline cv::Size sizeDivided(cv::Size full, double by) {
+  const auto side = [by](int pixels) {
+    return std::max(1, static_cast<int>(std::lround(pixels / std::max(by, 1.))));
+  };
+  return {side(full.width), side(full.height)};
+}
+
 /// A picture's size divided by a whole number so that no side is longer than `longest` pixels.
 inline cv::Size sizeWithin(cv::Size full, int longest) {
   const int shrink = (std::max(full.width, full.height) + longest - 1) / longest;
