@@ -2,6 +2,7 @@
 #include <array>
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/parallel.h"
 #include "core/color/srgb.h"
 #include "core/measure/difference.h"
 #include "core/plot/text_drawing.h"
@@ -13,6 +14,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kDimming = .75f;
+constexpr int kGrain = 64;  // rows at a time
 const std::array<cv::Scalar, 6> kColors = {cv::Scalar(255, 200, 40),  cv::Scalar(70, 200, 255),
                                            cv::Scalar(255, 90, 160),  cv::Scalar(120, 240, 120),
                                            cv::Scalar(190, 140, 255), cv::Scalar(255, 140, 60)};
@@ -20,13 +22,26 @@ const std::array<cv::Scalar, 6> kColors = {cv::Scalar(255, 200, 40),  cv::Scalar
 cv::Mat displayed(const Image& linear) {
   const float scale = displayScale(linear.view());
   cv::Mat picture(linear.height(), linear.width(), CV_8UC3);
-  for (int y = 0; y < picture.rows; ++y)
-    for (int x = 0; x < picture.cols; ++x)
-      for (int c = 0; c < 3; ++c) {
-        const float code = kDimming * srgbFromLinear(std::clamp(scale * linear.view().at(c, x, y), 0.f, 1.f));
-        picture.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uchar>(code * 255);
-      }
+  parallelRows(picture.rows, kGrain, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < picture.cols; ++x)
+        for (int c = 0; c < 3; ++c) {
+          const float light = std::clamp(scale * linear.view().at(c, x, y), 0.f, 1.f);
+          picture.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uchar>(kDimming * srgbFromLinear(light) * 255);
+        }
+  });
   return picture;
+}
+
+Image imageOf(const cv::Mat& picture) {
+  Image image(ImageSpec{picture.cols, picture.rows, {"R", "G", "B"}, "srgb"});
+  parallelRows(picture.rows, kGrain, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < picture.cols; ++x)
+        for (int c = 0; c < 3; ++c)
+          image.span().at(c, x, y) = static_cast<float>(picture.at<cv::Vec3b>(y, x)[c]) / 255.f;
+  });
+  return image;
 }
 
 void outline(cv::Mat& picture, const LightShadows& shadows, ShadowLabel lightest, const cv::Scalar& color,
@@ -78,12 +93,7 @@ Image drawShadowOutlines(const SolvedSet& set, const std::vector<NamedShadows>& 
              {height / 2, static_cast<int>(static_cast<double>(height) * 1.4 * static_cast<double>(i + 1))},
              height, color);
   }
-  Image image(ImageSpec{picture.cols, picture.rows, {"R", "G", "B"}, "srgb"});
-  for (int y = 0; y < picture.rows; ++y)
-    for (int x = 0; x < picture.cols; ++x)
-      for (int c = 0; c < 3; ++c)
-        image.span().at(c, x, y) = static_cast<float>(picture.at<cv::Vec3b>(y, x)[c]) / 255.f;
-  return image;
+  return imageOf(picture);
 }
 
 }  // namespace swaplight
