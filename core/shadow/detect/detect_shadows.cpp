@@ -74,8 +74,9 @@ void checkOptions(const ShadowOptions& options, const SolvedSet& set) {
   }
 }
 
-// Pixels of the longer side: larger sets are searched at a fraction of their size.
-constexpr int kLongest = 2560;
+// Pixels of the longer side: larger sets are searched at a fraction of their size. What is learned from is
+// smaller still; the borders and the grain are those of the set again.
+constexpr int kLongest = 1280;
 
 /// The same of a smaller set: marks lie in its pixels.
 ShadowOptions optionsFor(ShadowOptions options, cv::Size full, cv::Size small) {

@@ -151,7 +151,7 @@ TEST(EnlargedShadows, KeepWhatCannotBeTold) {
 
 /// Found at a fraction of the size, marks and all.
 TEST(EnlargedShadows, AreWhatALargeSetGets) {
-  constexpr int kWide = 2600, kLow = 60;
+  constexpr int kWide = 2500, kLow = 60;
   SolvedSet set;
   for (const char* name : {"key", "fill"}) {
     set.capture.lights.push_back({name, Role::Other, {}});
@@ -165,7 +165,7 @@ TEST(EnlargedShadows, AreWhatALargeSetGets) {
       }
   updateBeta(set);
   ShadowOptions options;
-  options.marks["key"] = {{ShadowMark::Kind::Shadow, 2501, 59}};
+  options.marks["key"] = {{ShadowMark::Kind::Shadow, 2401, 59}};
   const std::vector<LightShadows> shadows = detectShadows(set, options);
   const LightShadows& key = shadows[0];
   ASSERT_EQ(key.visibility.width(), kWide);
@@ -173,7 +173,7 @@ TEST(EnlargedShadows, AreWhatALargeSetGets) {
   int first = 0;
   while (first < kWide && key.labels[size_t(30 * kWide + first)] != ShadowLabel::Umbra) ++first;
   EXPECT_NEAR(first, 1501, 3);
-  EXPECT_EQ(key.labels[size_t(59 * kWide + 2501)], ShadowLabel::Umbra) << "marks are obeyed";
+  EXPECT_EQ(key.labels[size_t(59 * kWide + 2401)], ShadowLabel::Umbra) << "marks are obeyed";
 }
 
 }  // namespace
