@@ -1,9 +1,10 @@
 #include "core/shadow/result/shadow_file.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/base/error.h"
-#include "core/image/io/image_io.h"
+#include "core/image/io/image_write.h"
 
 namespace swaplight {
 
@@ -16,19 +17,17 @@ void checkShadowFile(const std::filesystem::path& file) {
 void writeShadows(const std::vector<NamedShadows>& lights, const std::filesystem::path& file) {
   checkShadowFile(file);
   const Image& first = lights.front().shadows->visibility;
-  ImageSpec spec{first.width(), first.height(), {}, "data"};
-  for (const NamedShadows& light : lights)
-    for (const char* channel : {"Y", "label"})
-      spec.channels.push_back("shadow_" + light.light + "." + channel);
-  Image image(spec);
-  for (size_t i = 0; i < lights.size(); ++i) {
-    const LightShadows& shadows = *lights[i].shadows;
-    const auto channel = static_cast<int>(2 * i);
-    std::copy_n(shadows.visibility.plane(0), image.pixelCount(), image.plane(channel));
-    std::transform(shadows.labels.begin(), shadows.labels.end(), image.plane(channel + 1),
+  FileToWrite contents{first.width(), first.height(), {{}}, "data", {}, {}};
+  std::vector<std::vector<float>> labels;
+  for (const auto& [light, shadows] : lights) {
+    std::vector<float>& plane = labels.emplace_back(shadows->labels.size());
+    std::transform(shadows->labels.begin(), shadows->labels.end(), plane.begin(),
                    [](ShadowLabel label) { return static_cast<float>(label); });
+    auto& channels = contents.parts.front().channels;
+    channels.push_back({"shadow_" + light + ".Y", shadows->visibility.plane(0)});
+    channels.push_back({"shadow_" + light + ".label", plane.data()});
   }
-  writeImage(image, file);
+  writeChannels(contents, file);
 }
 
 }  // namespace swaplight
