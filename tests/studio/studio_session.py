@@ -313,8 +313,8 @@ class Studio:
         return self.process.returncode == 0
 
     def resize(self, width, height):
-        """By an xdotool of its own: one that has chosen a window sends keys to that window, not to the keyboard, and ends
-        with an error if the window is gone before a key is let go."""
+        """By an xdotool of its own: one that has chosen a window ends with an error when the window is gone before a key
+        is let go, as after Ctrl+Q. The keyboard then holds it for good, and the next studio never sees it pressed."""
         subprocess.run(['xdotool', 'search', '--name', 'Swaplight', 'windowsize', '%@', str(width), str(height)],
                        env=self.environment, check=True)
         self.settle()
