@@ -28,7 +28,10 @@ void shrinkErrors(const SolvedSet& set, SolvedSet& small) {
   Image error(ImageSpec{set.width(), set.height(), {"sigma"}, "data"});
   const float* relative = set.quality.plane(kSigma);
   const std::vector<float> light = lightOf(set);
-  for (size_t p = 0; p < light.size(); ++p) error.plane(0)[p] = relative[p] * light[p];
+  for (size_t p = 0; p < light.size(); ++p) {
+    const float one = relative[p] * light[p];
+    error.plane(0)[p] = std::isfinite(one) ? one : 0;  // no light at all may have no error that can be told
+  }
   const Image mean = shrunkImage(error, small.width(), small.height());
   const float surer = static_cast<float>(small.width()) / static_cast<float>(set.width());
   const std::vector<float> smallLight = lightOf(small);

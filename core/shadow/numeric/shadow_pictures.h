@@ -64,7 +64,7 @@ inline cv::Mat meanOver(const cv::Mat& x, const cv::Mat& mask, cv::Size size) {
   return mean;
 }
 
-/// A picture's size divided by a number, which less than 1 is taken for 1.
+/// A picture's size divided by a number; one below 1 counts as 1.
 inline cv::Size sizeDivided(cv::Size full, double by) {
   const auto side = [by](int pixels) {
     return std::max(1, static_cast<int>(std::lround(pixels / std::max(by, 1.))));
