@@ -77,6 +77,10 @@ void BenchStage::openLarge(int width, int height) {
   m_studio->context().session.openSet(std::move(set));
 }
 
+void BenchStage::openAsItIs() {
+  openLarge(m_small.width(), m_small.height());
+}
+
 void BenchStage::drawFrame() {
   m_window->wait(0);
   m_studio->update();

@@ -44,6 +44,8 @@ class BenchStage {
   [[nodiscard]] StudioWindow& studio() { return *m_studio; }
   /// Opens the file's set, or the sample's, made as large as this by mirrored copies side by side.
   void openLarge(int width, int height);
+  /// Opens it as it is: lamps are measured as they stood.
+  void openAsItIs();
   /// One frame, until all of it is on the screen.
   void drawFrame();
   /// What the studio does while nothing is touched: sleeps until something happens, and draws a frame if one

@@ -38,20 +38,27 @@ class Stopwatch {
     m_results.push_back({{"what", what}, {"longest_frame_ms", longest}, {"until_shown_ms", until}});
   }
 
-  /// A shape dragged over the picture; the drag is a gesture.
+  /// A shape dragged over the picture.
   void drag(const char* what, const Stencil& stencil) {
+    Edit edit = brushEdit(m_stage.studio().context());
+    const MaskShape shape = draggedShape(stencil, {400, 900}, {1800, 1300}, false);
+    edit.mask = {shape};
+    drag(what, edit, [&](Edit& moved, int move) {
+      moved.mask.front() = movedShape(shape, 20.F * static_cast<float>(move), 7);
+    });
+  }
+
+  /// An edit changed by `to` with each move of the mouse, from 1 to kMoves; the drag is a gesture.
+  void drag(const char* what, Edit edit, const std::function<void(Edit&, int move)>& to) {
     ViewerContext& context = m_stage.studio().context();
     Document begun = context.document();
-    Edit edit = brushEdit(context);
-    edit.mask = {draggedShape(stencil, {400, 900}, {1800, 1300}, false)};
     begun.edits.append(edit);
     context.editor.edit(what, begun);
     settle();
     std::vector<double> frames;
     for (int move = 1; move <= kMoves; ++move) {
       const auto start = BenchClock::now();
-      edit.mask.front() =
-          movedShape(begun.edits.edits.back()->mask.front(), 20.F * static_cast<float>(move), 7);
+      to(edit, move);
       Document next = begun;
       next.edits.replace(next.edits.edits.size() - 1, edit);
       context.editor.preview(what, std::move(next));
@@ -143,14 +150,40 @@ void timeSelections(Stopwatch& watch) {
              [](ViewerContext& context) { changeSelection(context, "Select nothing", {}); });
 }
 
+template <typename Operation>
+void dragLamp(Stopwatch& watch, const char* what, const std::string& light, float Operation::*value,
+              float neutral, float step) {
+  Edit edit;
+  edit.name = what;
+  edit.lights = {light};
+  edit.energy = EnergyMode::Add;
+  Operation operation;
+  operation.*value = neutral;
+  edit.operation = operation;
+  watch.drag(what, edit, [&](Edit& moved, int move) {
+    operation.*value = neutral + step * static_cast<float>(move);
+    moved.operation = operation;
+  });
+}
+
+void timeLamps(Stopwatch& watch, const std::string& light) {
+  dragLamp(watch, "a lamp moved", light, &MoveOperation::right, 0, .01F);
+  dragLamp(watch, "a lamp turned", light, &TurnOperation::pan, 0, 1);
+  dragLamp(watch, "a lamp's beam narrowed", light, &SpreadOperation::width, 1, -.02F);
+  dragLamp(watch, "a lamp made larger", light, &SizeOperation::times, 1, .1F);
+}
+
 }  // namespace
 
 Json benchTools(const StudioOptions& options) {
   BenchStage stage(options);
-  stage.openLarge(kWidth, kHeight);
   Json result = stage.circumstances();
   Json steps = Json::array();
   Stopwatch watch(stage, steps);
+  stage.openAsItIs();
+  watch.settle();
+  timeLamps(watch, stage.small().capture.lights.front().name);
+  stage.openLarge(kWidth, kHeight);
   watch.settle();
   const auto run = [&](const char* what, const char* action) {
     watch.time(what, [&](ViewerContext& context) { context.actions.run(action); });
