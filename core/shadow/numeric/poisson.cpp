@@ -5,35 +5,27 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/parallel.h"
-
 namespace swaplight {
 namespace {
 
 constexpr float kLeastWeight = 1e-3f;  // keeps every pixel connected
 constexpr double kTolerance = 1e-4;    // of the pull: fills differ by as much of what they continue
-constexpr int kGrain = 64;             // rows at a time
 constexpr std::pair<int, int> kNeighbours[] = {{0, -1}, {-1, 0}, {1, 0}, {0, 1}};
 
 // Minus the divergence of the gradients.
 cv::Mat divergence(const cv::Mat& gx, const cv::Mat& gy, cv::Size size) {
   cv::Mat d(size, CV_64F, cv::Scalar(0));
-  parallelRows(gx.rows, kGrain, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      auto* out = d.ptr<double>(y);
-      const auto* across = gx.ptr<float>(y);
-      for (int x = 0; x + 1 < gx.cols; ++x) {
-        out[x] += across[x];
-        out[x + 1] -= across[x];
+  for (int y = 0; y < gx.rows; ++y)
+    for (int x = 0; x < gx.cols; ++x) {
+      if (x + 1 < gx.cols) {
+        d.at<double>(y, x) += gx.at<float>(y, x);
+        d.at<double>(y, x + 1) -= gx.at<float>(y, x);
       }
-      const auto addDown = [&](int row, double sign) {
-        const auto* down = gy.ptr<float>(row);
-        for (int x = 0; x < gy.cols; ++x) out[x] += sign * down[x];
-      };
-      if (y + 1 < gy.rows) addDown(y, 1);
-      if (y > 0) addDown(y - 1, -1);
+      if (y + 1 < gx.rows) {
+        d.at<double>(y, x) += gy.at<float>(y, x);
+        d.at<double>(y + 1, x) -= gy.at<float>(y, x);
+      }
     }
-  });
   return d;
 }
 
@@ -47,16 +39,14 @@ cv::Mat integrateGradients(const cv::Mat& gx, const cv::Mat& gy) {
   std::vector<double> across(static_cast<size_t>(size.width));
   for (int x = 0; x < size.width; ++x)
     across[static_cast<size_t>(x)] = 2 * std::cos(std::numbers::pi * x / size.width) - 2;
-  parallelRows(size.height, kGrain, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const double down = 2 * std::cos(std::numbers::pi * y / size.height) - 2;
-      auto* row = d.ptr<double>(y);
-      for (int x = 0; x < size.width; ++x) {
-        const double laplacian = across[static_cast<size_t>(x)] + down;
-        row[x] = laplacian < 0 ? row[x] / laplacian : 0;
-      }
+  for (int y = 0; y < size.height; ++y) {
+    const double down = 2 * std::cos(std::numbers::pi * y / size.height) - 2;
+    auto* row = d.ptr<double>(y);
+    for (int x = 0; x < size.width; ++x) {
+      const double laplacian = across[static_cast<size_t>(x)] + down;
+      row[x] = laplacian < 0 ? row[x] / laplacian : 0;
     }
-  });
+  }
   cv::idct(d, d);
   cv::Mat result;
   d(cv::Rect(0, 0, gx.cols, gx.rows)).convertTo(result, CV_32F);
