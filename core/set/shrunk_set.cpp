@@ -2,22 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "core/image/shrunk_image.h"
 
 namespace swaplight {
 namespace {
 
-/// The mean of all channels of all lights together: what standard errors are told of.
-std::vector<float> lightOf(const SolvedSet& set) {
-  std::vector<float> light(set.quality.pixelCount(), 0.F);
-  for (const Image& contribution : set.contributions)
-    for (int c = 0; c < 3; ++c) {
-      const float* plane = contribution.plane(c);
-      for (size_t p = 0; p < light.size(); ++p) light[p] += plane[p] / 3;
-    }
-  return light;
+/// What standard errors are told of, a pixel.
+float greyAt(const Image& sum, size_t p) {
+  return (sum.plane(0)[p] + sum.plane(1)[p] + sum.plane(2)[p]) / 3;
 }
 
 /// A set's standard errors at a smaller size. They are told relative to a pixel's light, of which a dark one
@@ -27,17 +20,18 @@ std::vector<float> lightOf(const SolvedSet& set) {
 void shrinkErrors(const SolvedSet& set, SolvedSet& small) {
   Image error(ImageSpec{set.width(), set.height(), {"sigma"}, "data"});
   const float* relative = set.quality.plane(kSigma);
-  const std::vector<float> light = lightOf(set);
-  for (size_t p = 0; p < light.size(); ++p) {
-    const float one = relative[p] * light[p];
+  const Image sum = sumAtUnitWhite(set);
+  for (size_t p = 0; p < error.pixelCount(); ++p) {
+    const float one = relative[p] * greyAt(sum, p);
     error.plane(0)[p] = std::isfinite(one) ? one : 0;  // no light at all may have no error that can be told
   }
   const Image mean = shrunkImage(error, small.width(), small.height());
   const float surer = static_cast<float>(small.width()) / static_cast<float>(set.width());
-  const std::vector<float> smallLight = lightOf(small);
+  const Image smallSum = sumAtUnitWhite(small);
   float* sigma = small.quality.plane(kSigma);
-  for (size_t p = 0; p < smallLight.size(); ++p) {
-    const float one = smallLight[p] > 0 ? mean.plane(0)[p] / smallLight[p] : sigma[p];  // of one of them
+  for (size_t p = 0; p < mean.pixelCount(); ++p) {
+    const float light = greyAt(smallSum, p);
+    const float one = light > 0 ? mean.plane(0)[p] / light : sigma[p];  // of one of them
     sigma[p] = one * std::lerp(surer, 1.F, std::min(one, 1.F));
   }
 }

@@ -302,7 +302,7 @@ class Studio:
         """Ends it as a person does; True where it went without complaint."""
         self.xdotool('key', 'ctrl+q')
         try:
-            _, complaint = self.process.communicate(timeout=60)
+            _, complaint = self.process.communicate(timeout=20)
         except subprocess.TimeoutExpired:
             print(f'the studio did not end; there is {self.layout()}', file=sys.stderr)
             self.kill()

@@ -74,8 +74,8 @@ void checkOptions(const ShadowOptions& options, const SolvedSet& set) {
   }
 }
 
-// Pixels of the longer side: larger sets are searched at a fraction of their size. What is learned from is
-// smaller still; the borders and the grain are those of the set again.
+// Pixels of the longer side: larger sets are searched at a fraction of their size, and what is found gets the
+// set's own borders and grain. (The odds of umbra look at a smaller picture in any case.)
 constexpr int kLongest = 1280;
 
 /// The same of a smaller set: marks lie in its pixels.
