@@ -1,10 +1,12 @@
 #include "core/edit/pool/lamp_gain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/edit/pool/small_samples.h"
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {
@@ -24,12 +26,30 @@ float withCone(float light, float before, float after, float guess, float bounce
   return kept + guess * (shown - kept);
 }
 
-// Where more of the light is seen it is added. Where less is, what is there gets less, in its own colour:
-// what a light would give is not known so well as what it gives. But it loses no more than the light that is
-// hidden now: in a shadow most of what is there has bounced, and stays.
-float withShadow(float light, float seen, float then, float direct) {
-  if (then >= seen) return light + (then - seen) * direct;
-  return std::max(light * (then / seen), light - (seen - then) * direct);
+// The shadows of a lamp of another size. Where more of the light is seen it is added. Where less is, what is
+// there gets less, in its own colour: what a light would give is not known so well as what it gives. But it
+// loses no more than the light that is hidden now: in a shadow most of what is there has bounced, and stays.
+// What edits before this one took from the light they took from what is hidden of it, too.
+SWAPLIGHT_SIMD(void, changeShadows,
+               (const float* solved, const float* seen, const float* then, const float* direct, int count,
+                float* light),
+               (solved, seen, then, direct, count, light)) {
+  for (int i = 0; i < count; ++i) {
+    // Both ways are computed, without a division by 0: vectors have no branches.
+    const bool taken = solved[i] > light[i];
+    const float part = light[i] / (taken ? solved[i] : 1.F);
+    const float change = (then[i] - seen[i]) * (taken ? part : 1.F) * direct[i];
+    const float dimmed = light[i] * (then[i] / (seen[i] > 0 ? seen[i] : 1.F));
+    const float more = light[i] + change;
+    light[i] = then[i] >= seen[i] ? more : std::max(dimmed, more);
+  }
+}
+
+SWAPLIGHT_SIMD(void, mixIn,
+               (const float* gain, const float* changed, const float* mask, int count, float* light),
+               (gain, changed, mask, count, light)) {
+  for (int i = 0; i < count; ++i)
+    light[i] = std::max(light[i] + mask[i] * (gain[i] * changed[i] - light[i]), 0.F);
 }
 
 // A lamp's size alone leaves the cone where it is: its edge gets softer as shadows do.
@@ -85,33 +105,45 @@ void LampGain::ratioRow(int channel, int x, int y, int count, float* ratio) cons
   sampleRow(small, smallRow(x, y, {m_width, m_height}, small.size()), count, ratio);
 }
 
-void LampGain::changeRow(int x, int y, int count, const float* mask, const LampRow& row) const {
-  const auto size = static_cast<size_t>(count);
-  std::vector<float> gain(size);
-  gainRow(x, y, count, gain.data());
-  std::vector<Cones> cones(m_coneMoves ? size : 0);
-  for (size_t i = 0; i < cones.size(); ++i) cones[i] = conesAt(x + static_cast<int>(i), y);
-  std::vector<float> ratio(cones.size());
+void LampGain::coneRow(int x, int y, int count, const LampRow& row,
+                       const std::array<float*, 3>& changed) const {
+  std::vector<Cones> cones(static_cast<size_t>(count));
+  int first = count;
+  int end = 0;
+  for (int i = 0; i < count; ++i) {
+    const Cones here = cones[static_cast<size_t>(i)] = conesAt(x + i, y);
+    if (here.isSame()) continue;
+    first = std::min(first, i);
+    end = i + 1;
+  }
+  if (first >= end) return;
+  std::vector<float> ratio(static_cast<size_t>(count));
   const float bounce = static_cast<float>(m_pool.bounce) + kLeastBounce;
   for (int c = 0; c < 3; ++c) {
-    float* light = row.light[c];
-    if (m_coneMoves) ratioRow(c, x, y, count, ratio.data());
-    for (size_t i = 0; i < size; ++i) {
-      float changed = light[i];
-      if (row.seen) {
-        // What edits before this one took from the light they took from what is hidden of it, too.
-        const float solved = row.solved[c][i];
-        const float left = solved > changed ? changed / solved : 1.F;
-        changed = withShadow(changed, row.seen[i], row.seenThen[i], left * row.direct[c][i]);
-      }
-      if (m_coneMoves) {
-        const float others = m_pool.alone ? 1.F : std::max(row.white[c][i] - row.solved[c][i], 0.F);
-        const float would = std::min(ratio[i] * others, m_pool.most[static_cast<size_t>(c)]);
-        changed = withCone(changed, cones[i].before, cones[i].after, cones[i].guess, bounce, would);
-      }
-      light[i] = std::max(light[i] + mask[i] * (gain[i] * changed - light[i]), 0.F);
+    ratioRow(c, x + first, y, end - first, ratio.data() + first);
+    float* light = changed[static_cast<size_t>(c)];
+    for (int i = first; i < end; ++i) {
+      const Cones here = cones[static_cast<size_t>(i)];
+      if (here.isSame()) continue;
+      const float others = m_pool.alone ? 1.F : std::max(row.white[c][i] - row.solved[c][i], 0.F);
+      const float would =
+          std::min(ratio[static_cast<size_t>(i)] * others, m_pool.most[static_cast<size_t>(c)]);
+      light[i] = withCone(light[i], here.before, here.after, here.guess, bounce, would);
     }
   }
+}
+
+void LampGain::changeRow(int x, int y, int count, const float* mask, const LampRow& row) const {
+  std::vector<float> gain(static_cast<size_t>(count));
+  gainRow(x, y, count, gain.data());
+  std::array<std::vector<float>, 3> changed;
+  for (size_t c = 0; c < 3; ++c) {
+    changed[c].assign(row.light[c], row.light[c] + count);
+    if (row.seen)
+      changeShadows(row.solved[c], row.seen, row.seenThen, row.direct[c], count, changed[c].data());
+  }
+  if (m_coneMoves) coneRow(x, y, count, row, {changed[0].data(), changed[1].data(), changed[2].data()});
+  for (size_t c = 0; c < 3; ++c) mixIn(gain.data(), changed[c].data(), mask, count, row.light[c]);
 }
 
 float LampGain::guessAt(int x, int y) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace swaplight {
 /// A row of pixels of one light, R G B apart, and what is known of it; all start at the same pixel.
 struct LampRow {
   float* light[3];         ///< its contribution: changed
-  const float* white[3];   ///< all lights of the set as solved
+  const float* white[3];   ///< all lights of the set as solved, where the gain uses them
   const float* solved[3];  ///< this light as solved
   /// Where the lamp's size changes, else nullptr: how much of the light is seen before and after, 0..1, and
   /// what it would give where nothing of it were hidden.
@@ -34,6 +35,8 @@ class LampGain {
   /// For a picture of this size. Keeps what it needs of the pool.
   LampGain(const LightPool& pool, const LampChange& change, int width, int height);
 
+  /// Whether what the other lights give says what this one would.
+  [[nodiscard]] bool usesWhite() const { return m_coneMoves && !m_pool.alone; }
   /// Changes a row by `mask` (0..1) times what the lamp's change asks for.
   void changeRow(int x, int y, int count, const float* mask, const LampRow& row) const;
   /// The part of a pixel's new light that is a guess, 0..1: 1 where the light comes to what it never reached,
@@ -46,9 +49,12 @@ class LampGain {
   struct Cones {
     float before, after;  // 0..1
     float guess;          // 0..1: how far the light's own texture cannot be used
+    [[nodiscard]] bool isSame() const { return before == after && guess == 0; }
   };
   [[nodiscard]] Cones conesAt(int x, int y) const;
   void gainRow(int x, int y, int count, float* gain) const;
+  /// What the cone's coming and going makes of a light.
+  void coneRow(int x, int y, int count, const LampRow& row, const std::array<float*, 3>& changed) const;
   void ratioRow(int channel, int x, int y, int count, float* ratio) const;
 
   LightPool m_pool;

@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/edit/pool/small_samples.h"
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {
@@ -23,6 +24,7 @@ constexpr double kFade = .1;      // radii
 constexpr double kMostBlur = .2;  // widths of the picture
 constexpr double kFinest = 2;     // pixels of a small picture: what it may be blurred by at least
 constexpr float kSteepest = .05F;
+constexpr int kTogether = 32;  // pixels of a row
 
 cv::Mat matOf(const Image& image) {
   return {image.height(), image.width(), CV_32F, const_cast<float*>(image.plane(0))};
@@ -95,6 +97,31 @@ cv::Mat blurredBy(cv::Mat& small, const cv::Size& full, double sigma) {
   return blurred;
 }
 
+// Standard deviations, pixels, from the widths of edges.
+SWAPLIGHT_SIMD(void, blursFor,
+               (const float* width, const float* cone, float widest, float times, float most, int count,
+                float* sigma),
+               (width, cone, widest, times, most, count, sigma)) {
+  for (int i = 0; i < count; ++i) {
+    const float edge = std::min(width[i], widest);
+    const float own = (1 - cone[i]) * kRamp * std::sqrt(std::max(edge * edge - kNarrowest * kNarrowest, 0.F));
+    sigma[i] = std::min(own * times, most);
+  }
+}
+
+// Of pixels whose blur lies between two: the variance of a mixture is the mixture of the variances.
+SWAPLIGHT_SIMD(void, mixBlurs,
+               (const float* finer, const float* coarser, float below, float above, const float* sigma,
+                int count, float* visibility),
+               (finer, coarser, below, above, sigma, count, visibility)) {
+  const float scale = 1 / (above * above - below * below);
+  for (int i = 0; i < count; ++i) {
+    const float part = (sigma[i] * sigma[i] - below * below) * scale;
+    const float mixed = finer[i] + part * (coarser[i] - finer[i]);
+    visibility[i] = sigma[i] > below && sigma[i] <= above ? mixed : visibility[i];
+  }
+}
+
 double sigmaOf(size_t level) {
   return std::exp2(static_cast<double>(level));
 }
@@ -116,11 +143,7 @@ void PenumbraScales::sigmaRow(float times, float diameter, const float* width, c
   const float pixels = diameter * static_cast<float>(m_visibility.width());
   const float more = std::abs(times * times - 1);
   const float most = static_cast<float>(sigmaOf(m_levels.size() - 1));
-  for (int i = 0; i < count; ++i) {
-    const float edge = std::min(width[i], kWidest * pixels);
-    const float own = (1 - cone[i]) * kRamp * std::sqrt(std::max(edge * edge - kNarrowest * kNarrowest, 0.F));
-    sigma[i] = std::min(own * std::sqrt(more), most);
-  }
+  blursFor(width, cone, kWidest * pixels, std::sqrt(more), most, count, sigma);
 }
 
 void PenumbraScales::blurRow(int x, int y, int count, const float* sigma, float* visibility) const {
@@ -134,13 +157,7 @@ void PenumbraScales::blurRow(int x, int y, int count, const float* sigma, float*
     if (*least < 2 * above)
       sampleRow(level, smallRow(x, y, {m_visibility.width(), m_visibility.height()}, level.size()), count,
                 coarser.data());
-    // The variance of a mixture is the mixture of the variances.
-    for (int i = 0; i < count; ++i) {
-      if (sigma[i] <= below || sigma[i] > above) continue;
-      const auto p = static_cast<size_t>(i);
-      const float part = (sigma[i] * sigma[i] - below * below) / (above * above - below * below);
-      visibility[i] = finer[p] + part * (coarser[p] - finer[p]);
-    }
+    mixBlurs(finer.data(), coarser.data(), below, above, sigma, count, visibility);
     std::swap(finer, coarser);
     below = above;
   }
@@ -157,7 +174,12 @@ void PenumbraScales::row(float times, float diameter, int x, int y, int count, f
   sampleRow(m_width, place, count, width.data());
   sampleRow(m_cone, place, count, cone.data());
   sigmaRow(times, diameter, width.data(), cone.data(), count, sigma.data());
-  if (times >= 1) return blurRow(x, y, count, sigma.data(), visibility);
+  if (times >= 1) {
+    // Neighbours need much the same blurs, a whole row many.
+    for (int from = 0; from < count; from += kTogether)
+      blurRow(x + from, y, std::min(kTogether, count - from), sigma.data() + from, visibility + from);
+    return;
+  }
   for (size_t i = 0; i < size; ++i) {
     if (!(width[i] > 0)) continue;
     // A ramp that loses this much of its variance.

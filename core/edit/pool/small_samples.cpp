@@ -1,19 +1,41 @@
 #include "core/edit/pool/small_samples.h"
 
 #include <algorithm>
+#include <array>
+
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {
 
-// Between two pixels.
+constexpr int kBlock = 256;  // pixels of a row
+
+// A place between two pixels, the first of them at `index`.
 struct Between {
   int index;
   float part;
 };
-Between between(float place, int last) {
-  const float inside = std::clamp(place, 0.F, static_cast<float>(last));
+inline Between between(float place, int last) {
+  const float inside = std::min(std::max(place, 0.F), static_cast<float>(last));
   const int index = std::min(static_cast<int>(inside), std::max(last - 1, 0));
   return {index, inside - static_cast<float>(index)};
+}
+
+SWAPLIGHT_SIMD(void, mixRows, (const float* above, const float* below, float part, int count, float* out),
+               (above, below, part, count, out)) {
+  for (int i = 0; i < count; ++i) out[i] = above[i] + part * (below[i] - above[i]);
+}
+
+// Of a row of which `values` holds the pixels from `first` on, at x, x + step ...
+SWAPLIGHT_SIMD(void, mixColumns,
+               (const float* values, int first, int last, float x, float step, int count, float* out),
+               (values, first, last, x, step, count, out)) {
+  for (int i = 0; i < count; ++i) {
+    const Between h = between(x + step * static_cast<float>(i), last);
+    const float left = values[h.index - first];
+    const float right = values[std::min(h.index + 1, last) - first];
+    out[i] = left + h.part * (right - left);
+  }
 }
 
 }  // namespace
@@ -29,12 +51,15 @@ void sampleRow(const cv::Mat& small, const SmallRow& row, int count, float* out)
   const auto* above = small.ptr<float>(v.index);
   const auto* below = small.ptr<float>(std::min(v.index + 1, small.rows - 1));
   const int last = small.cols - 1;
-  for (int i = 0; i < count; ++i) {
-    const Between h = between(row.x + row.step * static_cast<float>(i), last);
-    const int next = std::min(h.index + 1, last);
-    const float top = above[h.index] + h.part * (above[next] - above[h.index]);
-    const float bottom = below[h.index] + h.part * (below[next] - below[h.index]);
-    out[i] = top + v.part * (bottom - top);
+  std::array<float, kBlock + 3> mixed;  // its pixels are no smaller than the row's
+  for (int begin = 0; begin < count; begin += kBlock) {
+    const int block = std::min(kBlock, count - begin);
+    const float x = row.x + row.step * static_cast<float>(begin);
+    const int from = between(x, last).index;
+    // One more, since places may be rounded otherwise there.
+    const int to = std::min(between(x + row.step * static_cast<float>(block - 1), last).index + 2, last);
+    mixRows(above + from, below + from, v.part, to - from + 1, mixed.data());
+    mixColumns(mixed.data(), from, last, x, row.step, block, out + begin);
   }
 }
 

@@ -5,7 +5,7 @@
 namespace swaplight {
 
 /// Where a row of pixels lies in a small picture: pixel i at (x + step * i, y), in its pixels; 0 is the
-/// middle of its first.
+/// middle of its first. step: 0..1.
 struct SmallRow {
   float x = 0, y = 0;
   float step = 1;
