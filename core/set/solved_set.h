@@ -31,7 +31,7 @@ struct SolvedSet {
   std::vector<Image> contributions;  ///< T[i], one a light in the capture's order; R G B, >= 0, finite
   /// What of each contribution is highlight: R G B, one a light, 0 .. T[i]. Empty: none is known.
   std::vector<Image> highlights;
-  Image beta;  ///< a channel a light, 0..1; a pixel's sum is 1, or 0 where no light reaches it
+  Image beta;  ///< a channel a light, 0..1; a pixel's sum is 1, or 0 where no light reaches it (updateBeta)
   std::optional<Image> ambient;  ///< R G B; what no controlled light explains
   Image quality;  ///< residual, sigma, flags (a bit field stored as float), model (0: the matte model was
                   ///< enough, 1: the full contribution was needed)
@@ -39,8 +39,8 @@ struct SolvedSet {
   std::optional<SolveReport> report;           ///< how it was solved; nothing: the file did not say
 
   [[nodiscard]] int lightCount() const { return static_cast<int>(contributions.size()); }
-  [[nodiscard]] int width() const { return beta.width(); }
-  [[nodiscard]] int height() const { return beta.height(); }
+  [[nodiscard]] int width() const { return contributions.front().width(); }
+  [[nodiscard]] int height() const { return contributions.front().height(); }
   [[nodiscard]] const std::string& colorSpace() const { return contributions.front().spec().colorSpace; }
 };
 

@@ -50,7 +50,18 @@ Image flagImage(ImageView quality) {
 
 Image betaImage(const SolvedSet& set, int light) {
   Image image(ImageSpec{set.width(), set.height(), {"Y"}, ""});
-  std::copy_n(set.beta.plane(light), image.pixelCount(), image.plane(0));
+  parallelRows(set.height(), 16, [&](int begin, int end) {
+    const auto first = static_cast<size_t>(begin) * static_cast<size_t>(set.width());
+    const auto count = static_cast<size_t>(end - begin) * static_cast<size_t>(set.width());
+    std::vector<std::vector<float>> scratch(set.contributions.size(), std::vector<float>(count));
+    std::vector<const float*> contributions;
+    std::vector<float*> shares;
+    for (size_t i = 0; i < set.contributions.size(); ++i) {
+      for (int c = 0; c < 3; ++c) contributions.push_back(set.contributions[i].plane(c) + first);
+      shares.push_back(static_cast<int>(i) == light ? image.plane(0) + first : scratch[i].data());
+    }
+    sharesOf(set.lightCount(), contributions.data(), shares.data(), count);
+  });
   return image;
 }
 

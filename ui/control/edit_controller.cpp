@@ -235,6 +235,7 @@ void EditController::update(const PixelRect& visible) {
   }
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] { return std::chrono::steady_clock::now() - begin; };
+  const LightIndices lights = edited.staleLights();
   std::vector<PixelRect> changed;
   const auto compute = [&](const PixelRect& area) {
     const std::vector<PixelRect> more = edited.update(area);
@@ -252,20 +253,16 @@ void EditController::update(const PixelRect& visible) {
     if (!rest) break;
     compute(*rest);
   }
-  refresh(*writing, changed);
+  refresh(*writing, changed, lights);
   if (edited.staleTile()) m_wake();
 }
 
-void EditController::refresh(LiveSet::Writing& writing, const std::vector<PixelRect>& changed) {
+void EditController::refresh(LiveSet::Writing& writing, const std::vector<PixelRect>& changed,
+                             const LightIndices& lights) {
   if (changed.empty()) return;
-  writing.pixelsChanged(changed);
-  const ViewPictures& pictures = m_room.live->pictures();
-  for (const PixelRect& rect : changed) {
-    for (const Pyramid& picture : pictures.contributions())
-      m_parts.renderer.changed(picture, {rect.x, rect.y, rect.width, rect.height});
-    if (pictures.ambient())
-      m_parts.renderer.changed(*pictures.ambient(), {rect.x, rect.y, rect.width, rect.height});
-  }
+  for (const Pyramid* picture : writing.pixelsChanged(changed, lights))
+    for (const PixelRect& rect : changed)
+      m_parts.renderer.changed(*picture, {rect.x, rect.y, rect.width, rect.height});
   if (m_parts.subjects.editsChanged()) m_parts.renderer.forget();
   ++m_revision;
 }

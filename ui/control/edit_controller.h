@@ -109,7 +109,7 @@ class EditController {
   /// As much of the stack as can be applied.
   void applyStack(const EditStack& stack);
   void update(const PixelRect& visible);
-  void refresh(LiveSet::Writing& writing, const std::vector<PixelRect>& changed);
+  void refresh(LiveSet::Writing& writing, const std::vector<PixelRect>& changed, const LightIndices& lights);
 
   /// A selection that was drawn in a thread.
   struct Drawn {

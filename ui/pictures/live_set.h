@@ -3,6 +3,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <shared_mutex>
 #include <utility>
 #include <vector>
@@ -44,8 +45,11 @@ class LiveSet {
   /// While it lives, only this thread reads.
   class Writing {
    public:
-    /// Pixels in these rectangles have changed.
-    void pixelsChanged(const std::vector<PixelRect>& changed) { m_pictures.refresh(changed); }
+    /// Pixels of these lights in these rectangles have changed. Returns the pictures that are other ones now.
+    std::vector<const Pyramid*> pixelsChanged(const std::vector<PixelRect>& changed,
+                                              const std::set<int>& lights) {
+      return m_pictures.refresh(changed, lights);
+    }
     /// There are other lights: pictures of those that lie where they lay are kept.
     void lightsChanged() { m_pictures.lightsChanged(); }
 

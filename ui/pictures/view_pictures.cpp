@@ -10,11 +10,16 @@ ViewPictures::ViewPictures(std::shared_ptr<const SolvedSet> set) : m_set(std::mo
   if (m_set->ambient) m_ambient.emplace(m_set->ambient->view());
 }
 
-void ViewPictures::refresh(const std::vector<PixelRect>& changed) {
-  for (Pyramid& contribution : m_contributions)
-    for (const PixelRect& rect : changed) contribution.refresh(rect.x, rect.y, rect.width, rect.height);
-  for (const PixelRect& rect : changed)
-    if (m_ambient) m_ambient->refresh(rect.x, rect.y, rect.width, rect.height);
+std::vector<const Pyramid*> ViewPictures::refresh(const std::vector<PixelRect>& changed,
+                                                  const std::set<int>& lights) {
+  std::vector<const Pyramid*> others;
+  const auto refreshOne = [&](Pyramid& picture) {
+    for (const PixelRect& rect : changed) picture.refresh(rect.x, rect.y, rect.width, rect.height);
+    others.push_back(&picture);
+  };
+  for (const int light : lights) refreshOne(m_contributions.at(static_cast<size_t>(light)));
+  if (m_ambient && lights.size() == m_contributions.size()) refreshOne(*m_ambient);
+  return others;
 }
 
 void ViewPictures::lightsChanged() {

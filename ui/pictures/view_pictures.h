@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -20,8 +21,9 @@ class ViewPictures {
   [[nodiscard]] int width() const { return m_set->width(); }
   [[nodiscard]] int height() const { return m_set->height(); }
 
-  /// To be called when pixels of the contributions have changed.
-  void refresh(const std::vector<PixelRect>& changed);
+  /// To be called when pixels of these lights have changed, of all lights: those of the ambient light, too.
+  /// Returns the pictures that are other ones now.
+  std::vector<const Pyramid*> refresh(const std::vector<PixelRect>& changed, const std::set<int>& lights);
   /// To be called when the set has other lights: pictures that lie where they lay are kept.
   void lightsChanged();
   [[nodiscard]] const std::vector<Pyramid>& contributions() const { return m_contributions; }

@@ -1,7 +1,10 @@
 #include "core/edit/apply/edit_changes.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <optional>
+#include <variant>
 
 namespace swaplight {
 namespace {
@@ -57,7 +60,52 @@ Middle differingPart(const std::vector<Prepared>& before, const std::vector<Prep
   return m;
 }
 
+// Lights that get light from each other in an edit.
+LightIndices tiedBy(const PreparedEdit& edit, int count) {
+  if (!edit.isActive()) return {};
+  const Operation& operation = edit.edit->operation;
+  if (swapsTwoLights(operation) && edit.lights.size() == 2) return {edit.lights.begin(), edit.lights.end()};
+  const bool shares = actsOnBeta(operation) && edit.edit->energy == EnergyMode::Redistribute;
+  if (shares || std::holds_alternative<UnknownGelOperation>(operation)) return allLights(count);
+  return {};
+}
+
 }  // namespace
+
+LightIndices allLights(int count) {
+  std::vector<int> all(static_cast<size_t>(count));
+  std::iota(all.begin(), all.end(), 0);
+  return {all.begin(), all.end()};
+}
+
+LightIndices changedLights(const std::vector<Prepared>& before, const std::vector<Prepared>& after,
+                           int count) {
+  const Middle m = differingPart(before, after);
+  LightIndices changed;
+  const auto add = [&](const std::vector<Prepared>& edits, size_t end) {
+    for (size_t i = m.first; i < end; ++i) {
+      if (!edits[i]->isActive()) continue;
+      changed.insert(edits[i]->lights.begin(), edits[i]->lights.end());
+      changed.merge(tiedBy(*edits[i], count));
+    }
+  };
+  add(before, m.endBefore);
+  add(after, m.endAfter);
+  return withTiedLights(std::move(changed), after, count);
+}
+
+LightIndices withTiedLights(LightIndices lights, const std::vector<Prepared>& edits, int count) {
+  for (size_t before = 0; before != lights.size();) {
+    before = lights.size();
+    for (const Prepared& edit : edits) {
+      LightIndices tied = tiedBy(*edit, count);
+      const bool reached =
+          std::any_of(tied.begin(), tied.end(), [&](int light) { return lights.contains(light); });
+      if (reached) lights.merge(tied);
+    }
+  }
+  return lights;
+}
 
 size_t commonEdits(const std::vector<Prepared>& before, const std::vector<Prepared>& after) {
   return differingPart(before, after).first;

@@ -57,7 +57,7 @@ bool EditCheckpoint::follow(const Edits& before, const Edits& after) {
   return true;
 }
 
-EditTile EditCheckpoint::stateAt(const PixelRect& area,
+EditTile EditCheckpoint::stateAt(const PixelRect& area, const LightIndices& lights,
                                  const std::function<EditTile(const PixelRect& band)>& evaluate) {
   const int column = area.x / kTileSize;
   const int row = area.y / kBandRows;
@@ -67,7 +67,7 @@ EditTile EditCheckpoint::stateAt(const PixelRect& area,
         intersection({column * kTileSize, row * kBandRows, kTileSize, kBandRows}, {0, 0, m_width, m_height});
     band = std::make_unique<EditTile>(evaluate(whole));
   }
-  return {*band, area};
+  return {*band, lights, area};
 }
 
 }  // namespace swaplight

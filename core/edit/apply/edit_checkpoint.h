@@ -28,8 +28,9 @@ class EditCheckpoint {
   /// True from when edits were added at the end of the stack: a band that is not there yet is still as the
   /// whole stack was before.
   [[nodiscard]] bool startedAtTheEnd() const { return m_atEnd; }
-  /// The state below, for an area within one band; `evaluate` computes a band that is not there yet.
-  [[nodiscard]] EditTile stateAt(const PixelRect& area,
+  /// The state of lights below, for an area within one band; `evaluate` computes a band that is not there
+  /// yet, of all lights.
+  [[nodiscard]] EditTile stateAt(const PixelRect& area, const LightIndices& lights,
                                  const std::function<EditTile(const PixelRect& band)>& evaluate);
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <opencv2/imgproc.hpp>
 
 #include "core/edit/apply/edit_rows.h"
@@ -10,41 +11,87 @@
 #include "core/edit/pool/lamp_gain.h"
 
 namespace swaplight {
-EditTile::EditTile(const SolvedSet& set, int lights, const PixelRect& area)
-    : m_lights(lights),
-      m_ambient(set.ambient.has_value()),
-      m_highlights(!set.highlights.empty()),
+EditTile::EditTile(const SolvedSet& set, const Layout& layout, const PixelRect& area)
+    : m_set(&set),
+      m_places(static_cast<size_t>(layout.count), -1),
+      m_ambient(layout.ambient),
+      m_highlights(layout.highlights),
       m_area(area),
-      m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)),
-      m_data(m_plane * planes()) {
-  float* white = m_data.data() + static_cast<size_t>(m_lights) * 3 * m_plane;
-  for (int i = 0; i < set.lightCount(); ++i)
-    for (int c = 0; c < 3; ++c)
-      for (int y = 0; y < area.height; ++y) {
-        const float* in = set.contributions[static_cast<size_t>(i)].view().row(c, area.y + y) + area.x;
-        std::copy_n(in, area.width, writableRow(i, c, area.y + y));
-        float* sum = white + static_cast<size_t>(c) * m_plane + static_cast<size_t>(y * area.width);
-        for (int x = 0; x < area.width; ++x) sum[x] += in[x];
-      }
-  float* inverse = white + 3 * m_plane;
-  for (size_t p = 0; p < m_plane; ++p) {
-    const float grey = white[p] + white[m_plane + p] + white[2 * m_plane + p];
-    inverse[p] = grey > 0 ? 1 / grey : 0;
-  }
+      m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)) {
+  for (const int light : layout.lights) m_places[static_cast<size_t>(light)] = m_here++;
+  m_data.resize(m_plane * static_cast<size_t>(m_here * (m_highlights ? 6 : 3) + (m_ambient ? 3 : 0)));
+}
+
+EditTile::EditTile(const SolvedSet& set, int count, const LightIndices& lights, const PixelRect& area)
+    : EditTile(set,
+               {lights, count, set.ambient.has_value() && static_cast<int>(lights.size()) == count,
+                !set.highlights.empty()},
+               area) {
+  for (const int light : lights)
+    for (int c = 0; light < set.lightCount() && c < 3; ++c)
+      for (int y = area.y; y < area.bottom(); ++y)
+        std::copy_n(set.contributions[static_cast<size_t>(light)].view().row(c, y) + area.x, area.width,
+                    writableRow(light, c, y));
   if (m_ambient) copyAmbient(*set.ambient);
-  copyHighlights(set);
+  copyHighlights();
 }
 
-size_t EditTile::planes() const {
-  return static_cast<size_t>(m_lights) * (m_highlights ? 6 : 3) + (m_ambient ? 7 : 4);
+EditTile::EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRect& area)
+    : EditTile(set, {allLights(edited.lightCount()), edited.lightCount(), set.ambient.has_value(), false},
+               area) {
+  for (int i = 0; i < m_here; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (int y = area.y; y < area.bottom(); ++y)
+        std::copy_n(edited.contributions[static_cast<size_t>(i)].view().row(c, y) + area.x, area.width,
+                    writableRow(i, c, y));
+  if (m_ambient) copyAmbient(*edited.ambient);
 }
 
-void EditTile::copyHighlights(const SolvedSet& set) {
-  for (size_t i = 0; i < set.highlights.size(); ++i)
+EditTile::EditTile(const EditTile& whole, const LightIndices& lights, const PixelRect& area)
+    : EditTile(*whole.m_set,
+               {lights, static_cast<int>(whole.m_places.size()),
+                whole.m_ambient && lights.size() == whole.m_places.size(), whole.m_highlights},
+               area) {
+  const int skip = area.x - whole.m_area.x;
+  for (int y = area.y; y < area.bottom(); ++y)
+    for (int c = 0; c < 3; ++c) {
+      for (const int light : lights) {
+        const HighlightRow to = lightRow(light, c, y, area.x);
+        std::copy_n(whole.row(light, c, y) + skip, area.width, to.light);
+        if (m_highlights) std::copy_n(whole.highlightRow(light, c, y) + skip, area.width, to.part);
+      }
+      if (m_ambient) std::copy_n(whole.ambientRow(c, y) + skip, area.width, writableAmbientRow(c, y));
+    }
+  if (whole.m_white.empty()) return;
+  m_white.resize(4 * m_plane);
+  for (int plane = 0; plane < 4; ++plane)
+    for (int y = area.y; y < area.bottom(); ++y)
+      std::copy_n(whole.whiteRow(plane, y) + skip, area.width, writableWhiteRow(plane, y));
+}
+
+void EditTile::needWhite() {
+  if (!m_white.empty()) return;
+  m_white.resize(4 * m_plane);
+  for (const Image& contribution : m_set->contributions)
     for (int c = 0; c < 3; ++c)
       for (int y = m_area.y; y < m_area.bottom(); ++y) {
-        const float* light = set.contributions[i].view().row(c, y) + m_area.x;
-        const float* highlight = set.highlights[i].view().row(c, y) + m_area.x;
+        const float* in = contribution.view().row(c, y) + m_area.x;
+        float* sum = writableWhiteRow(c, y);
+        for (int x = 0; x < m_area.width; ++x) sum[x] += in[x];
+      }
+  float* white = m_white.data();
+  for (size_t p = 0; p < m_plane; ++p) {
+    const float grey = white[p] + white[m_plane + p] + white[2 * m_plane + p];
+    white[kInverseGrey * m_plane + p] = grey > 0 ? 1 / grey : 0;
+  }
+}
+
+void EditTile::copyHighlights() {
+  for (size_t i = 0; i < m_set->highlights.size(); ++i)
+    for (int c = 0; has(static_cast<int>(i)) && c < 3; ++c)
+      for (int y = m_area.y; y < m_area.bottom(); ++y) {
+        const float* light = m_set->contributions[i].view().row(c, y) + m_area.x;
+        const float* highlight = m_set->highlights[i].view().row(c, y) + m_area.x;
         float* part = lightRow(static_cast<int>(i), c, y, m_area.x).part;
         for (int x = 0; x < m_area.width; ++x) part[x] = light[x] > 0 ? highlight[x] / light[x] : 0;
       }
@@ -53,50 +100,28 @@ void EditTile::copyHighlights(const SolvedSet& set) {
 void EditTile::copyAmbient(const Image& ambient) {
   for (int c = 0; c < 3; ++c)
     for (int y = m_area.y; y < m_area.bottom(); ++y)
-      std::copy_n(ambient.view().row(c, y) + m_area.x, m_area.width, writableRow(m_lights + 1, 1 + c, y));
-}
-
-EditTile::EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRect& area)
-    : EditTile(set, edited.lightCount(), area) {
-  for (int i = 0; i < m_lights; ++i)
-    for (int c = 0; c < 3; ++c)
-      for (int y = area.y; y < area.bottom(); ++y)
-        std::copy_n(edited.contributions[static_cast<size_t>(i)].view().row(c, y) + area.x, area.width,
-                    writableRow(i, c, y));
-  if (m_ambient) copyAmbient(*edited.ambient);
-}
-
-EditTile::EditTile(const EditTile& whole, const PixelRect& area)
-    : m_lights(whole.m_lights),
-      m_ambient(whole.m_ambient),
-      m_highlights(whole.m_highlights),
-      m_area(area),
-      m_plane(static_cast<size_t>(area.width) * static_cast<size_t>(area.height)),
-      m_data(m_plane * planes()) {
-  float* out = m_data.data();
-  for (int plane = 0; plane < static_cast<int>(planes()); ++plane)
-    for (int y = area.y; y < area.bottom(); ++y) {
-      const float* in = whole.row(plane / 3, plane % 3, y) + (area.x - whole.m_area.x);
-      out = std::copy_n(in, area.width, out);
-    }
-}
-
-const float* EditTile::row(int light, int channel, int y) const {
-  return m_data.data() + static_cast<size_t>(light * 3 + channel) * m_plane +
-         static_cast<size_t>(y - m_area.y) * static_cast<size_t>(m_area.width);
-}
-
-const float* EditTile::ambientRow(int channel, int y) const {
-  return m_ambient ? row(m_lights + 1, 1 + channel, y) : nullptr;
+      std::copy_n(ambient.view().row(c, y) + m_area.x, m_area.width, writableAmbientRow(c, y));
 }
 
 const float* EditTile::highlightRow(int light, int channel, int y) const {
-  const int first = m_lights * 3 + (m_ambient ? 7 : 4);
-  return m_highlights ? row(0, first + light * 3 + channel, y) : nullptr;
+  if (!m_highlights) return nullptr;
+  return rowOf(m_data, 3 * (m_here + m_places[static_cast<size_t>(light)]) + channel, y);
+}
+
+const float* EditTile::ambientRow(int channel, int y) const {
+  return m_ambient ? rowOf(m_data, m_here * (m_highlights ? 6 : 3) + channel, y) : nullptr;
 }
 
 float* EditTile::writableRow(int light, int channel, int y) {
   return m_data.data() + (row(light, channel, y) - m_data.data());
+}
+
+float* EditTile::writableAmbientRow(int channel, int y) {
+  return m_data.data() + (ambientRow(channel, y) - m_data.data());
+}
+
+float* EditTile::writableWhiteRow(int channel, int y) {
+  return m_white.data() + (whiteRow(channel, y) - m_white.data());
 }
 
 HighlightRow EditTile::lightRow(int light, int channel, int y, int x) {
@@ -106,12 +131,11 @@ HighlightRow EditTile::lightRow(int light, int channel, int y, int x) {
           part ? m_data.data() + (part - m_data.data()) + skip : nullptr};
 }
 
-const float* EditTile::whiteRow(int channel, int y) const {
-  return row(m_lights, channel, y);
-}
-
-const float* EditTile::inverseGreyRow(int y) const {
-  return row(m_lights + 1, 0, y);
+std::vector<int> EditTile::lightsHere(const PreparedEdit& edit) const {
+  std::vector<int> here;
+  std::copy_if(edit.lights.begin(), edit.lights.end(), std::back_inserter(here),
+               [&](int light) { return has(light); });
+  return here;
 }
 
 void EditTile::betaRow(int light, int y, int x, int count, float* out) const {
@@ -167,6 +191,7 @@ void EditTile::applyOperation(const ShadowOperation& operation, const PreparedEd
   std::vector<float> weight(static_cast<size_t>(area.width));
   forEachSpan(edit, area, [&](const Span& span) {
     for (size_t k = 0; k < edit.lights.size(); ++k) {
+      if (!has(edit.lights[k])) continue;
       const ShadowChange& change = edit.shadows[k];
       shadowWeightRow(operation, change, span.x, span.y, span.mask, span.count, weight.data());
       for (int c = 0; c < 3; ++c)
@@ -178,15 +203,17 @@ void EditTile::applyOperation(const ShadowOperation& operation, const PreparedEd
 
 template <LampOperation T>
 void EditTile::applyOperation(const T& /*operation*/, const PreparedEdit& edit, const PixelRect& area) {
+  for (size_t k = 0; k < edit.lights.size(); ++k)
+    if (has(edit.lights[k]) && edit.lamps[k].gain && edit.lamps[k].gain->usesWhite()) needWhite();
   forEachSpan(edit, area, [&](const Span& span) {
     const int skip = span.x - m_area.x;
     for (size_t k = 0; k < edit.lights.size(); ++k) {
       const LampEdit& lamp = edit.lamps[k];
-      if (!lamp.gain) continue;
+      if (!lamp.gain || !has(edit.lights[k])) continue;
       LampRow row;
       for (int c = 0; c < 3; ++c) {
         row.light[c] = writableRow(edit.lights[k], c, span.y) + skip;
-        row.white[c] = whiteRow(c, span.y) + skip;
+        row.white[c] = lamp.gain->usesWhite() ? whiteRow(c, span.y) + skip : nullptr;
         row.solved[c] = lamp.solved->view().row(c, span.y) + span.x;
       }
       changeLampRow(lamp, span.x, span.y, span.count, span.mask, row);
@@ -197,8 +224,9 @@ void EditTile::applyOperation(const T& /*operation*/, const PreparedEdit& edit, 
 template <HighlightOperation T>
 void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area) {
   if (!m_highlights) return;
+  const std::vector<int> lights = lightsHere(edit);
   forEachSpan(edit, area, [&](const Span& span) {
-    for (const int light : edit.lights)
+    for (const int light : lights)
       for (int c = 0; c < 3; ++c)
         changeHighlightRow(operation.highlightTimes(), span.mask, span.count,
                            lightRow(light, c, span.y, span.x));
@@ -208,25 +236,28 @@ void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, cons
 template <BetaOperation T>
 void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area) {
   if (requires { T::kSwapsTwoLights; } && edit.lights.size() == 2) return swapLights(edit, area);
-  std::vector<std::vector<float>> blurred;
+  needWhite();
+  std::vector<std::vector<float>> blurred(edit.lights.size());
   if (const int radius = edit.reach(); radius > 0)
-    for (const int light : edit.lights) blurred.push_back(blurredBeta(light, radius));
+    for (size_t k = 0; k < blurred.size(); ++k)
+      if (has(edit.lights[k])) blurred[k] = blurredBeta(edit.lights[k], radius);
   const bool share = edit.edit->energy == EnergyMode::Redistribute;
 
   std::vector<RgbRow> rows;
-  ShareScratch scratch(static_cast<size_t>(m_lights), static_cast<size_t>(area.width));
+  ShareScratch scratch(m_places.size(), static_cast<size_t>(area.width));
   forEachSpan(edit, area, [&](const Span& span) {
     const int skip = span.x - m_area.x;
     const auto count = static_cast<size_t>(span.count);
 
     // Beta as it is and as the operation wants it.
-    for (int i = 0; share && i < m_lights; ++i)
+    for (int i = 0; share && i < m_here; ++i)
       betaRow(i, span.y, span.x, span.count, scratch.beta[static_cast<size_t>(i)].data());
     for (size_t k = 0; k < edit.lights.size(); ++k) {
+      if (!has(edit.lights[k])) continue;
       const auto i = static_cast<size_t>(edit.lights[k]);
       if (!share) betaRow(edit.lights[k], span.y, span.x, span.count, scratch.beta[i].data());
       BetaRow row{{scratch.beta[i].data(), count}, nullptr, nullptr, edit.table};
-      if (!blurred.empty())
+      if (!blurred[k].empty())
         row.blurred = blurred[k].data() + static_cast<size_t>((span.y - m_area.y) * m_area.width + skip);
       if (edit.beta) row.map = edit.beta->maps[k].view().row(0, span.y) + span.x;
       float* target = scratch.target[i].data();
@@ -235,30 +266,35 @@ void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, cons
     }
 
     // Move the light.
-    rows.clear();
-    for (int i = 0; i < m_lights; ++i)
-      rows.push_back({writableRow(i, 0, span.y) + skip, writableRow(i, 1, span.y) + skip,
-                      writableRow(i, 2, span.y) + skip});
-    if (share) return shareRow(rows, edit.lights, span.mask, span.count, scratch);
+    const auto pixelsOf = [&](int light) {
+      return RgbRow{writableRow(light, 0, span.y) + skip, writableRow(light, 1, span.y) + skip,
+                    writableRow(light, 2, span.y) + skip};
+    };
+    if (share) {
+      rows.clear();
+      for (int i = 0; i < m_here; ++i) rows.push_back(pixelsOf(i));
+      return shareRow(rows, edit.lights, span.mask, span.count, scratch);
+    }
     const ConstRgbRow white{whiteRow(0, span.y) + skip, whiteRow(1, span.y) + skip,
                             whiteRow(2, span.y) + skip};
     for (const int i : edit.lights) {
+      if (!has(i)) continue;
       const auto k = static_cast<size_t>(i);
-      addRow(rows[k], white, scratch.beta[k].data(), scratch.target[k].data(), span.mask, span.count);
+      addRow(pixelsOf(i), white, scratch.beta[k].data(), scratch.target[k].data(), span.mask, span.count);
     }
   });
 }
 
 void EditTile::applyOperation(const UnknownGelOperation& /*operation*/, const PreparedEdit& edit,
                               const PixelRect& area) {
+  needWhite();
   forEachSpan(edit, area, [&](const Span& span) {
     GelRows rows{};
-    const auto rowOf = [&](int light, int c) { return writableRow(light, c, span.y) + (span.x - m_area.x); };
     for (int c = 0; c < 3; ++c) {
       for (int j = 0; j < 2; ++j) rows.light[j][c] = lightRow(edit.gel.lights[j], c, span.y, span.x);
-      rows.white[c] = rowOf(m_lights, c);
+      rows.white[c] = writableWhiteRow(c, span.y) + (span.x - m_area.x);
     }
-    rows.inverseGrey = rowOf(m_lights + 1, 0);
+    rows.inverseGrey = writableWhiteRow(kInverseGrey, span.y) + (span.x - m_area.x);
     changeGelRow(edit.gel, span.mask, span.count, rows);
   });
 }
@@ -268,21 +304,25 @@ void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, cons
   std::array<std::vector<float>, 3> after;
   for (std::vector<float>& channel : after) channel.resize(static_cast<size_t>(area.width));
   const float* const afterRows[3] = {after[0].data(), after[1].data(), after[2].data()};
+  const std::vector<int> lights = lightsHere(edit);
+  needWhite();
   forEachSpan(edit, area, [&](const Span& span) {
     const int skip = span.x - m_area.x;
-    const auto rowOf = [&](int light, int c) { return writableRow(light, c, span.y) + skip; };
-    float* white[3] = {rowOf(m_lights, 0), rowOf(m_lights, 1), rowOf(m_lights, 2)};
-    float* inverse = rowOf(m_lights + 1, 0);
+    const auto pixels = [&](int light, int c) { return writableRow(light, c, span.y) + skip; };
+    const auto ambient = [&](int c) { return writableAmbientRow(c, span.y) + skip; };
+    const auto whites = [&](int plane) { return writableWhiteRow(plane, span.y) + skip; };
+    float* white[3] = {whites(0), whites(1), whites(2)};
+    float* inverse = whites(kInverseGrey);
     for (int i = 0; i < span.count; ++i) {
       const Rgb light(white[0][i], white[1][i], white[2][i]);
       const Rgb next = light + span.mask[i] * (operation.recolored(light) - light);
       for (int c = 0; c < 3; ++c) after[static_cast<size_t>(c)][static_cast<size_t>(i)] = next[c];
     }
-    for (int j = 0; j < m_lights; ++j)
-      changeReflectanceRow(white, afterRows, inverse, span.count, {{rowOf(j, 0), rowOf(j, 1), rowOf(j, 2)}});
-    if (m_ambient)
+    for (const int j : lights)
       changeReflectanceRow(white, afterRows, inverse, span.count,
-                           {{rowOf(m_lights + 1, 1), rowOf(m_lights + 1, 2), rowOf(m_lights + 1, 3)}});
+                           {{pixels(j, 0), pixels(j, 1), pixels(j, 2)}});
+    if (m_ambient)
+      changeReflectanceRow(white, afterRows, inverse, span.count, {{ambient(0), ambient(1), ambient(2)}});
     for (int i = 0; i < span.count; ++i) {
       float grey = 0;
       for (int c = 0; c < 3; ++c) grey += white[c][i] = afterRows[c][i];

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -14,13 +15,7 @@
 namespace swaplight {
 namespace {
 
-ImageSpec betaSpec(const EditedLights& lights) {
-  ImageSpec spec{lights.width, lights.height, {}, "data"};
-  for (const std::string& name : lights.names) spec.channels.push_back("beta." + name);
-  return spec;
-}
-
-// A set of the size with room for the lights; contributions are not initialised.
+// A set of the size with room for the lights, without beta; contributions are not initialised.
 SolvedSet emptyResult(const SolvedSet& set, const EditedLights& lights) {
   SolvedSet result;
   result.capture = set.capture;
@@ -33,7 +28,6 @@ SolvedSet emptyResult(const SolvedSet& set, const EditedLights& lights) {
     if (i >= result.capture.lights.size())
       result.capture.lights.push_back({lights.names[i], Role::Other, Json::object()});
   }
-  result.beta = Image(betaSpec(lights));
   return result;
 }
 
@@ -51,61 +45,37 @@ std::vector<Image> movedPictures(std::vector<Image>& pictures, const std::vector
 
 // Lights come and go; those that stay keep their pixels, where they lie; new ones are dark.
 void changeLights(const SolvedSet& set, const EditedLights& lights, SolvedSet& result) {
-  std::vector<int> planes;  // of the old beta
+  std::vector<int> known;
   std::vector<Light> described = set.capture.lights;
   for (size_t i = 0; i < lights.names.size(); ++i) {
-    planes.push_back(result.capture.lightIndex(lights.names[i]));
+    known.push_back(result.capture.lightIndex(lights.names[i]));
     if (i >= described.size()) described.push_back({lights.names[i], Role::Other, Json::object()});
   }
-  Image beta(betaSpec(lights));
-  parallelRows(beta.channelCount(), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const int known = planes[static_cast<size_t>(i)];
-      if (known >= 0)
-        std::copy_n(result.beta.plane(known), beta.pixelCount(), beta.plane(i));
-      else
-        std::fill_n(beta.plane(i), beta.pixelCount(), 0.F);
-    }
-  });
   const ImageSpec& spec = set.contributions.front().spec();
-  result.contributions = movedPictures(result.contributions, planes, spec);
-  if (!set.highlights.empty()) result.highlights = movedPictures(result.highlights, planes, spec);
+  result.contributions = movedPictures(result.contributions, known, spec);
+  if (!set.highlights.empty()) result.highlights = movedPictures(result.highlights, known, spec);
   result.capture.lights = std::move(described);
-  result.beta = std::move(beta);
 }
 
-// Contributions as they are, and beta from them.
+// The lights that the tile has.
 void writeBack(const EditTile& tile, const PixelRect& part, SolvedSet& result) {
-  const int lights = result.lightCount();
   const int skip = part.x - tile.area().x;
-  std::vector<float> total(static_cast<size_t>(part.width));
-  for (int y = part.y; y < part.bottom(); ++y) {
-    for (int c = 0; result.ambient && c < 3; ++c)
-      std::copy_n(tile.ambientRow(c, y) + skip, part.width, result.ambient->span().row(c, y) + part.x);
-    std::fill(total.begin(), total.end(), 0.f);
-    for (int i = 0; i < lights; ++i) {
-      float* grey = result.beta.span().row(i, y) + part.x;
-      std::fill_n(grey, part.width, 0.f);
-      for (int c = 0; c < 3; ++c) {
-        const float* in = tile.row(i, c, y) + skip;
-        std::copy_n(in, part.width, result.contributions[static_cast<size_t>(i)].span().row(c, y) + part.x);
-        for (int x = 0; x < part.width; ++x) grey[x] += in[x];
+  for (int c = 0; c < 3; ++c)
+    for (int y = part.y; y < part.bottom(); ++y) {
+      const auto placeIn = [&](Image& picture) { return picture.span().row(c, y) + part.x; };
+      if (const float* ambient = tile.ambientRow(c, y))
+        std::copy_n(ambient + skip, part.width, placeIn(*result.ambient));
+      for (int i = 0; i < result.lightCount(); ++i) {
+        if (!tile.has(i)) continue;
+        const auto k = static_cast<size_t>(i);
+        const float* light = tile.row(i, c, y) + skip;
+        std::copy_n(light, part.width, placeIn(result.contributions[k]));
+        if (result.highlights.empty()) continue;
+        const float* highlight = tile.highlightRow(i, c, y) + skip;
+        std::transform(light, light + part.width, highlight, placeIn(result.highlights[k]),
+                       std::multiplies<>());
       }
-      for (int x = 0; x < part.width; ++x) total[static_cast<size_t>(x)] += grey[x];
     }
-    for (int i = 0; i < lights && !result.highlights.empty(); ++i)
-      for (int c = 0; c < 3; ++c) {
-        const float* in = tile.row(i, c, y) + skip;
-        const float* of = tile.highlightRow(i, c, y) + skip;
-        float* out = result.highlights[static_cast<size_t>(i)].span().row(c, y) + part.x;
-        for (int x = 0; x < part.width; ++x) out[x] = of[x] * in[x];
-      }
-    for (float& t : total) t = t > 0 ? 1 / t : 0;
-    for (int i = 0; i < lights; ++i) {
-      float* grey = result.beta.span().row(i, y) + part.x;
-      for (int x = 0; x < part.width; ++x) grey[x] *= total[static_cast<size_t>(x)];
-    }
-  }
 }
 
 std::string warningOf(const Edit& edit, const std::string& warning) {
@@ -132,7 +102,8 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
   const PixelRect all{0, 0, set.width(), set.height()};
   MaskContext context(set, shadows);
   BetaFiles files;
-  EditTile picture(set, static_cast<int>(lights.names.size()), all);
+  const int count = static_cast<int>(lights.names.size());
+  EditTile picture(set, count, allLights(count), all);
   SolvedSet result = emptyResult(set, lights);
   for (const auto& edit : stack.edits) {
     const PreparedEdit prepared = prepareEdit(edit, lights, context, files);
@@ -143,6 +114,7 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
       result.capture.warnings.push_back(warningOf(*edit, kNoHighlights));
   }
   writeBack(picture, all, result);
+  updateBeta(result);
   return result;
 }
 
@@ -153,7 +125,7 @@ EditedSet::EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows)
       m_checkpoint(m_set->width(), m_set->height()) {
   const int rows = (m_set->height() + kTileSize - 1) / kTileSize;
   m_stale.resize(static_cast<size_t>(columns()) * static_cast<size_t>(rows));
-  markStale({0, 0, m_set->width(), m_set->height()});
+  markAllStale();
 }
 
 void EditedSet::setStack(const EditStack& stack) {
@@ -186,16 +158,19 @@ void EditedSet::setStack(const EditStack& stack) {
   if (!sameLights) changeLights(*m_set, lights, m_result);
   if (otherShadows) {
     m_checkpoint.forget();
-    markStale({0, 0, m_set->width(), m_set->height()});
+    markAllStale();
   } else if (!sameLights) {
     // Where no edit acts, lights that stay are as they were and new ones are dark.
     m_checkpoint.forget();
+    m_staleLights = allLights(m_result.lightCount());
     for (const auto* edits : {&m_prepared, &prepared})
       for (const PixelRect& area : changedAreas(*edits, {})) markStale(area);
   } else {
     if (m_checkpoint.follow(m_prepared, prepared)) m_staleBelow = m_stale;
+    m_staleLights.merge(changedLights(m_prepared, prepared, m_result.lightCount()));
     for (const PixelRect& area : changedAreas(m_prepared, prepared)) markStale(area);
   }
+  m_staleLights = withTiedLights(std::move(m_staleLights), prepared, m_result.lightCount());
   m_prepared = std::move(prepared);
   m_stack = stack;
 }
@@ -204,6 +179,11 @@ std::shared_ptr<const PreparedEdit> EditedSet::prepared(const Edit* edit) const 
   const auto found = std::find_if(m_prepared.begin(), m_prepared.end(),
                                   [&](const Prepared& one) { return one->edit.get() == edit; });
   return found == m_prepared.end() ? nullptr : *found;
+}
+
+void EditedSet::markAllStale() {
+  m_staleLights = allLights(m_result.lightCount());
+  markStale({0, 0, m_set->width(), m_set->height()});
 }
 
 void EditedSet::markStale(const PixelRect& area) {
@@ -247,15 +227,16 @@ std::vector<PixelRect> EditedSet::update(const PixelRect& area) {
   parallelRows(static_cast<int>(bands.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) compute(bands[static_cast<size_t>(i)]);
   });
+  if (!staleTile()) m_staleLights.clear();
   return changed;
 }
 
-EditTile EditedSet::evaluate(const PixelRect& area, size_t edits) const {
+EditTile EditedSet::evaluate(const PixelRect& area, size_t edits, const LightIndices& lights) const {
   const PixelRect all{0, 0, m_set->width(), m_set->height()};
   // What later edits look at around the area has to be computed too.
   int around = 0;
   for (size_t k = 0; k < edits; ++k) around += m_prepared[k]->reach();
-  EditTile tile(*m_set, m_result.lightCount(), intersection(area.grown(around), all));
+  EditTile tile(*m_set, m_result.lightCount(), lights, intersection(area.grown(around), all));
   for (size_t k = 0; k < edits; ++k) {
     around -= m_prepared[k]->reach();
     tile.apply(*m_prepared[k], intersection(area.grown(around), all));
@@ -273,16 +254,18 @@ EditTile EditedSet::belowCheckpoint(const PixelRect& band) const {
   if (!otherWhite && m_set->highlights.empty() && m_checkpoint.startedAtTheEnd() &&
       m_staleBelow[static_cast<size_t>(tile)].empty())
     return {*m_set, m_result, band};
-  return {evaluate(band, m_checkpoint.editsBelow()), band};
+  const LightIndices lights = allLights(m_result.lightCount());
+  return {evaluate(band, m_checkpoint.editsBelow(), lights), lights, band};
 }
 
 void EditedSet::compute(const PixelRect& area) {
   const size_t below = m_checkpoint.editsBelow();
   if (below == 0) {
-    writeBack(evaluate(area, m_prepared.size()), area, m_result);
+    writeBack(evaluate(area, m_prepared.size(), m_staleLights), area, m_result);
     return;
   }
-  EditTile tile = m_checkpoint.stateAt(area, [&](const PixelRect& band) { return belowCheckpoint(band); });
+  EditTile tile =
+      m_checkpoint.stateAt(area, m_staleLights, [&](const PixelRect& band) { return belowCheckpoint(band); });
   for (size_t k = below; k < m_prepared.size(); ++k) tile.apply(*m_prepared[k], area);
   writeBack(tile, area, m_result);
 }

@@ -26,7 +26,8 @@ inline constexpr const char* kNoHighlights =
                                    const ShadowSource& shadows = {});
 
 /// A solved set seen through a stack of edits. Keeps the result, and computes again only what a change of the
-/// stack can have changed, tile by tile, when it is asked for. Not for use by several threads at once.
+/// stack can have changed, light by light and tile by tile, when it is asked for. Not for use by several
+/// threads at once.
 class EditedSet {
  public:
   /// Keeps the set: it must not change. Shadows are asked for when an edit needs them.
@@ -47,9 +48,11 @@ class EditedSet {
 
   /// A tile that is out of date; nothing where all is done.
   [[nodiscard]] std::optional<PixelRect> staleTile() const;
+  /// The lights that are out of date in one tile or another: those that update computes.
+  [[nodiscard]] const LightIndices& staleLights() const { return m_staleLights; }
 
-  /// The edited set: up to date where update has been. New lights follow the set's own. quality is not filled
-  /// in: it is that of the set as solved.
+  /// The edited set: up to date where update has been. New lights follow the set's own. Without quality,
+  /// which is that of the set as solved, and without beta (updateBeta).
   [[nodiscard]] const SolvedSet& result() const { return m_result; }
   [[nodiscard]] const SolvedSet& original() const { return *m_set; }
   /// What the masks of its edits are drawn on.
@@ -60,8 +63,9 @@ class EditedSet {
  private:
   using Prepared = std::shared_ptr<const PreparedEdit>;
   void markStale(const PixelRect& area);
+  void markAllStale();
   [[nodiscard]] int columns() const { return (m_set->width() + kTileSize - 1) / kTileSize; }
-  [[nodiscard]] EditTile evaluate(const PixelRect& area, size_t edits) const;
+  [[nodiscard]] EditTile evaluate(const PixelRect& area, size_t edits, const LightIndices& lights) const;
   [[nodiscard]] EditTile belowCheckpoint(const PixelRect& band) const;
   void compute(const PixelRect& area);
 
@@ -73,6 +77,7 @@ class EditedSet {
   SolvedSet m_result;
   EditCheckpoint m_checkpoint;
   std::vector<PixelRect> m_stale;       // a rectangle a tile, empty where the tile is up to date
+  LightIndices m_staleLights;           // in any of them
   std::vector<PixelRect> m_staleBelow;  // what it was when the checkpoint began
 };
 

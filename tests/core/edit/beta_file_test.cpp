@@ -142,7 +142,11 @@ TEST(BetaFile, AnEditWhoseFileHasChangedIsComputedAgain) {
     stack.append(edit);  // another object each time
     edited.setStack(stack);
     edited.update();
-    return edited.result().beta.plane(0)[3];
+    const std::vector<Image>& lights = edited.result().contributions;
+    const auto grey = [](const Image& light) {
+      return light.plane(0)[3] + light.plane(1)[3] + light.plane(2)[3];
+    };
+    return grey(lights[0]) / (grey(lights[0]) + grey(lights[1]));
   };
   write(.25F);
   EXPECT_NEAR(shown(), .25F, 1e-4F);

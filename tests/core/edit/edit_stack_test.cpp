@@ -66,7 +66,7 @@ float largestDifference(const Image& a, const Image& b) {
 }
 
 float largestDifference(const SolvedSet& a, const SolvedSet& b) {
-  float largest = largestDifference(a.beta, b.beta);
+  float largest = 0;
   for (size_t i = 0; i < a.contributions.size(); ++i)
     largest = std::max(largest, largestDifference(a.contributions[i], b.contributions[i]));
   return largest;
@@ -222,7 +222,6 @@ void followsTheReference(EditedSet& edited, const SolvedSet& set, const EditStac
   edited.update();
   const SolvedSet reference = applyEdits(set, stack);
   ASSERT_EQ(edited.result().lightCount(), reference.lightCount()) << what;
-  ASSERT_EQ(edited.result().beta.spec(), reference.beta.spec()) << what;
   ASSERT_EQ(edited.result().capture.lights.size(), reference.capture.lights.size()) << what;
   ASSERT_LT(largestDifference(edited.result(), reference), 2e-6f) << what;
 }
