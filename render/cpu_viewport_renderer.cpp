@@ -87,6 +87,7 @@ void CpuViewportRenderer::drawChanged(Place& place) {
   const ViewWindow& window = place.shown->window;
   const PixelRect part = windowPart(window, std::exchange(place.changed, {}));
   if (part.empty()) return;
+  if (part.width == window.width && part.height == window.height) return drawAll(*place.shown, place);
   ViewWindow small = window;
   small.left = window.pictureX(part.x);
   small.top = window.pictureY(part.y);
@@ -153,8 +154,8 @@ const DisplayTable& CpuViewportRenderer::tableFor(const std::string& colorSpace,
 
 void CpuViewportRenderer::changed(const Pyramid& picture, const TileRect& where) {
   for (auto& [name, place] : m_places) {
-    place.sumA.forget();
-    place.sumB.forget();
+    place.sumA.pixelsChanged(picture);
+    place.sumB.pixelsChanged(picture);
     if (!place.shown || !(shows(place.shown->a, picture) || shows(place.shown->b, picture))) continue;
     const bool all = where.width >= picture.width() && where.height >= picture.height();
     if (all || hasZebra(place.shown->settings))  // stripes are drawn over the pixels

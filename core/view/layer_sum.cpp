@@ -29,15 +29,17 @@ void LayerSum::set(std::vector<VisibleLayer> layers) {
   if (!samePixels(layers, m_layers)) {
     m_layers = std::move(layers);
     m_changing.clear();
+    m_stale.assign(m_layers.size(), 0);
     return;
   }
   std::vector<char> changed(layers.size(), 0);
   bool covered = !m_changing.empty();
   for (size_t i = 0; i < layers.size(); ++i) {
-    changed[i] = layers[i].factor != m_layers[i].factor ? 1 : 0;
+    changed[i] = m_stale[i] != 0 || layers[i].factor != m_layers[i].factor ? 1 : 0;
     if (changed[i] != 0 && covered) covered = m_changing[i] != 0;
   }
   m_layers = std::move(layers);
+  m_stale.assign(m_layers.size(), 0);
   if (covered || std::find(changed.begin(), changed.end(), 1) == changed.end()) return;
   m_changing.clear();
   if (std::count(changed.begin(), changed.end(), 0) < kFewestOthers) return;
@@ -45,7 +47,13 @@ void LayerSum::set(std::vector<VisibleLayer> layers) {
   rememberOthers();
 }
 
+void LayerSum::pixelsChanged(const Pyramid& picture) {
+  for (size_t i = 0; i < m_layers.size(); ++i)
+    if (m_layers[i].picture == &picture) m_stale[i] = 1;
+}
+
 void LayerSum::forget() {
+  m_stale.clear();
   m_layers.clear();
   m_changing.clear();
 }

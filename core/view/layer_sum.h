@@ -4,11 +4,13 @@
 
 #include "core/color/rgb.h"
 #include "core/image/image.h"
+#include "core/view/pyramid.h"
 
 namespace swaplight {
 
 /// What is seen of a layer: pixels of three channels, or of one that counts for all three, times a factor.
 struct VisibleLayer {
+  const Pyramid* picture = nullptr;  ///< whose pixels they are
   ImageView pixels;
   Rgb factor{1, 1, 1};
 };
@@ -19,7 +21,8 @@ class LayerSum {
  public:
   /// Says what is to be added up from now on. All layers have one size.
   void set(std::vector<VisibleLayer> layers);
-  /// To be called when pixels have changed where they are.
+  /// To be called when a picture's pixels have changed where they are.
+  void pixelsChanged(const Pyramid& picture);
   void forget();
 
   /// A channel of a row of the sum. From any thread.
@@ -29,6 +32,7 @@ class LayerSum {
   void rememberOthers();
 
   std::vector<VisibleLayer> m_layers;
+  std::vector<char> m_stale;     ///< layers whose pixels have changed since set()
   std::vector<char> m_changing;  ///< layers that are not in m_others; empty: there is no m_others
   Image m_others;
 };

@@ -121,6 +121,16 @@ TEST(WindowPixels, WithAMemoryShowTheSameWhateverChanges) {
   check({20, 10, 0.5, 80, 60});
   for (ViewLayer& layer : layers) layer.factor = Rgb(0.1F);
   check(window);
+  const auto change = [&](size_t i) {
+    for (size_t p = 0; p < pictures[i].pixelCount(); ++p) pictures[i].plane(1)[p] += 50;
+    pyramids[i].refresh(0, 0, 200, 150);
+    memory.pixelsChanged(pyramids[i]);
+    check(window);
+  };
+  for (const size_t i : {3, 3, 0, 3}) change(i);
+  layers[1].factor = Rgb(0.9F);
+  change(2);
+  change(1);
 }
 
 TEST(WindowPixels, AGreyLayerCountsForAllChannels) {
