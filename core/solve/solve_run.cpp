@@ -19,6 +19,7 @@
 #include "core/solve/calibration/residual_noise.h"
 #include "core/solve/causes/cause_context.h"
 #include "core/solve/causes/cause_evidence.h"
+#include "core/solve/clipped_bounds.h"
 #include "core/solve/denoise.h"
 #include "core/solve/pixel_flags.h"
 #include "core/solve/pixelwise.h"
@@ -138,10 +139,8 @@ void SolveRun::calibrateNoise() {
   const std::optional<SensorNoise> told = toldNoise(m_capture, m_options.noise);
   m_report.noiseGiven = told.has_value();
   m_report.noise = told ? *told : estimateSensorNoise(pixels());
-  std::vector<float> exposure;
-  for (const Shot& shot : m_capture.shots) exposure.push_back(std::exp2(shot.exposureStops));
   m_context.noise = noiseModel(m_report.noise, pixels(), 0);
-  m_signal.emplace(pixels(), m_context.lighting, m_context.noise, exposure);
+  m_signal.emplace(pixels(), m_context.lighting, m_context.noise, exposures());
   placeUnknownColor();
   if (!m_report.noiseGiven) {
     m_ownNoise = residualNoise(m_context, codingNoise(pixels()), *m_signal, m_tuning.ownNoise);
@@ -339,7 +338,16 @@ void SolveRun::separateLights() {
               "trusted less there; --align may help");
 }
 
+std::vector<float> SolveRun::exposures() const {
+  std::vector<float> exposures;
+  for (const Shot& shot : m_capture.shots) exposures.push_back(std::exp2(shot.exposureStops));
+  return exposures;
+}
+
 void SolveRun::completePixels() {
+  if (keepWithinClippedBounds(m_context, exposures(), *m_signal, m_tuning.automatic.clipped.modelError,
+                              m_set) > 0)
+    updateBeta(m_set);
   if (m_info.model != Model::Single && markMoved(m_context, *m_signal, m_set, m_tuning.motion) > 0)
     updateBeta(m_set);
   const std::vector<uint8_t> missing = writeFlags(pixels(), *m_signal, m_tuning.tooDarkSigma, m_set);

@@ -34,7 +34,8 @@ class SolveRun {
   void seekCauses();         ///< why the photographs do not fit the colours as told, where they do not
   void calibrateColors();    ///< of the ambient light and the lamps, and how far they are trusted
   void separateLights();     ///< contributions, beta and quality
-  void completePixels();     ///< flags; fills what nothing is known of
+  [[nodiscard]] std::vector<float> exposures() const;
+  void completePixels();  ///< flags; fills what nothing is known of
   void finishReport();
 
   void fitLightColors();
