@@ -46,8 +46,9 @@ double keepWithin(const CensoredLight& channel, const std::vector<Reading>& read
   if (!now.clipped) return 0;
   if (now.share < 1 - modelError) {
     channel.descend(light, {}, kBoundSettled);
-    return std::min(1 - now.share, kHardlyKnown);
+    return kHardlyKnown;
   }
+  if (now.share < 1 + modelError) return kHardlyKnown;  // it rests on what is clipped
   if (now.farthest <= kFarthest * now.told) return 0;
   const double kept = std::max(kFarthest * now.told / now.farthest, 1 / now.share);
   if (!(kept < 1)) return 0;

@@ -17,6 +17,7 @@ namespace swaplight {
 ///   error it is sought anew, by censored least squares from where it stands (auto/censored_light.h).
 /// - At exposure 1 it gets no more than a hundred times what a shot that is not clipped gets, unless it shows
 ///   more: a channel beyond is dimmed to that. Deep gels lie within (1 % in a channel).
+/// - One that rests on what is clipped (one lamp at a time) stays, as a bound.
 ///
 /// `exposure`: of each shot, a factor. `modelError`: part of a value by which the model may miss it. Changes
 /// contributions, and sigma by as much as they are unsure (not beta); returns how many pixels there were.

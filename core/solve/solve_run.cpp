@@ -345,9 +345,6 @@ std::vector<float> SolveRun::exposures() const {
 }
 
 void SolveRun::completePixels() {
-  if (keepWithinClippedBounds(m_context, exposures(), *m_signal, m_tuning.automatic.clipped.modelError,
-                              m_set) > 0)
-    updateBeta(m_set);
   if (m_info.model != Model::Single && markMoved(m_context, *m_signal, m_set, m_tuning.motion) > 0)
     updateBeta(m_set);
   const std::vector<uint8_t> missing = writeFlags(pixels(), *m_signal, m_tuning.tooDarkSigma, m_set);
@@ -355,6 +352,9 @@ void SolveRun::completePixels() {
     for (Image& contribution : m_set.contributions) fillFromNeighbours(contribution, missing);
     updateBeta(m_set);
   }
+  if (keepWithinClippedBounds(m_context, exposures(), *m_signal, m_tuning.automatic.clipped.modelError,
+                              m_set) > 0)
+    updateBeta(m_set);
   if (m_info.model == Model::Auto &&
       restoreClippedLight(m_context, *m_signal, m_tuning.automatic.clipped, m_set) > 0)
     updateBeta(m_set);

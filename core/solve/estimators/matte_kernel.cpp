@@ -10,6 +10,10 @@ constexpr int kSteps = 5;          // Gauss-Newton steps; from the ridge guess, 
 constexpr float kGain = 0.03F;     // of chi-square: a step that is to gain less is the last
 constexpr float kDamping = 1e-5F;  // relative to the mean curvature
 constexpr float kTiny = 1e-20F;
+/// Of what all channels together are seen by: what a channel's reflectance is held at 0 by, so that one of
+/// which no usable shot sees any light does not become any brightness, and others with it. Lost where a
+/// channel is seen at all (14 stops less than the others, by a short exposure: a quarter of a per cent).
+constexpr float kUnseen = 1e-11F;
 constexpr float kWorst = 1e4F;  // a variance beyond which nothing is known at all
 
 /// A pixel's data, weighted: what Gauss-Newton needs of the shots.
@@ -62,6 +66,8 @@ struct At {
 template <int kN>
 SWAPLIGHT_LANES void evaluate(const Normal<kN>& normal, int n, const Lanes* u, At<kN>& at) {
   at.explained = splat(0);
+  Lanes seen[3];
+  Lanes along[3];
   for (int c = 0; c < 3; ++c) {
     Lanes s = splat(0);
     Lanes a = splat(0);
@@ -72,10 +78,14 @@ SWAPLIGHT_LANES void evaluate(const Normal<kN>& normal, int n, const Lanes* u, A
       s += sum * u[i];
       a += normal.p[c][i] * u[i];
     }
-    a = larger(a, splat(0));
-    at.inverse[c] = 1 / larger(s, splat(kTiny));
-    at.rho[c] = a * at.inverse[c];
-    at.explained += a * at.rho[c];
+    seen[c] = larger(s, splat(kTiny));  // what is no number counts as nothing
+    along[c] = larger(a, splat(0));
+  }
+  const Lanes least = kUnseen * (seen[0] + seen[1] + seen[2]);
+  for (int c = 0; c < 3; ++c) {
+    at.inverse[c] = 1 / (seen[c] + least);
+    at.rho[c] = along[c] * at.inverse[c];
+    at.explained += along[c] * at.rho[c];
   }
 }
 
