@@ -19,6 +19,7 @@ using Reading = ShotSignal::Reading;
 /// How a channel's light stands to what its shots show.
 struct Standing {
   bool clipped = false;  ///< some shot is
+  int usable = 0;        ///< shots that are not
   double share = 1;      ///< that the clipped shot gets which falls shortest of what it shows
   double told = 0;       ///< the most that shots which are not clipped get, at exposure 1
   double farthest = 0;   ///< the most that clipped ones get, at exposure 1
@@ -32,6 +33,7 @@ Standing standingOf(const CensoredLight& channel, const std::vector<Reading>& re
     const double gets = channel.predicted(k, light);
     double& most = readings[k].clipped ? standing.farthest : standing.told;
     most = std::max(most, gets / double(exposure[k]));
+    if (!readings[k].clipped) ++standing.usable;
     if (!readings[k].clipped || !(readings[k].light > 0)) continue;
     standing.clipped = true;
     standing.share = std::min(standing.share, gets / double(readings[k].light));
@@ -45,6 +47,7 @@ double keepWithin(const CensoredLight& channel, const std::vector<Reading>& read
   const Standing now = standingOf(channel, readings, exposure, light);
   if (!now.clipped) return 0;
   if (now.share < 1 - modelError) {
+    if (now.usable >= int(light.size())) return 0;
     channel.descend(light, {}, kBoundSettled);
     return kHardlyKnown;
   }

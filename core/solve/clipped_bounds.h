@@ -14,7 +14,8 @@ namespace swaplight {
 /// all, or, of a trace of noise or bounced light there, as any brightness.
 ///
 /// - A clipped shot gets what it shows, at least. Where a channel falls short by more than the model's own
-///   error it is sought anew, by censored least squares from where it stands (auto/censored_light.h).
+///   error it is sought anew, by censored least squares from where it stands (auto/censored_light.h), unless
+///   as many shots are not clipped as there are lights: they determine it, and this one was spoilt otherwise.
 /// - At exposure 1 it gets no more than a hundred times what a shot that is not clipped gets, unless it shows
 ///   more: a channel beyond is dimmed to that. Deep gels lie within (1 % in a channel).
 /// - One that rests on what is clipped (one lamp at a time) stays, as a bound.

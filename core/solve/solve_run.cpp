@@ -352,8 +352,8 @@ void SolveRun::completePixels() {
     for (Image& contribution : m_set.contributions) fillFromNeighbours(contribution, missing);
     updateBeta(m_set);
   }
-  if (keepWithinClippedBounds(m_context, exposures(), *m_signal, m_tuning.automatic.clipped.modelError,
-                              m_set) > 0)
+  if (keepWithinClippedBounds({m_context.lighting, m_ownNoise}, exposures(), *m_signal,
+                              m_tuning.automatic.clipped.modelError, m_set) > 0)
     updateBeta(m_set);
   if (m_info.model == Model::Auto &&
       restoreClippedLight(m_context, *m_signal, m_tuning.automatic.clipped, m_set) > 0)

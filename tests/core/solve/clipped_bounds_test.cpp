@@ -66,6 +66,26 @@ TEST(ClippedBounds, WhatAWeakGelLetsThroughCounts) {
   EXPECT_NEAR(set.contributions[kLamp].plane(0)[kPixel], 3, .1F);
 }
 
+TEST(ClippedBounds, AShotThatTheOthersContradictIsNotBelieved) {
+  LightingMatrix lighting;
+  lighting.lights = 2;
+  lighting.shots = 3;
+  lighting.colors = {Rgb(1), Rgb(.5F), Rgb(1), Rgb(0), Rgb(0), Rgb(1)};
+  CapturePixels pixels;
+  for (const float value : {1.0F, .3F, .2F}) {  // the first one should be .4: somebody opened a door
+    pixels.shots.emplace_back(ImageSpec::rgb(1, 1), value);
+    pixels.clipLevel.push_back(.9999F);
+    pixels.quantum.push_back(0);
+  }
+  const std::vector<float> exposure{1, 1, 1};
+  const ShotSignal signal(pixels, lighting, {1e-6F, 0, 0}, exposure);
+  SolvedSet set;
+  for (const float light : {.3F, .2F}) set.contributions.emplace_back(ImageSpec::rgb(1, 1), light);
+  set.quality = Image({1, 1, {"residual", "sigma", "flags", "model"}, "data"}, 0);
+  EXPECT_EQ(keepWithinClippedBounds({lighting, {1e-6F, 0, 0}}, exposure, signal, .03, set), 0U);
+  EXPECT_EQ(set.contributions[0].plane(0)[0], .3F);
+}
+
 TEST(ClippedBounds, AShorterExposureSaysAnyBrightness) {
   LightingMatrix lighting;
   lighting.lights = 1;
