@@ -46,12 +46,12 @@ double keepWithin(const CensoredLight& channel, const std::vector<Reading>& read
                   const std::vector<float>& exposure, double modelError, std::vector<double>& light) {
   const Standing now = standingOf(channel, readings, exposure, light);
   if (!now.clipped) return 0;
-  if (now.share < 1 - modelError) {
-    if (now.usable >= int(light.size())) return 0;
-    channel.descend(light, {}, kBoundSettled);
+  if (now.share < 1 + modelError) {
+    if (now.usable >= int(light.size())) return 0;  // they determine it
+    // At what is shown, it rests on that.
+    if (now.share < 1 - modelError) channel.descend(light, {}, kBoundSettled);
     return kHardlyKnown;
   }
-  if (now.share < 1 + modelError) return kHardlyKnown;  // it rests on what is clipped
   if (now.farthest <= kFarthest * now.told) return 0;
   const double kept = std::max(kFarthest * now.told / now.farthest, 1 / now.share);
   if (!(kept < 1)) return 0;

@@ -1,7 +1,6 @@
 #include "core/edit/apply/edit_changes.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <optional>
 #include <variant>
