@@ -99,8 +99,9 @@ TEST(ClippedLight, OtherPixelsStayAsTheyAre) {
   for (size_t i = 0; i < kLights; ++i)
     for (int c = 0; c < 3; ++c)
       for (size_t p = 0; p < one.beta.pixelCount(); ++p)
-        if (!inHighlight(p))
+        if (!inHighlight(p)) {
           ASSERT_EQ(one.contributions[i].plane(c)[p], other.contributions[i].plane(c)[p]) << i << c << p;
+        }
 }
 
 TEST(ClippedLight, ALightThatIsPhotographedAloneIsItsPhotograph) {
