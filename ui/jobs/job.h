@@ -33,9 +33,10 @@ class Job {
     for (Thread& old : m_dropped) old.thread.join();
   }
 
-  /// `work` runs in the thread; `done` is called from it at the end and at every progress, and may only wake
-  /// somebody up. Work that is still going on is told to stop and ends when it notices; nobody hears of its
-  /// result, nor of what went wrong in it. Until then both may be running.
+  /// `work` runs in the thread; `done` is called from it at the end, when it says something else, and
+  /// at progress, but five times a second at most. It may only wake somebody up. Work that is still going on
+  /// is told to stop and ends when it notices; nobody hears of its result, nor of what went wrong in it.
+  /// Until then both may be running.
   void start(std::function<Result(const Progress&)> work, std::function<void()> done) {
     drop();
     auto run = std::make_shared<Run>();
@@ -129,15 +130,21 @@ class Job {
     }
 
    private:
-    /// Whether the change can be seen.
+    using Clock = std::chrono::steady_clock;
+    /// Frames that only show a bar move take time from the work.
+    static constexpr std::chrono::milliseconds kBarMoves{200};
+    Clock::time_point m_told;  ///< of the thread alone
+
+    /// Whether somebody should look.
     bool set(float part, std::string_view words) {
       const std::lock_guard lock(mutex);
-      const bool visible = part - fraction >= 0.01F || part < fraction || words != what;
-      if (visible) {
-        fraction = part;
-        what = words;
-      }
-      return visible;
+      const bool changed = part != fraction, said = words != what;
+      fraction = part;
+      what = words;
+      const Clock::time_point now = Clock::now();
+      if (!said && (!changed || now - m_told < kBarMoves)) return false;
+      m_told = now;
+      return true;
     }
   };
   struct Thread {

@@ -98,6 +98,31 @@ TEST(Job, TellsHowFarItIsAndWakesTheInterface) {
   EXPECT_EQ(job.what(), "");
 }
 
+TEST(Job, WakesAtNewWordsAndLeavesTheBarToATimer) {
+  constexpr int kSteps = 1000;
+  Job<int> job;
+  std::atomic<int> woken{0};
+  Gate counted;
+  Gate go;
+  const auto begin = std::chrono::steady_clock::now();
+  job.start(
+      [&](const Progress& progress) {
+        for (int k = 1; k <= kSteps; ++k) progress.update(static_cast<float>(k) / kSteps, "solving");
+        counted.open();
+        go.opened.wait();
+        progress.update(1, "finding shadows");
+        return 1;
+      },
+      [&] { ++woken; });
+  counted.opened.wait();
+  EXPECT_EQ(job.fraction(), 1) << "whoever looks sees how far it is";
+  go.open();
+  EXPECT_TRUE(taken(job));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_GE(woken, 3) << "twice for what it says, once for the end";
+  EXPECT_LE(woken, 4 + static_cast<int>(took.count() / .2));
+}
+
 TEST(Job, IsCancellingOnlyWhileItRuns) {
   Job<int> job;
   job.cancel();
