@@ -156,7 +156,7 @@ std::optional<LampDrift> seenDrift(const Capture& capture, const CapturePixels& 
                                    const std::optional<SmoothField>& lens, const SolveOptions& options,
                                    const Progress& progress) {
   if (lens) return seenDrift(capture, throughNoLens(photographs, *lens), {}, options, progress);
-  const std::string where = capture.file.empty() ? capture.name : capture.file.filename().string();
+  const std::string where = capture.calledName();
   std::optional<SensorNoise> noise = toldNoise(capture, options.noise);
   const float scale = signalScale(photographs, where);
   if (noise) noise = scaledNoise(*noise, scale);

@@ -27,7 +27,7 @@ SolvedSet solveScaled(const Capture& given, const CapturePixels& photographs, co
 SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const SolveOptions& options,
                 const Progress& progress, const SolveTuning& tuning) {
   options.check();
-  const std::string where = capture.file.empty() ? capture.name : capture.file.filename().string();
+  const std::string where = capture.calledName();
   if (const float scale = signalScale(photographs, where); scale != 1)
     return solveScaled(capture, photographs, options, scale, progress, tuning);
   return SolveRun(capture, photographs, options, tuning, progress).run();

@@ -26,21 +26,17 @@ constexpr float kFound = 0.35F;       // of the work, when the matte set is know
 constexpr float kTaken = 0.45F;       // ... and when the highlights are
 constexpr double kWorthwhile = 1e-4;  // part of the picture that has to show highlights
 
-std::string messagePlace(const Capture& capture) {
-  return capture.file.empty() ? capture.name : capture.file.filename().string();
-}
-
 void check(const Capture& capture, const FlatFields& fields) {
   if (!unknownColorsOf(capture).empty())
     throw InputError(
         "{}: a light's colour is unknown, and some photographs are crossed: what the polarisers take and the "
         "colour cannot be told apart. Measure the colour, or leave the crossed photographs out.",
-        messagePlace(capture));
+        capture.calledName());
   if (!fields.lamps.empty())
     throw InputError(
         "{}: has flat fields of its lamps and crossed photographs: both are not solved together. Leave "
         "one of them out.",
-        messagePlace(capture));
+        capture.calledName());
 }
 
 /// The crossed shots as if nothing were crossed: darker lamps on a matte set.
@@ -59,10 +55,10 @@ Capture withoutFilters(Capture capture, const Rgb& pass) {
 Capture crossedShots(const Capture& capture, const Rgb& pass) {
   Capture crossed = withoutFilters(shotsOf(capture, true), pass);
   try {
-    checkSolvable(lightingFromCapture(crossed), messagePlace(capture));
+    checkSolvable(lightingFromCapture(crossed), capture.calledName());
   } catch (const InputError& error) {
     throw InputError("{}: its crossed photographs must tell the lights apart by themselves: {}",
-                     messagePlace(capture), error.what());
+                     capture.calledName(), error.what());
   }
   return crossed;
 }
@@ -177,7 +173,7 @@ SolvedSet solveCrossed(const Capture& capture, CapturePixels photographs, const 
   const auto started = std::chrono::steady_clock::now();
   options.check();
   check(capture, fields);
-  const float scale = signalScale(photographs, messagePlace(capture));
+  const float scale = signalScale(photographs, capture.calledName());
   Capture scaled = capture;
   SolveOptions scaledOptions = options;
   for (auto* noise : {&scaled.noise, &scaledOptions.noise})

@@ -30,10 +30,6 @@
 namespace swaplight {
 namespace {
 
-std::string nameOf(const Capture& capture) {
-  return capture.file.empty() ? capture.name : capture.file.filename().string();
-}
-
 SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
   SolvedSet set;
   set.capture = capture;
@@ -98,10 +94,10 @@ SolveRun::SolveRun(const Capture& given, const CapturePixels& photographs, const
       m_tuning(tuning),
       m_progress(progress),
       m_info(options.solver.empty() ? estimatorFor(options.model) : estimatorInfo(options.solver)),
-      m_capture(options.solveAmbient ? withAmbientLight(given, nameOf(given)) : given) {
+      m_capture(options.solveAmbient ? withAmbientLight(given, given.calledName()) : given) {
   m_context.lighting = lightingFromCapture(m_capture);
   m_unknownColors = unknownColorsOf(m_capture);
-  checkSolvable(m_context.lighting, nameOf(given), placesOf(m_unknownColors, m_context.lighting));
+  checkSolvable(m_context.lighting, given.calledName(), placesOf(m_unknownColors, m_context.lighting));
   m_report.solver = m_info.name;
   m_report.model = modelName(m_info.model);
   m_report.conditioning = conditioningOf(m_context.lighting);

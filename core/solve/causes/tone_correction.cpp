@@ -121,7 +121,7 @@ std::optional<ToneCorrection> findToneCorrection(const Capture& capture, const C
         throw InputError(
             "{}: a light colour is unknown, so that no tone curve can be told from the photographs; tell the "
             "colour, or leave out --tone auto",
-            capture.file.empty() ? capture.name : capture.file.filename().string());
+            capture.calledName());
   const std::optional<SensorNoise> told = toldNoise(capture, noise);
   ToneCorrection tone;
   for (int round = 0; round < ToneCorrection::kMostRounds; ++round) {

@@ -55,7 +55,7 @@ void checkKnown(const Capture& capture) {
         throw InputError(
             "{}: a light colour is unknown, so that no drift over the field can be told from the "
             "photographs; tell the colour, or let the lamps count as even (without --field)",
-            capture.file.empty() ? capture.name : capture.file.filename().string());
+            capture.calledName());
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ CrossedPass crossedPass(const Capture& capture, const CapturePixels& photographs
   for (size_t k = 0; k < capture.shots.size(); ++k)
     for (int c = 0; c < 3 && capture.shots[k].crossed; ++c)
       if (auto sum = sumFor(capture, lighting, k, c)) sums.push_back(std::move(*sum));
-  const std::string where = capture.file.empty() ? capture.name : capture.file.filename().string();
+  const std::string where = capture.calledName();
   CrossedPass pass;
   std::array<bool, 3> known{};
   size_t fewer = 0, more = 0, all = 0;

@@ -107,7 +107,7 @@ class HighlightFit {
       throw InputError(
           "{}: whose a highlight is cannot be told: in the photographs that are not crossed the lights are "
           "off, or have too much the same colours. Take one more of those, with other colours.",
-          capture.file.empty() ? capture.name : capture.file.filename().string());
+          capture.calledName());
     const Eigen::MatrixXd inverse = inverseOf(products);
     for (size_t i = 0; i < m_lights; ++i)
       for (size_t j = 0; j < m_lights; ++j)
