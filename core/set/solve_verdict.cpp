@@ -35,6 +35,12 @@ bool isOneByOne(const SolveReport& report) {
                      [](double times) { return times > 0 && times <= kOneByOne; });
 }
 
+/// No photograph shows one of the channels: no new light brings it back.
+bool lacksChannel(const SolveReport& report) {
+  return std::any_of(report.conditioning.singularValues.begin(), report.conditioning.singularValues.end(),
+                     [](const std::vector<double>& of) { return !of.empty() && of.front() <= 0; });
+}
+
 using Word = SolveVerdict::Word;
 
 Word wordOf(double figure, const Limits& limits) {
@@ -87,7 +93,7 @@ SolveVerdict verdictOf(const SolveReport& report) {
     return {SolveVerdict::Word::Fair, {"the report does not say how well the lights are known"}};
   verdict.word = std::max(wordOf(report.sigmaMedian, kError), colorWord(report));
   // Sigma knows noise and colours, no other cause: what explains much of the misfit is not good.
-  if (!report.causes.likely.empty() || report.causes.unnamed)
+  if (!report.causes.likely.empty() || report.causes.unnamed || lacksChannel(report))
     verdict.word = std::max(verdict.word, SolveVerdict::Word::Fair);
   if (verdict.word == SolveVerdict::Word::Good) return verdict;
   addColorReasons(report, verdict.reasons);

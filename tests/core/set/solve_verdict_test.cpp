@@ -56,6 +56,16 @@ TEST(SolveVerdict, LampsPhotographedOneByOneNeedNoMatteSurface) {
   EXPECT_EQ(verdictOf(report).word, Word::Good);
 }
 
+TEST(SolveVerdict, ASetWithoutGreenIsNotGood) {
+  SolveReport report = reportWith(0.02);
+  report.conditioning.singularValues = {{{1, 1}, {0.5, 0.1}, {1, 1}}};
+  EXPECT_EQ(verdictOf(report).word, Word::Good);
+  report.conditioning.singularValues[1] = {0, 0};
+  report.conditioning.advice = {"no light has green: the set's green is not recorded"};
+  EXPECT_EQ(verdictLine(verdictOf(report)),
+            "Lights told apart: fair: no light has green: the set's green is not recorded.");
+}
+
 TEST(SolveVerdict, SaysWhyAndWhatToDo) {
   SolveReport report = reportWith(0.6);
   report.colorDisagreement = 0.502;
