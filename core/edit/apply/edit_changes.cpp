@@ -65,8 +65,7 @@ LightIndices tiedBy(const PreparedEdit& edit, int count) {
   const Operation& operation = edit.edit->operation;
   if (swapsTwoLights(operation) && edit.lights.size() == 2) return {edit.lights.begin(), edit.lights.end()};
   const bool shares = actsOnBeta(operation) && edit.edit->energy == EnergyMode::Redistribute;
-  if (shares || std::holds_alternative<UnknownGelOperation>(operation)) return allLights(count);
-  return {};
+  return shares || mixesLights(operation) ? allLights(count) : LightIndices();
 }
 
 }  // namespace

@@ -11,6 +11,14 @@
 #include "core/edit/pool/lamp_gain.h"
 
 namespace swaplight {
+namespace {
+
+void copyRow(const Image& from, int channel, int y, const PixelRect& area, float* to) {
+  std::copy_n(from.view().row(channel, y) + area.x, area.width, to);
+}
+
+}  // namespace
+
 EditTile::EditTile(const SolvedSet& set, const Layout& layout, const PixelRect& area)
     : m_set(&set),
       m_places(static_cast<size_t>(layout.count), -1),
@@ -30,8 +38,7 @@ EditTile::EditTile(const SolvedSet& set, int count, const LightIndices& lights, 
   for (const int light : lights)
     for (int c = 0; light < set.lightCount() && c < 3; ++c)
       for (int y = area.y; y < area.bottom(); ++y)
-        std::copy_n(set.contributions[static_cast<size_t>(light)].view().row(c, y) + area.x, area.width,
-                    writableRow(light, c, y));
+        copyRow(set.contributions[static_cast<size_t>(light)], c, y, area, writableRow(light, c, y));
   if (m_ambient) copyAmbient(*set.ambient);
   copyHighlights();
 }
@@ -42,8 +49,7 @@ EditTile::EditTile(const SolvedSet& set, const SolvedSet& edited, const PixelRec
   for (int i = 0; i < m_here; ++i)
     for (int c = 0; c < 3; ++c)
       for (int y = area.y; y < area.bottom(); ++y)
-        std::copy_n(edited.contributions[static_cast<size_t>(i)].view().row(c, y) + area.x, area.width,
-                    writableRow(i, c, y));
+        copyRow(edited.contributions[static_cast<size_t>(i)], c, y, area, writableRow(i, c, y));
   if (m_ambient) copyAmbient(*edited.ambient);
 }
 
@@ -99,8 +105,7 @@ void EditTile::copyHighlights() {
 
 void EditTile::copyAmbient(const Image& ambient) {
   for (int c = 0; c < 3; ++c)
-    for (int y = m_area.y; y < m_area.bottom(); ++y)
-      std::copy_n(ambient.view().row(c, y) + m_area.x, m_area.width, writableAmbientRow(c, y));
+    for (int y = m_area.y; y < m_area.bottom(); ++y) copyRow(ambient, c, y, m_area, writableAmbientRow(c, y));
 }
 
 const float* EditTile::highlightRow(int light, int channel, int y) const {

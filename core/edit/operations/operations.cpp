@@ -66,4 +66,14 @@ bool swapsTwoLights(const Operation& operation) {
       operation);
 }
 
+bool mixesLights(const Operation& operation) {
+  return std::visit(
+      [](const auto& o) {
+        return requires {
+          o.kMixesLights;
+        };
+      },
+      operation);
+}
+
 }  // namespace swaplight

@@ -49,6 +49,8 @@ namespace swaplight {
 //
 //   static constexpr bool kOfAllLights      there is nothing to choose
 //
+//   static constexpr bool kMixesLights      what a light becomes depends on the other lights
+//
 //   static constexpr bool kUsesShadows      it needs to know the lights' shadows
 //
 // and it is listed here. Whatever handles edits visits the list, so that one that is not handled does not
@@ -147,5 +149,7 @@ void forEachOperation(const Visit& visit) {
 [[nodiscard]] bool usesHighlights(const Operation& operation);
 /// Whether two lights with it change places.
 [[nodiscard]] bool swapsTwoLights(const Operation& operation);
+/// Whether what a light becomes depends on the other lights, whatever is to happen to them.
+[[nodiscard]] bool mixesLights(const Operation& operation);
 
 }  // namespace swaplight

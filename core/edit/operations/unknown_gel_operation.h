@@ -24,6 +24,7 @@ struct UnknownGelOperation {
       "Two swapped photographs leave one number of an unknown gel open, from warmer to cooler: chooses it by "
       "eye. A pixel that one lamp alone lights, a grey patch or a third photograph settles it."};
   static constexpr bool kOfAllLights = true;
+  static constexpr bool kMixesLights = true;
   static constexpr std::array<const char*, 2> kLampNames{"as_solved", "exchanged"};
   static constexpr std::array<const char*, 2> kLampTitles{"as solved", "the other way round"};
   static constexpr auto fields() {
