@@ -221,7 +221,7 @@ CapturePixels besidePrediction(const SolvedSet& set, const CapturePixels& photog
   both.shots.push_back(photograph.shots.front().clone());
   both.clipLevel = {std::numeric_limits<float>::infinity(), photograph.clipLevel.front()};
   both.quantum = {0, photograph.quantum.front()};
-  both.encoded = photograph.encoded;
+  both.rounding = photograph.rounding;
   return both;
 }
 

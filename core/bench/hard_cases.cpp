@@ -200,7 +200,7 @@ void quantise(CapturePixels& pixels, int bits, bool encoded) {
     pixels.quantum[k] = 1 - decoded(largest - 1);
     pixels.clipLevel[k] = 1 - pixels.quantum[k] / 4;
   }
-  pixels.encoded = encoded;
+  if (encoded) pixels.rounding = roundingErrors([](float code) { return linearFromSrgb(code); });
 }
 
 void damage(CapturePixels& pixels) {

@@ -30,6 +30,9 @@ constexpr float kProportional = 0.45F;
 /// decoder's rounding; a whole step below is a value of its own.
 constexpr float kWhiteMargin = 0.25F;
 
+constexpr int kRoundings = 17;           // codes, evenly, whose rounding is looked at
+constexpr float kLeastRounding = 1e-4F;  // of the variance at white: no pixel is known better than that
+
 /// Noise makes dark pixels a little negative. What is darker is no noise, and is told: this part of full
 /// scale (by judgement: a black level that is a little wrong is no damage), or this many standard deviations
 /// of a read noise that is known, whichever is more: normal noise passes six in one of 10^9 pixels.
@@ -58,7 +61,7 @@ struct Picture {
   PixelCounts counts;
   float clip = kNoClip;  ///< of integer files
   float quantum = 0;
-  bool encoded = false;                    ///< codes are not proportional to light
+  std::vector<ValueVariance> rounding;     ///< of codes that are not proportional to light
   std::vector<ValueVariance> codingError;  ///< linear light
   std::shared_ptr<const CarriedData> carried;
   std::vector<std::string> warnings;
@@ -79,7 +82,8 @@ void describeCoding(const Coding& coding, Picture& picture) {
   const float white = linearOf(coding, 1);
   picture.quantum = white - linearOf(coding, 1 - step);
   picture.clip = white - kWhiteMargin * picture.quantum;
-  picture.encoded = linearOf(coding, 0.5F) < kProportional * white;
+  if (linearOf(coding, 0.5F) < kProportional * white)
+    picture.rounding = roundingErrors([&](float code) { return linearOf(coding, code); });
 }
 
 /// What the coding of a JPEG has left, in linear light: an error of code times the slope of the curve there.
@@ -235,12 +239,28 @@ std::string linearSpaceOf(const std::string& colorSpace) {
   return chromaticitiesOf(colorSpace) ? colorSpace : "lin_rec709";
 }
 
+std::vector<ValueVariance> roundingErrors(const std::function<float(float)>& light) {
+  constexpr float kAround = 0.5F / (kRoundings - 1);
+  const auto slopeAt = [&](float code) {
+    const float below = std::max(code - kAround, 0.0F), above = std::min(code + kAround, 1.0F);
+    return (light(above) - light(below)) / (above - below);
+  };
+  const float white = slopeAt(1);
+  std::vector<ValueVariance> errors;
+  for (int j = 0; j < kRoundings; ++j) {
+    const float code = static_cast<float>(j) / (kRoundings - 1);
+    const float times = slopeAt(code) / white;
+    errors.push_back({light(code), std::max(times * times, kLeastRounding)});
+  }
+  return errors;
+}
+
 CapturePixels withoutShots(const CapturePixels& pixels) {
   return {{},
           pixels.ambient ? std::optional(pixels.ambient->clone()) : std::nullopt,
           pixels.clipLevel,
           pixels.quantum,
-          pixels.encoded,
+          pixels.rounding,
           pixels.codingError,
           pixels.carried,
           pixels.warnings};
@@ -266,7 +286,7 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
     pixels.clipLevel.push_back(pictures[k].clip);
     pixels.quantum.push_back(pictures[k].quantum);
     counts.push_back(pictures[k].counts);
-    if (pictures[k].encoded) pixels.encoded = true;
+    if (pixels.rounding.empty()) pixels.rounding = std::move(pictures[k].rounding);
     const auto& error = pictures[k].codingError;
     pixels.codingError.insert(pixels.codingError.end(), error.begin(), error.end());
   }

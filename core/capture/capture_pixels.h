@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,9 +26,9 @@ struct CapturePixels {
   /// The step of the files' coding in linear light at full scale: 1/255 for 8 bits of linear light, 2.3/255
   /// for 8 bits of sRGB; 10, 12 and 14 bits in 16-bit files are recognised. 0 for floating point.
   std::vector<float> quantum;
-  /// True where the files were encoded (sRGB, a gamma, a camera log): the step in linear light then grows
-  /// with the signal.
-  bool encoded = false;
+  /// Where codes are not proportional to light (sRGB, a gamma, a camera log): roundingErrors. Empty: the step
+  /// is the same everywhere.
+  std::vector<ValueVariance> rounding = {};
   /// What the JPEG coding of all shots has left: the variance of linear light around it (jpeg_error.h). Empty
   /// for other files, and for such that were JPEGs once.
   std::vector<ValueVariance> codingError = {};
@@ -38,6 +39,10 @@ struct CapturePixels {
   [[nodiscard]] int width() const { return shots.empty() ? 0 : shots.front().width(); }
   [[nodiscard]] int height() const { return shots.empty() ? 0 : shots.front().height(); }
 };
+
+/// The variance of light that rounding to codes makes, over that at white, around codes from black to white.
+/// `light` of a code 0..1: not less for a larger one.
+[[nodiscard]] std::vector<ValueVariance> roundingErrors(const std::function<float(float)>& light);
 
 /// All that is known of the shots, without them.
 [[nodiscard]] CapturePixels withoutShots(const CapturePixels& pixels);

@@ -69,15 +69,36 @@ float meanOf(const Image& image) {
   return count ? float(sum / double(count)) : 0;
 }
 
-void addCodingError(const CapturePixels& pixels, NoiseModel& model) {
-  if (pixels.codingError.empty()) return;
+std::array<double, 3> fitted(const std::vector<ValueVariance>& error) {
   std::vector<VariancePoint> points;
-  for (const auto& [value, variance] : pixels.codingError)
+  for (const auto& [value, variance] : error)
     points.push_back({double(value), std::max(double(variance), 1e-12)});
-  const std::array<double, 3> x = fitVariance(points);
-  model.constant += float(x[0]);
-  model.linear += float(x[1]);
-  model.square += float(x[2]);
+  return fitVariance(points);
+}
+
+void add(const std::array<double, 3>& variance, double times, NoiseModel& model) {
+  model.constant += float(times * variance[0]);
+  model.linear += float(times * variance[1]);
+  model.square += float(times * variance[2]);
+}
+
+/// No such polynomial follows a coding's curve: what this one is to be multiplied by to be nowhere below it,
+/// black aside.
+double timesBelow(const std::vector<ValueVariance>& error, const std::array<double, 3>& fit) {
+  double times = 1;
+  for (const auto& [value, variance] : error)
+    if (value > error.front().value)
+      times = std::max(times, double(variance) / std::max(fit[0] + value * (fit[1] + value * fit[2]), 1e-12));
+  return times;
+}
+
+void addRounding(const CapturePixels& pixels, double quantisation, NoiseModel& model) {
+  if (pixels.rounding.empty()) {
+    model.constant += float(quantisation);
+    return;
+  }
+  const std::array<double, 3> fit = fitted(pixels.rounding);
+  add(fit, quantisation * timesBelow(pixels.rounding, fit), model);
 }
 
 }  // namespace
@@ -117,21 +138,12 @@ SensorNoise estimateSensorNoise(const CapturePixels& pixels) {
 NoiseModel noiseModel(const SensorNoise& sensor, const CapturePixels& pixels, float colorUncertainty) {
   float quantum = 0;
   for (float q : pixels.quantum) quantum = std::max(quantum, q);
-  // The step of an sRGB code is that of linear light at white over the curve's slope there.
-  if (pixels.encoded) quantum *= 1.055F / 2.4F;
-  const float quantisation = quantum * quantum / 12;
   NoiseModel model;
   model.constant = float(sensor.read * sensor.read);
   model.linear = float(1 / sensor.fullWell);
   model.square = colorUncertainty * colorUncertainty + kRelativeFloor * kRelativeFloor;
-  if (pixels.encoded) {
-    // A step of sRGB code is worth 1/12.92 of it in the blacks, and about 2.2 y^0.55 above.
-    model.constant += quantisation / (12.92F * 12.92F);
-    model.linear += 4.8F * quantisation;
-  } else {
-    model.constant += quantisation;
-  }
-  addCodingError(pixels, model);
+  addRounding(pixels, double(quantum) * quantum / 12, model);
+  if (!pixels.codingError.empty()) add(fitted(pixels.codingError), 1, model);
   if (pixels.ambient) {
     // It is subtracted: its photons are noise of every shot, and its picture has noise of its own.
     const float photons = model.linear * meanOf(*pixels.ambient);

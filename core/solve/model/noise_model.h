@@ -5,9 +5,9 @@
 namespace swaplight {
 
 /// The variance of a shot's value y (linear, full scale 1) as a polynomial: constant + linear y + square y^2.
-///  constant: read noise and quantisation; linear: photons (1 / full well) and quantisation of an sRGB
-///  coding; square: what is not noise but is not known either, above all the colours of the lights
-///  (docs/theory.md, Light colours are not known exactly).
+///  constant: read noise and rounding of linear codes; linear: photons (1 / full well); square: what is not
+///  noise but is not known either, above all the colours of the lights (docs/theory.md, Light colours are not
+///  known exactly). Rounding of other codes (sRGB, a log) is in all three.
 struct NoiseModel {
   float constant = 0;
   float linear = 0;

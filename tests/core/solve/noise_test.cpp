@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/color/srgb.h"
+#include "core/solve/model/noise_model.h"
 #include "core/solve/model/variance_fit.h"
 #include "tests/support/synthetic_capture.h"
 
@@ -79,6 +81,41 @@ TEST(ResidualNoise, OfTheMisfitOnlyTheModelsErrorIsHeldAgainstAPixel) {
   EXPECT_FLOAT_EQ(half.square, 2e-4F);
   EXPECT_EQ(all.constant, calibrated.constant);
   EXPECT_EQ(all.linear, own.linear) << "never below what every pixel has";
+}
+
+constexpr float kNoPhotonNoise = 1e12F;  // full well
+
+/// The variance that rounding to 8 bits of sRGB makes around a value, by doing it.
+double roundingAround(float value) {
+  constexpr int kSteps = 10000;
+  double squares = 0;
+  for (int j = 0; j < kSteps; ++j) {
+    const float y = value * (0.95F + 0.1F * (float(j) + 0.5F) / kSteps);
+    const float error = linearFromSrgb(std::round(255 * srgbFromLinear(y)) / 255) - y;
+    squares += double(error) * error;
+  }
+  return squares / kSteps;
+}
+
+TEST(NoiseModel, RoundingOfSrgbCodesIsNotTakenForLessThanItIs) {
+  CapturePixels pixels;
+  pixels.quantum = {1 - linearFromSrgb(254.F / 255)};
+  pixels.rounding = roundingErrors([](float code) { return linearFromSrgb(code); });
+  const NoiseModel model = noiseModel({0, kNoPhotonNoise}, pixels, 0);
+  for (const float value : {.03F, .06F, .1F, .2F, .4F, .6F, .9F}) {
+    EXPECT_GT(model.variance(value), .97 * roundingAround(value)) << value;
+    EXPECT_LT(model.variance(value), 1.6 * roundingAround(value)) << value;
+  }
+  EXPECT_LT(model.variance(.01F), 2.2 * roundingAround(.01F));
+}
+
+TEST(NoiseModel, RoundingOfLinearCodesIsTheSameEverywhere) {
+  CapturePixels pixels;
+  pixels.quantum = {1.F / 255};
+  const NoiseModel model = noiseModel({0, kNoPhotonNoise}, pixels, 0);
+  const float rounding = 1.F / (255 * 255 * 12);
+  EXPECT_NEAR(model.variance(.01F), rounding, .01 * rounding);
+  EXPECT_NEAR(model.variance(.5F), rounding, .01 * rounding);
 }
 
 }  // namespace
