@@ -200,7 +200,7 @@ void quantise(CapturePixels& pixels, int bits, bool encoded) {
     pixels.quantum[k] = 1 - decoded(largest - 1);
     pixels.clipLevel[k] = 1 - pixels.quantum[k] / 4;
   }
-  if (encoded) pixels.rounding = roundingErrors([](float code) { return linearFromSrgb(code); });
+  if (encoded) pixels.rounding = roundingErrors([](float code) { return linearFromSrgb(code); }, 1 / largest);
 }
 
 void damage(CapturePixels& pixels) {

@@ -83,7 +83,7 @@ void describeCoding(const Coding& coding, Picture& picture) {
   picture.quantum = white - linearOf(coding, 1 - step);
   picture.clip = white - kWhiteMargin * picture.quantum;
   if (linearOf(coding, 0.5F) < kProportional * white)
-    picture.rounding = roundingErrors([&](float code) { return linearOf(coding, code); });
+    picture.rounding = roundingErrors([&](float code) { return linearOf(coding, code); }, step);
 }
 
 /// What the coding of a JPEG has left, in linear light: an error of code times the slope of the curve there.
@@ -239,18 +239,19 @@ std::string linearSpaceOf(const std::string& colorSpace) {
   return chromaticitiesOf(colorSpace) ? colorSpace : "lin_rec709";
 }
 
-std::vector<ValueVariance> roundingErrors(const std::function<float(float)>& light) {
+std::vector<ValueVariance> roundingErrors(const std::function<float(float)>& light, float step) {
   constexpr float kAround = 0.5F / (kRoundings - 1);
   const auto slopeAt = [&](float code) {
     const float below = std::max(code - kAround, 0.0F), above = std::min(code + kAround, 1.0F);
     return (light(above) - light(below)) / (above - below);
   };
-  const float white = slopeAt(1);
+  const float white = (light(1) - light(1 - step)) / step;
+  if (!(white > 0)) return {};
   std::vector<ValueVariance> errors;
   for (int j = 0; j < kRoundings; ++j) {
     const float code = static_cast<float>(j) / (kRoundings - 1);
     const float times = slopeAt(code) / white;
-    errors.push_back({light(code), std::max(times * times, kLeastRounding)});
+    errors.push_back({std::max(light(code), 0.0F), std::max(times * times, kLeastRounding)});
   }
   return errors;
 }

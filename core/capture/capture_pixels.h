@@ -40,9 +40,10 @@ struct CapturePixels {
   [[nodiscard]] int height() const { return shots.empty() ? 0 : shots.front().height(); }
 };
 
-/// The variance of light that rounding to codes makes, over that at white, around codes from black to white.
-/// `light` of a code 0..1: not less for a larger one.
-[[nodiscard]] std::vector<ValueVariance> roundingErrors(const std::function<float(float)>& light);
+/// The variance of light that rounding to codes makes, over that of the last `step` below white (a step is
+/// 1/255 for 8 bits), around codes from black to white. `light` of a code 0..1: not less for a larger one.
+/// Nothing where the last step makes no difference.
+[[nodiscard]] std::vector<ValueVariance> roundingErrors(const std::function<float(float)>& light, float step);
 
 /// All that is known of the shots, without them.
 [[nodiscard]] CapturePixels withoutShots(const CapturePixels& pixels);

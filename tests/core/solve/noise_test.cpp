@@ -100,13 +100,28 @@ double roundingAround(float value) {
 TEST(NoiseModel, RoundingOfSrgbCodesIsNotTakenForLessThanItIs) {
   CapturePixels pixels;
   pixels.quantum = {1 - linearFromSrgb(254.F / 255)};
-  pixels.rounding = roundingErrors([](float code) { return linearFromSrgb(code); });
+  pixels.rounding = roundingErrors([](float code) { return linearFromSrgb(code); }, 1.F / 255);
   const NoiseModel model = noiseModel({0, kNoPhotonNoise}, pixels, 0);
   for (const float value : {.03F, .06F, .1F, .2F, .4F, .6F, .9F}) {
     EXPECT_GT(model.variance(value), .97 * roundingAround(value)) << value;
     EXPECT_LT(model.variance(value), 1.6 * roundingAround(value)) << value;
   }
   EXPECT_LT(model.variance(.01F), 2.2 * roundingAround(.01F));
+}
+
+TEST(NoiseModel, RoundingIsThatOfTheCurveWhateverItsShoulder) {
+  // The last step below white is worth forty times the mean one.
+  const auto light = [](float code) { return 0.02F * code / (1.02F - code); };
+  CapturePixels pixels;
+  pixels.quantum = {light(1) - light(254.F / 255)};
+  pixels.rounding = roundingErrors(light, 1.F / 255);
+  const NoiseModel model = noiseModel({0, kNoPhotonNoise}, pixels, 0);
+  for (const float code : {.25F, .5F, .75F}) {
+    const float step = light(code + .5F / 255) - light(code - .5F / 255);
+    EXPECT_GT(model.variance(light(code)), .9F * step * step / 12) << code;
+  }
+  EXPECT_TRUE(roundingErrors([](float code) { return std::min(code, .9F); }, 1.F / 255).empty())
+      << "white is flat";
 }
 
 TEST(NoiseModel, RoundingOfLinearCodesIsTheSameEverywhere) {
