@@ -33,9 +33,9 @@ class Job {
     for (Thread& old : m_dropped) old.thread.join();
   }
 
-  /// `work` runs in the thread; `done` is called from it at the end, when it says something else, and
-  /// at progress, but five times a second at most. It may only wake somebody up. Work that is still going on
-  /// is told to stop and ends when it notices; nobody hears of its result, nor of what went wrong in it.
+  /// `work` runs in the thread; `done` is called from it at the end, at new words, and for a
+  /// new fraction alone five times a second at most. It may only wake somebody up. Work that is still going
+  /// on is told to stop and ends when it notices; nobody hears of its result, nor of what went wrong in it.
   /// Until then both may be running.
   void start(std::function<Result(const Progress&)> work, std::function<void()> done) {
     drop();

@@ -83,7 +83,7 @@ TEST(CapturePixels, SrgbShotsAreLinearised) {
   const CapturePixels pixels = set.load(as("uint8"));
   ASSERT_FALSE(pixels.rounding.empty());
   for (const auto& [value, variance] : pixels.rounding) {
-    // The curve's slope is 12.92 times as steep near black and rises as the 1.4/2.4th power of light.
+    // The curve's slope is 1/12.92 near black, and from there rises as the 1.4/2.4th power of light.
     const double slope = value < .0031 ? 1 / 12.92 : 2.4 / 1.055 * std::pow(value, 1.4 / 2.4);
     EXPECT_NEAR(variance, std::pow(slope / (2.4 / 1.055), 2), .08 * variance) << value;
   }
