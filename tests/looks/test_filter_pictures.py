@@ -128,6 +128,23 @@ class Golden(PictureTest):
                 self.assertGreater(np.abs(255 * picture - plain).mean(), .05)
 
 
+class Grid(PictureTest):
+    def lines(self, width, height, show):
+        """rows and columns that are drawn over from edge to edge"""
+        grey = self.path('grey.exr')
+        cli.write_image(grey, np.full((height, width, 3), .2, np.float32))
+        self.succeed('look', 'apply', grey, '--filter', f'grid,show={show}', '-o', self.path('grid.exr'))
+        over = cli.read_rgb(self.path('grid.exr'))[..., 0] > .4
+        return np.flatnonzero(over.mean(1) > .9).tolist(), np.flatnonzero(over.mean(0) > .9).tolist()
+
+    def test_lines_are_whole_pixels_alike_from_both_sides(self):
+        """A third of 180 rows lies between two of them, where a card's rounding is not to choose: a card drew one row
+        of the lower line and llvmpipe the two beside it."""
+        self.assertEqual(self.lines(320, 180, 0), ([60, 119], [106, 213]))
+        self.assertEqual(self.lines(1920, 1080, 0), ([359, 360, 719, 720], [639, 640, 1279, 1280]))
+        self.assertEqual(self.lines(1920, 1080, 2), ([539, 540], [959, 960]))
+
+
 class Light(PictureTest):
     def test_filters_of_light_keep_what_is_brighter_than_white(self):
         """A lamp of 1000, a hundred pixels of it: no filter of light may bring it down to white."""
