@@ -64,18 +64,14 @@ EglContext::EglContext() {
                                         EGL_NONE};
   m_context = eglCreateContext(m_display, config, EGL_NO_CONTEXT, kWish.data());
   if (m_context == EGL_NO_CONTEXT) fail("the driver makes no OpenGL 4.1 core context");
-  makeCurrent();
+  if (!eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context))
+    fail("the driver cannot draw without a surface");
   installGlDebugOutput();
 }
 
 EglContext::~EglContext() {
   eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(m_display, m_context);
-}
-
-void EglContext::makeCurrent() const {
-  if (!eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context))
-    fail("the driver cannot draw without a surface");
 }
 
 }  // namespace swaplight

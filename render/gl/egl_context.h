@@ -1,19 +1,16 @@
 #pragma once
 
+#include "render/gl/gl_context.h"
+
 namespace swaplight {
 
 /// An OpenGL 4.1 core context without a window, display server or surface: draw into framebuffer objects.
 /// Current on the thread that made it, until it is destroyed.
-class EglContext {
+class EglContext : public GlContext {
  public:
   /// Throws ResourceError that says what EGL lacks here.
   EglContext();
-  EglContext(const EglContext&) = delete;
-  EglContext& operator=(const EglContext&) = delete;
-  ~EglContext();
-
-  /// Makes it current on this thread (again).
-  void makeCurrent() const;
+  ~EglContext() override;
 
  private:
   void* m_display = nullptr;

@@ -1,11 +1,11 @@
 #include "render/gl/gl_thread.h"
 
 #include <exception>
-#include <optional>
+#include <memory>
 #include <system_error>
 
 #include "core/base/error.h"
-#include "render/gl/egl_context.h"
+#include "render/gl/gl_context.h"
 
 namespace swaplight {
 
@@ -43,9 +43,9 @@ void GlThread::enqueue(std::function<void()> task) {
 }
 
 void GlThread::loop(std::promise<void> ready) {
-  std::optional<EglContext> context;
+  std::unique_ptr<GlContext> context;
   try {
-    context.emplace();
+    context = newGlContext();
   } catch (...) {
     ready.set_exception(std::current_exception());
     return;

@@ -14,6 +14,7 @@
 #include "ui/kit/manners.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/tooltip_clock.h"
+#include "ui/window/hidden_contexts.h"
 #include "ui/window/window.h"
 
 namespace swaplight {
@@ -110,6 +111,7 @@ class DesktopWindow : public Window {
   }
 
   void wait(double seconds) override {
+    m_contexts.prepare(!frameWanted());
     const double deaf = m_heard ? glfwGetTime() - *m_heard : 0;
     if (frameWanted())
       glfwPollEvents();
@@ -264,6 +266,7 @@ class DesktopWindow : public Window {
   }
 
   GlfwWindow m_window;
+  HiddenContexts m_contexts;
   std::atomic<bool> m_woken{false};
   std::optional<double> m_heard;  ///< when events were last asked for, in GLFW's time
   double m_tooltipAt = std::numeric_limits<double>::infinity();

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "render/gl/gl_context.h"
+
+struct GLFWwindow;
+
+namespace swaplight {
+
+/// OpenGL contexts for threads that draw beside a window, from the window's own driver: those of windows that
+/// are never shown. As long as it lives it is where GlThread gets them from. GLFW makes windows only on the
+/// thread that it was started on, so a thread that finds none ready waits for prepare().
+class HiddenContexts {
+ public:
+  HiddenContexts();
+  HiddenContexts(const HiddenContexts&) = delete;
+  HiddenContexts& operator=(const HiddenContexts&) = delete;
+  /// No thread may draw any more. The hidden windows end with GLFW.
+  ~HiddenContexts();
+
+  /// Often, on GLFW's thread: makes what is being waited for, and, where there is time, one more.
+  void prepare(bool idle);
+
+ private:
+  class Lent;
+  /// What threads share with it; they may give a context back after it.
+  struct Pool {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::vector<GLFWwindow*> free;
+    size_t waiting = 0;
+    bool failed = false;  ///< the driver makes no more of them
+  };
+
+  std::shared_ptr<Pool> m_pool = std::make_shared<Pool>();
+};
+
+}  // namespace swaplight
