@@ -51,13 +51,20 @@ void seeThroughFilters(DocumentEditor& editor) {
   editor.edit("Camera look", std::move(next));
 }
 
+/// What the studio said last, for a measurement that cannot go on.
+std::string lastWords(StudioWindow& studio) {
+  const auto& said = studio.messages().messages();
+  return said.empty() ? "it is still being drawn" : said.back().text;
+}
+
 /// Until the filtered picture is the one that was asked for last, and on the screen.
 void drawFiltered(BenchStage& stage, bool exact) {
   const LookPreview& seen = stage.studio().context().seen;
   const Clock::time_point end = Clock::now() + kFilterPatience;
   bool onScreen = true;  // what was there before the last frame
   while (!seen.follows(LookPreview::Side::A, exact)) {
-    if (Clock::now() > end) throw InputError("--bench-ui: the camera look is not drawn");
+    if (Clock::now() > end)
+      throw InputError("--bench-ui: the camera look is not drawn: {}", lastWords(stage.studio()));
     onScreen = stage.rest();
   }
   if (!onScreen) stage.drawFrame();

@@ -70,6 +70,7 @@ class StudioWindow {
   [[nodiscard]] ViewerContext& context() { return m_context; }
   [[nodiscard]] const LightsContext& lights() const { return m_lights; }
   [[nodiscard]] CuePlayer& cues() { return m_cues; }
+  [[nodiscard]] const Messages& messages() const { return m_messages; }
 
  private:
   void addActions();
