@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/edit/pool/small_samples_kernel.h"
+#include "core/simd/padding.h"
 #include "core/simd/simd.h"
 
 namespace swaplight {
@@ -26,18 +28,6 @@ SWAPLIGHT_SIMD(void, mixRows, (const float* above, const float* below, float par
   for (int i = 0; i < count; ++i) out[i] = above[i] + part * (below[i] - above[i]);
 }
 
-// Of a row of which `values` holds the pixels from `first` on, at x, x + step ...
-SWAPLIGHT_SIMD(void, mixColumns,
-               (const float* values, int first, int last, float x, float step, int count, float* out),
-               (values, first, last, x, step, count, out)) {
-  for (int i = 0; i < count; ++i) {
-    const Between h = between(x + step * static_cast<float>(i), last);
-    const float left = values[h.index - first];
-    const float right = values[std::min(h.index + 1, last) - first];
-    out[i] = left + h.part * (right - left);
-  }
-}
-
 }  // namespace
 
 SmallRow smallRow(int x, int y, const cv::Size& size, const cv::Size& small) {
@@ -51,7 +41,9 @@ void sampleRow(const cv::Mat& small, const SmallRow& row, int count, float* out)
   const auto* above = small.ptr<float>(v.index);
   const auto* below = small.ptr<float>(std::min(v.index + 1, small.rows - 1));
   const int last = small.cols - 1;
-  std::array<float, kBlock + 3> mixed;  // its pixels are no smaller than the row's
+  // Its pixels are no smaller than the row's.
+  std::array<float, kBlock + 3 + kBeyondSmallRow> mixed{};
+  std::array<float, roundedUpToLanes(kBlock)> samples;
   for (int begin = 0; begin < count; begin += kBlock) {
     const int block = std::min(kBlock, count - begin);
     const float x = row.x + row.step * static_cast<float>(begin);
@@ -59,7 +51,8 @@ void sampleRow(const cv::Mat& small, const SmallRow& row, int count, float* out)
     // One more, since places may be rounded otherwise there.
     const int to = std::min(between(x + row.step * static_cast<float>(block - 1), last).index + 2, last);
     mixRows(above + from, below + from, v.part, to - from + 1, mixed.data());
-    mixColumns(mixed.data(), from, last, x, row.step, block, out + begin);
+    SWAPLIGHT_KERNEL(mixColumns)(mixed.data(), from, last, x, row.step, block, samples.data());
+    std::copy_n(samples.data(), block, out + begin);
   }
 }
 
