@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <tuple>
 
 #include "core/diagnosis/program_log.h"
@@ -14,24 +13,13 @@
 #include "ui/camera/seen_frame.h"
 #include "ui/camera_look/camera_look_actions.h"
 #include "ui/control/viewer_request.h"
-#include "ui/dialogs/about_box.h"
-#include "ui/dialogs/history_panel.h"
 #include "ui/grade/grade_actions.h"
-#include "ui/kit/echo_key.h"
-#include "ui/kit/layout_probe.h"
-#include "ui/kit/manners.h"
-#include "ui/shell/menu_bar.h"
 
 namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::milliseconds kTick{250};  // between looks at timers while nothing happens
-
-bool isNoArrow(const KeyPress& press) {
-  const std::string& key = press.key;
-  return key != "Left" && key != "Right" && key != "Up" && key != "Down";
-}
 
 /// A picture that is no solved set; one that is broken is not, and said to be so where it is opened.
 bool isPhotograph(const fs::path& path) {
@@ -150,81 +138,6 @@ void StudioWindow::startTour() {
   m_tour.start();
 }
 
-void StudioWindow::drawTour() {
-  const Rig& rig = m_editor.document().rig;
-  const bool open = m_session.set() && !rig.lights.empty();
-  if (m_tour.draw(open ? rig.lights.front().light : "")) m_window.requestFrames(1);
-}
-
-void StudioWindow::whenSaved(const std::function<void()>& then) {
-  m_editor.commit();
-  if (m_session.saving()) {
-    m_session.afterSaving([this, then] { whenSaved(then); });
-    return;
-  }
-  if (m_editor.saved() || !m_session.hasDocument()) {
-    then();
-    return;
-  }
-  const std::string name = m_session.file().empty() ? "This session" : m_session.file().filename().string();
-  // What is changed while it is being saved is asked about again.
-  const auto save = [this, again = [this, then] { whenSaved(then); }] {
-    if (m_session.file().empty())
-      askForSaveName(again);
-    else
-      m_session.save(again);
-  };
-  m_unsaved.ask({name, save, then});
-  m_window.requestFrames();
-}
-
-void StudioWindow::askToQuit() {
-  m_window.refuseClose();
-  if (!m_unsaved.isOpen()) whenSaved([this] { m_done = true; });
-}
-
-void StudioWindow::askForFile() {
-  m_chooser.ask({"Open a capture, a solved set or a session",
-                 "Open",
-                 {".json", ".exr", ".swaplight"},
-                 false,
-                 "",
-                 m_session.hasDocument() ? m_editor.document().source.parent_path() : fs::path(),
-                 [this](const fs::path& file) { whenSaved([this, file] { open(file); }); }});
-}
-
-void StudioWindow::askForOtherSet() {
-  m_chooser.ask({"Use the versions on another set of these lights",
-                 "Use on it",
-                 {".json", ".exr"},
-                 false,
-                 "",
-                 m_editor.document().source.parent_path(),
-                 [this](const fs::path& file) { m_session.useOnSet(file); }});
-}
-
-void StudioWindow::askForPhotographs() {
-  FileChooser::Question question;
-  question.title = "Choose the folder of photographs";
-  question.button = "Use folder";
-  question.extensions = photographExtensions();
-  question.forFolder = true;
-  question.answer = [this](const fs::path& folder) { m_wizard.start(m_colors.config(), folder); };
-  m_chooser.ask(std::move(question));
-}
-
-void StudioWindow::askForChart(const CaptureWizard::ChartQuestion& asked) {
-  FileChooser::Question question;
-  question.title = "A photograph of a colour chart (24 patches), lit by one light";
-  question.button = "Read chart";
-  question.extensions = photographExtensions();
-  question.folder = asked.folder;
-  question.answer = [this, asked](const fs::path& file) {
-    m_chart.start(m_colors.config(), file, asked.colorSpaceOf, asked.use);
-  };
-  m_chooser.ask(std::move(question));
-}
-
 void StudioWindow::open(const fs::path& path) {
   if (sourceKind(path) == SourceKind::Folder) {
     m_wizard.start(m_colors.config(), path);
@@ -234,32 +147,6 @@ void StudioWindow::open(const fs::path& path) {
   } else {
     m_session.open(path);
   }
-}
-
-void StudioWindow::askForSaveName(const std::function<void()>& then) {
-  const fs::path& source = m_editor.document().source;
-  const fs::path stem = source.filename() == "capture.json" ? source.parent_path().filename() : source.stem();
-  m_chooser.ask(
-      {"Save the session",
-       "Save",
-       {".swaplight"},
-       true,
-       m_session.file().empty() ? stem.string() + ".swaplight" : m_session.file().filename().string(),
-       m_session.file().empty() ? source.parent_path() : m_session.file().parent_path(),
-       [this, then](const fs::path& file) { m_session.saveAs(file, then); }});
-}
-
-void StudioWindow::askForExport(std::optional<ExportKind> kind) {
-  const fs::path& source = m_editor.document().source;
-  const fs::path& named = m_session.file().empty() ? source : m_session.file();
-  m_export.open((named.filename() == "capture.json" ? named.parent_path().filename() : named.stem()).string(),
-                named.parent_path(), kind);
-}
-
-void StudioWindow::askForExportName() {
-  const fs::path file = m_export.file();
-  m_chooser.ask({"Export to", "Choose", formatsOf(m_export.choices().kind), true, file.filename().string(),
-                 file.parent_path(), [this](const fs::path& chosen) { m_export.setFile(chosen); }});
 }
 
 void StudioWindow::leave() {
@@ -326,130 +213,6 @@ void StudioWindow::drawThumbnails() {
 double StudioWindow::restSeconds() const {
   const std::chrono::duration<double> step = m_editing.selection.marching ? kMarchStep : kTick;
   return step.count();
-}
-
-void StudioWindow::drawDialogs() {
-  if (m_chart.isOpen()) return m_chart.draw(m_messages, m_chooser);  // one may have asked for it
-  m_wizard.draw(
-      m_messages,
-      {[this](const fs::path& capture, const SolveOptions& solve) { m_session.open(capture, solve); },
-       [this](const CaptureWizard::ChartQuestion& question) { askForChart(question); }});
-  m_export.draw(
-      *m_colors.config(), m_editor.document(),
-      {[this](const ExportRequest& request) { exportAs(request); }, [this] { askForExportName(); }});
-}
-
-unsigned StudioWindow::openDialogs() const {
-  unsigned open = 0;
-  for (const bool one : {m_chooser.isOpen(), m_export.isOpen(), m_wizard.isOpen(), m_chart.isOpen(),
-                         m_unsaved.isOpen(), m_palette.isOpen(), m_keys.isOpen()})
-    open = 2 * open + (one ? 1 : 0);
-  return open;
-}
-
-bool StudioWindow::closeTop() {
-  if (closeTopList()) return true;
-  if (popupOpen()) return false;  // a dialog has a button for it
-  if (m_keys.isOpen()) return m_keys.escape();
-  if (m_tour.going()) return m_tour.stop(), true;
-  if (ImGui::GetIO().WantTextInput) return false;  // the field takes back what was typed
-  for (bool* open : {&m_aboutOpen, &m_historyOpen})
-    if (std::exchange(*open, false)) return true;
-  return false;
-}
-
-void StudioWindow::hearKeys() {
-  const std::vector<KeyPress>& presses = m_window.keyboard().presses;
-  // What a key may do comes after the steps that the wheel has made.
-  if (std::exchange(m_mixer.nudging, false) && std::any_of(presses.begin(), presses.end(), isNoArrow))
-    m_editor.commit();
-  const bool escape = std::any_of(presses.begin(), presses.end(), [](const KeyPress& press) {
-    return press.key == "Escape" && !press.repeat;  // held, it closes one thing
-  });
-  if (escape && closeTop())
-    m_window.swallowKeys();
-  else if (!ImGui::GetIO().WantTextInput && openDialogs() == 0 && !popupOpen())
-    m_actions.runKeys(m_window.keyboard());
-}
-
-// What was pressed is counted with the next frame: then this one is on the screen.
-void StudioWindow::markEchoes() {
-  markState("echoes", std::to_string(m_echoes));
-  for (const KeyPress& press : m_window.keyboard().presses)
-    if (press.key == kEchoKey && !press.repeat) ++m_echoes;
-}
-
-void StudioWindow::frame() {
-  m_lastFrame = std::chrono::steady_clock::now();
-  m_window.nextInput();
-  m_editing.selection.marching = false;  // whoever draws its outline says otherwise
-  hearKeys();
-  m_cues.update(m_lights);
-  markEchoes();
-  if (m_setShown != m_session.setRevision()) {
-    m_subjects.forget();
-    m_seen.forget();
-    m_thumbnails.forget();
-    m_shelf.readAgain();
-    m_cameraLook = {};
-    m_viewer = {};
-    m_looks = {};
-    m_editing.brush.last.reset();
-    m_editing.brush.guide.reset();
-    m_editing.selection.outlineKnown = false;
-    m_editing.chosen = -1;
-    m_editing.histograms.clear();
-  }
-  if (m_setShown != m_session.setRevision() || m_subjectsShown != m_subjects.revision()) m_pictures->forget();
-  m_setShown = m_session.setRevision();
-  m_subjectsShown = m_subjects.revision();
-  m_colors.follow(m_editor.document().colorConfig, m_messages);
-  m_pictures->setConfig(m_colors.config());
-  m_window.beginFrame();
-  m_thumbnails.beginFrame();
-  ImGui::SetNextWindowPos(ImVec2(0, 0));
-  ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
-  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                           ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings |
-                           ImGuiWindowFlags_NoScrollWithMouse |
-                           ImGuiWindowFlags_NoBackground;  // the screen was cleared to its colour
-  if (!m_layout.hidden) flags |= ImGuiWindowFlags_MenuBar;
-  ImGui::Begin("##studio", nullptr, flags);
-  ImGui::PopStyleVar(3);
-  if (!m_layout.hidden) drawMenuBar(m_context, m_panels);
-  m_edits.beginFrame();
-  drawPanels();
-  ImGui::End();
-
-  m_chooser.draw();
-  if (!m_chooser.isOpen()) drawDialogs();
-  m_unsaved.draw();
-  m_recovery.draw(m_session);
-  m_palette.draw(m_actions);
-  m_keys.draw(m_actions, m_window.keyboard(), m_messages);
-  drawAboutBox(m_pictures->words(), *m_colors.config(), &m_aboutOpen);
-  drawHistoryPanel(m_editor, &m_historyOpen);
-  drawTour();
-  // However it was made, a gesture ends when nothing is held any more: one gesture, one step.
-  if (m_editor.inGesture() && !ImGui::IsAnyItemActive() && !m_mixer.nudging && !m_cues.fading())
-    m_editor.commit();
-  markState("status", m_sets.busy() ? "busy" : m_session.set() ? "ready" : "empty");
-  markState("title", m_title);
-  markState("popups", std::to_string(openPopups()));
-  markState("busy", busy() || listMoves() ? "yes" : "no");
-  markState("desk.fading", m_cues.fading() ? "yes" : m_cues.waiting() ? "waiting" : "no");
-  markState("camera_look.drawn", m_seen.words());
-  markState("camera_look.thumbnails", std::to_string(m_thumbnails.pending()));
-  markState("colors", m_colors.config()->title());
-  if (const OpenSet* set = m_session.set()) markState("working_space", set->original->colorSpace());
-  endLayoutFrame();
-  // One that was asked for after its place in the frame comes with the next.
-  if (const unsigned dialogs = openDialogs(); std::exchange(m_dialogsShown, dialogs) != dialogs)
-    m_window.requestFrames();
-  m_window.endFrame();
 }
 
 }  // namespace swaplight

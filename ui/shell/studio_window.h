@@ -93,9 +93,13 @@ class StudioWindow {
   void keepLayout();
   void keepWindow() const;
   void startTour();
-  void drawTour();
   void drawThumbnails();
+  void noticeSet();
+  void drawMain();
+  void drawAbove();
+  void drawTour();
   void markEchoes();
+  void markStates();
   /// Runs the actions whose keys were pressed, or closes what is on top.
   void hearKeys();
   bool closeTop();
