@@ -1,6 +1,7 @@
 #include "core/edit/pool/penumbra_scales.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -49,17 +50,57 @@ cv::Mat nearCone(const cv::Size& size, const std::optional<LightCone>& cone) {
   return near;
 }
 
+// How steep the visibility is (Sobel's slopes), where some of the light arrives: noise of what is lit counts
+// less; and that times the slope once more. At column x of a row, between its columns `left` and `right`.
+inline void slopeAt(const float* above, const float* row, const float* below, int left, int x, int right,
+                    float* first, float* second) {
+  const float across = above[right] - above[left] + 2 * (row[right] - row[left]) + below[right] - below[left];
+  const float down = below[left] + 2 * below[x] + below[right] - above[left] - 2 * above[x] - above[right];
+  const float slope = std::sqrt(across * across + down * down) * (1.F / 8);
+  first[x] = slope * row[x] * (1 - row[x]);
+  second[x] = first[x] * slope;
+}
+
+SWAPLIGHT_SIMD(void, slopesInside,
+               (const float* __restrict above, const float* __restrict row, const float* __restrict below,
+                int columns, float* __restrict first, float* __restrict second),
+               (above, row, below, columns, first, second)) {
+  for (int x = 1; x < columns - 1; ++x) slopeAt(above, row, below, x - 1, x, x + 1, first, second);
+}
+
+void slopesOf(const cv::Mat& visibility, cv::Mat& first, cv::Mat& second) {
+  first.create(visibility.size(), CV_32F);
+  second.create(visibility.size(), CV_32F);
+  const int last = visibility.cols - 1;
+  parallelRows(visibility.rows, 32, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const auto* above = visibility.ptr<float>(std::max(y - 1, 0));
+      const auto* row = visibility.ptr<float>(y);
+      const auto* below = visibility.ptr<float>(std::min(y + 1, visibility.rows - 1));
+      auto* one = first.ptr<float>(y);
+      auto* two = second.ptr<float>(y);
+      slopesInside(above, row, below, visibility.cols, one, two);
+      slopeAt(above, row, below, 0, 0, std::min(1, last), one, two);
+      slopeAt(above, row, below, std::max(last - 1, 0), last, last, one, two);
+    }
+  });
+}
+
+/// Blurred, as a picture half, a quarter ... as large allows: adds `share` of it to `sum`.
+void addBlurred(const cv::Mat& picture, double sigma, double shrink, double share, cv::Mat& sum) {
+  const auto part = [&](int side) { return std::max(1, static_cast<int>(std::lround(side / shrink))); };
+  cv::Mat blurred;
+  cv::resize(picture, blurred, {part(picture.cols), part(picture.rows)}, 0, 0, cv::INTER_AREA);
+  cv::GaussianBlur(blurred, blurred, {}, sigma / shrink, 0, cv::BORDER_REPLICATE);
+  cv::resize(blurred, blurred, picture.size(), 0, 0, cv::INTER_LINEAR);
+  sum += share * blurred;
+}
+
 // In pixels of the picture.
 cv::Mat widthsOf(const cv::Mat& visibility, const cv::Mat& cone) {
-  cv::Mat across;
-  cv::Mat down;
-  cv::Sobel(visibility, across, CV_32F, 1, 0, 3, 1. / 8, 0, cv::BORDER_REPLICATE);
-  cv::Sobel(visibility, down, CV_32F, 0, 1, 3, 1. / 8, 0, cv::BORDER_REPLICATE);
-  cv::Mat slope;
-  cv::magnitude(across, down, slope);
-  // Where some of the light arrives: noise of what is lit counts less.
-  cv::Mat first = slope.mul(visibility).mul(1 - visibility);
-  cv::Mat second = first.mul(slope);
+  cv::Mat first;
+  cv::Mat second;
+  slopesOf(visibility, first, second);
   const cv::Size size = cone.size();
   cv::resize(first, first, size, 0, 0, cv::INTER_AREA);
   cv::resize(second, second, size, 0, 0, cv::INTER_AREA);
@@ -67,14 +108,12 @@ cv::Mat widthsOf(const cv::Mat& visibility, const cv::Mat& cone) {
   second = second.mul(1 - cone);
   cv::Mat above = cv::Mat::zeros(size, CV_32F);
   cv::Mat below = cv::Mat::zeros(size, CV_32F) + 1e-15;
+  const double sigma = std::max(kNearest * size.width, .5);
+  double farther = 1;
   double share = 1;
-  double sigma = std::max(kNearest * size.width, .5);
-  for (int k = 0; k < kReaches; ++k, sigma *= 2, share *= kFarther) {
-    cv::Mat blurred;
-    cv::GaussianBlur(first, blurred, {}, sigma, 0, cv::BORDER_REPLICATE);
-    above += share * blurred;
-    cv::GaussianBlur(second, blurred, {}, sigma, 0, cv::BORDER_REPLICATE);
-    below += share * blurred;
+  for (int k = 0; k < kReaches; ++k, farther *= 2, share *= kFarther) {
+    addBlurred(first, sigma * farther, farther, share, above);
+    addBlurred(second, sigma * farther, farther, share, below);
   }
   return above / below;
 }
@@ -148,16 +187,19 @@ void PenumbraScales::sigmaRow(float times, float diameter, const float* width, c
 
 void PenumbraScales::blurRow(int x, int y, int count, const float* sigma, float* visibility) const {
   const auto [least, most] = std::minmax_element(sigma, sigma + count);
-  std::vector<float> finer(visibility, visibility + count);
-  std::vector<float> coarser(finer.size());
+  if (*most <= 0) return;
+  std::array<std::array<float, kTogether>, 2> room;
+  float* finer = room[0].data();
+  float* coarser = room[1].data();
+  std::copy_n(visibility, count, finer);
   float below = 0;
   for (size_t k = 0; k < m_levels.size() && below < *most; ++k) {
     const auto above = static_cast<float>(sigmaOf(k));
     const cv::Mat& level = m_levels[k];
     if (*least < 2 * above)
       sampleRow(level, smallRow(x, y, {m_visibility.width(), m_visibility.height()}, level.size()), count,
-                coarser.data());
-    mixBlurs(finer.data(), coarser.data(), below, above, sigma, count, visibility);
+                coarser);
+    mixBlurs(finer, coarser, below, above, sigma, count, visibility);
     std::swap(finer, coarser);
     below = above;
   }

@@ -31,6 +31,7 @@ class PenumbraScales {
   /// Of the blur that makes edges as wide as they get, or that they lose: standard deviations, pixels.
   void sigmaRow(float times, float diameter, const float* width, const float* cone, int count,
                 float* sigma) const;
+  /// A few pixels that lie together.
   void blurRow(int x, int y, int count, const float* sigma, float* visibility) const;
 
   const Image& m_visibility;
