@@ -43,7 +43,7 @@ bool hasZebra(const ViewSettings& settings) {
 
 bool shows(const LayeredPicture& shown, const Pyramid& picture) {
   return std::any_of(shown.layers.begin(), shown.layers.end(),
-                     [&](const ViewLayer& layer) { return layer.picture == &picture; });
+                     [&](const ViewLayer& layer) { return isSamePicture(layer.life, picture.life()); });
 }
 
 /// The pixels of a window in which a part of the picture counts: with what interpolation and the halves of
@@ -169,15 +169,7 @@ void CpuViewportRenderer::setConfig(const std::shared_ptr<const ColorConfig>& co
   if (m_config == config) return;
   m_tables.clear();
   m_config = config;
-  forget();
-}
-
-void CpuViewportRenderer::forget() {
-  for (auto& [name, place] : m_places) {
-    place.shown.reset();
-    place.sumA.forget();
-    place.sumB.forget();
-  }
+  for (auto& [name, place] : m_places) place.shown.reset();
 }
 
 std::string CpuViewportRenderer::words() const {

@@ -20,7 +20,6 @@ class CpuViewportRenderer : public ViewportRenderer {
   unsigned texture(const ViewportRequest& request, int place) override;
   void changed(const Pyramid& picture, const TileRect& where) override;
   void setConfig(const std::shared_ptr<const ColorConfig>& config) override;
-  void forget() override;
   [[nodiscard]] std::string words() const override;
 
  private:

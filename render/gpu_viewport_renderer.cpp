@@ -9,6 +9,7 @@ unsigned GpuViewportRenderer::texture(const ViewportRequest& request, int place)
   Place& here = m_places[place];
   if (here.shown == request) return here.target.texture();
   here.shown.reset();
+  std::erase_if(m_pictures, [](const auto& picture) { return picture.first.expired(); });
   draw(request, here);
   here.shown = request;
   return here.target.texture();
@@ -47,11 +48,11 @@ TiledTexture& GpuViewportRenderer::relit(Frame& frame, const std::vector<ViewLay
 }
 
 const TiledTexture& GpuViewportRenderer::uploaded(const Pyramid& picture) {
-  const auto found = m_pictures.find(&picture);
+  const auto found = m_pictures.find(picture.life());
   if (found != m_pictures.end()) return found->second;
   TiledTexture texture(picture.width(), picture.height(), largestTextureSide());
   updatePicture(texture, picture.level(0), 0, 0);
-  return m_pictures.emplace(&picture, std::move(texture)).first->second;
+  return m_pictures.emplace(picture.life(), std::move(texture)).first->second;
 }
 
 ViewRenderer& GpuViewportRenderer::viewerFor(const std::string& colorSpace) {
@@ -59,13 +60,10 @@ ViewRenderer& GpuViewportRenderer::viewerFor(const std::string& colorSpace) {
 }
 
 void GpuViewportRenderer::changed(const Pyramid& picture, const TileRect& where) {
-  const auto found = m_pictures.find(&picture);
+  const auto found = m_pictures.find(picture.life());
   if (found == m_pictures.end()) return;
-  if (found->second.width != picture.width() || found->second.height != picture.height())
-    m_pictures.erase(found);  // another size: uploaded anew when it is shown
-  else
-    updatePicture(found->second, picture.level(0).crop(where.x, where.y, where.width, where.height), where.x,
-                  where.y);
+  updatePicture(found->second, picture.level(0).crop(where.x, where.y, where.width, where.height), where.x,
+                where.y);
   for (auto& [name, place] : m_places) {
     place.shown.reset();
     place.a.layers.clear();
@@ -77,12 +75,7 @@ void GpuViewportRenderer::setConfig(const std::shared_ptr<const ColorConfig>& co
   if (m_config == config) return;
   m_viewers.clear();
   m_config = config;
-  forget();
-}
-
-void GpuViewportRenderer::forget() {
-  m_pictures.clear();
-  m_places.clear();
+  for (auto& [name, place] : m_places) place.shown.reset();
 }
 
 std::string GpuViewportRenderer::words() const {

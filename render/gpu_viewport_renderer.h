@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,8 @@
 
 namespace swaplight {
 
-/// Computes the window's pixels by shaders. Keeps every picture that was ever shown on the graphics card, as
-/// half floats, until it is told to forget.
+/// Computes the window's pixels by shaders. Keeps every picture that was shown on the graphics card, as half
+/// floats, as long as it lives.
 class GpuViewportRenderer : public ViewportRenderer {
  public:
   explicit GpuViewportRenderer(std::shared_ptr<const ColorConfig> config) : m_config(std::move(config)) {}
@@ -20,7 +21,6 @@ class GpuViewportRenderer : public ViewportRenderer {
   unsigned texture(const ViewportRequest& request, int place) override;
   void changed(const Pyramid& picture, const TileRect& where) override;
   void setConfig(const std::shared_ptr<const ColorConfig>& config) override;
-  void forget() override;
   [[nodiscard]] std::string words() const override;
 
  private:
@@ -41,7 +41,7 @@ class GpuViewportRenderer : public ViewportRenderer {
 
   std::shared_ptr<const ColorConfig> m_config;  ///< what is made of it refers to it: it stays first
   LayerRenderer m_layers;
-  std::map<const Pyramid*, TiledTexture> m_pictures;
+  std::map<PictureLife, TiledTexture, std::owner_less<>> m_pictures;
   std::map<std::string, ViewRenderer> m_viewers;  ///< by colour space
   std::map<int, Place> m_places;
 };

@@ -39,8 +39,8 @@ enum class Engine {
   Processor,  ///< core/view, at the size shown; the result is uploaded
 };
 
-/// Makes textures of what is to be seen. Pictures are told apart by the address of their pyramid. Needs the
-/// OpenGL context in which it was made.
+/// Makes textures of what is to be seen, and remembers what it made of pictures for as long as they live.
+/// Needs the OpenGL context in which it was made.
 class ViewportRenderer {
  public:
   ViewportRenderer() = default;
@@ -53,13 +53,10 @@ class ViewportRenderer {
   /// Throws InputError (unknown view), ResourceError (no memory).
   virtual unsigned texture(const ViewportRequest& request, int place = 0) = 0;
 
-  /// To be called when pixels of a picture have changed, after its pyramid was refreshed; with all of it
-  /// where its size has.
+  /// To be called when pixels of a picture have changed, after its pyramid was refreshed.
   virtual void changed(const Pyramid& picture, const TileRect& where) = 0;
   /// From now on views are those of this configuration.
   virtual void setConfig(const std::shared_ptr<const ColorConfig>& config) = 0;
-  /// To be called when pictures have gone.
-  virtual void forget() = 0;
 
   /// Who computes, in words.
   [[nodiscard]] virtual std::string words() const = 0;

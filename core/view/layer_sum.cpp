@@ -14,8 +14,9 @@ constexpr int kFewestOthers = 2;
 
 bool samePixels(const std::vector<VisibleLayer>& a, const std::vector<VisibleLayer>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const VisibleLayer& x, const VisibleLayer& y) {
-    return x.pixels.data == y.pixels.data && x.pixels.width == y.pixels.width &&
-           x.pixels.height == y.pixels.height && x.pixels.rowStride == y.pixels.rowStride;
+    return isSamePicture(x.life, y.life) && x.pixels.data == y.pixels.data &&
+           x.pixels.width == y.pixels.width && x.pixels.height == y.pixels.height &&
+           x.pixels.rowStride == y.pixels.rowStride;
   });
 }
 
@@ -49,13 +50,7 @@ void LayerSum::set(std::vector<VisibleLayer> layers) {
 
 void LayerSum::pixelsChanged(const Pyramid& picture) {
   for (size_t i = 0; i < m_layers.size(); ++i)
-    if (m_layers[i].picture == &picture) m_stale[i] = 1;
-}
-
-void LayerSum::forget() {
-  m_stale.clear();
-  m_layers.clear();
-  m_changing.clear();
+    if (isSamePicture(m_layers[i].life, picture.life())) m_stale[i] = 1;
 }
 
 void LayerSum::rememberOthers() {

@@ -2,17 +2,15 @@
 
 #include <vector>
 
-#include "core/color/rgb.h"
 #include "core/image/image.h"
-#include "core/view/pyramid.h"
+#include "core/view/view_layer.h"
 
 namespace swaplight {
 
-/// What is seen of a layer: pixels of three channels, or of one that counts for all three, times a factor.
-struct VisibleLayer {
-  const Pyramid* picture = nullptr;  ///< whose pixels they are
-  ImageView pixels;
-  Rgb factor{1, 1, 1};
+/// What is seen of a layer.
+struct VisibleLayer : ViewLayer {
+  VisibleLayer(const ViewLayer& layer, ImageView seen) : ViewLayer(layer), pixels(seen) {}
+  ImageView pixels;  ///< of its picture
 };
 
 /// Adds up layers. Remembers the sum of those that stay while others change, so that one slider costs the
@@ -23,7 +21,6 @@ class LayerSum {
   void set(std::vector<VisibleLayer> layers);
   /// To be called when a picture's pixels have changed where they are.
   void pixelsChanged(const Pyramid& picture);
-  void forget();
 
   /// A channel of a row of the sum. From any thread.
   void row(int channel, int y, float* out) const;

@@ -1,10 +1,19 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/image/image.h"
 
 namespace swaplight {
+
+/// Goes with a picture, so that whoever remembers what was made of it finds out that it is no more: another
+/// one may come to lie where it lay.
+using PictureLife = std::weak_ptr<const void>;
+
+[[nodiscard]] inline bool isSamePicture(const PictureLife& a, const PictureLife& b) {
+  return !a.owner_before(b) && !b.owner_before(a);
+}
 
 /// A picture and its halves: level 0 is the picture, level n + 1 is level n with every 2 x 2 pixels averaged
 /// (a last odd row or column averages what there is). So that a small view of a large picture reads few
@@ -23,10 +32,13 @@ class Pyramid {
   }
   [[nodiscard]] int width() const { return m_picture.width; }
   [[nodiscard]] int height() const { return m_picture.height; }
+  /// Wherever it is moved to.
+  [[nodiscard]] PictureLife life() const { return m_life; }
 
  private:
   ImageView m_picture;
   std::vector<Image> m_halves;
+  std::shared_ptr<const void> m_life = std::make_shared<char>();
 };
 
 /// Every 2 x 2 pixels averaged.

@@ -137,8 +137,7 @@ void forEachRow(std::span<const ViewLayer> layers, const ViewWindow& window, Lay
   const Axis y(window.top * shrink, zoom, window.height, shape.height, smooth);
   std::vector<VisibleLayer> visible;
   for (const ViewLayer& layer : layers)
-    visible.push_back(
-        {layer.picture, layer.picture->level(level).crop(x.low, y.low, x.count, y.count), layer.factor});
+    visible.emplace_back(layer, layer.picture->level(level).crop(x.low, y.low, x.count, y.count));
   sum.set(std::move(visible));
   parallelRows(window.height, kBand, [&](int begin, int end) {
     RowMaker maker(sum, x, y, window.width);

@@ -4,20 +4,11 @@
 #include <functional>
 #include <span>
 
-#include "core/color/rgb.h"
 #include "core/view/layer_sum.h"
-#include "core/view/pyramid.h"
+#include "core/view/view_layer.h"
 #include "core/view/view_window.h"
 
 namespace swaplight {
-
-/// One addend of what is shown: a picture of three channels, or of one that counts for all three, times a
-/// factor.
-struct ViewLayer {
-  const Pyramid* picture = nullptr;
-  Rgb factor{1, 1, 1};
-  bool operator==(const ViewLayer&) const = default;
-};
 
 /// Brings a row of linear pixels to the monitor: `count` pixels as 8-bit R G B A. Called from several
 /// threads.

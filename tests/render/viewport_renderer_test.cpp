@@ -162,9 +162,28 @@ TEST_F(ViewportRendererTest, APictureMayChangeItsSize) {
     wanted.a = {{{&*pyramid, Rgb(1)}}, "lin_rec709"};
     (void)screen->texture(wanted);
     pyramid.emplace(small.view());
-    screen->changed(*pyramid, {0, 0, 160, 100});
-    wanted.a.scale = 0.25;
+    wanted.a = {{{&*pyramid, Rgb(1)}}, "lin_rec709", 0.25};
     const std::vector<uint8_t> seen = pixelsOf(screen->texture(wanted), kWhole);
+    const auto fresh = makeViewportRenderer(engine, m_config);
+    EXPECT_EQ(seen, pixelsOf(fresh->texture(wanted), kWhole));
+  }
+}
+
+TEST_F(ViewportRendererTest, APictureThatLiesWhereAnotherLayIsSeenAndTakesItsMemory) {
+  for (const Engine engine : {Engine::Processor, Engine::Graphics}) {
+    const auto screen = makeViewportRenderer(engine, m_config);
+    std::optional<Pyramid> pyramid(m_images[0].view());
+    ViewportRequest wanted = request(kWhole);
+    const auto layers = [&] {
+      return std::vector<ViewLayer>{{&*pyramid, Rgb(1)}, {&m_pyramids[2], Rgb(0.2F)}};
+    };
+    wanted.a = {layers(), "lin_rec709"};
+    (void)screen->texture(wanted);
+    const int objects = liveGlObjects();
+    pyramid.emplace(m_images[1].view());
+    wanted.a = {layers(), "lin_rec709"};
+    const std::vector<uint8_t> seen = pixelsOf(screen->texture(wanted), kWhole);
+    EXPECT_EQ(liveGlObjects(), objects);
     const auto fresh = makeViewportRenderer(engine, m_config);
     EXPECT_EQ(seen, pixelsOf(fresh->texture(wanted), kWhole));
   }

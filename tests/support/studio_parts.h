@@ -28,11 +28,9 @@ class CountingRenderer : public ViewportRenderer {
   unsigned texture(const ViewportRequest& /*request*/, int /*place*/) override { return 0; }
   void changed(const Pyramid& /*picture*/, const TileRect& /*where*/) override { ++changes; }
   void setConfig(const std::shared_ptr<const ColorConfig>& /*config*/) override {}
-  void forget() override { ++forgotten; }
   [[nodiscard]] std::string words() const override { return "nobody"; }
 
-  int changes = 0;    ///< rectangles of pixels
-  int forgotten = 0;  ///< times that pictures had gone
+  int changes = 0;  ///< rectangles of pixels
 };
 
 /// The studio's parts without a window, wired as the window does it.
@@ -111,8 +109,8 @@ class StudioParts {
   ViewerState viewer;
   EditController edits{{editor, session, subjects, renderer, messages}, wake};
   EditsState editing;
-  ShadowController shadows{{{editor, view}, session, edits, renderer, editing.shadow, messages}, wake};
-  LookPreview seen{renderer, wake};
+  ShadowController shadows{{{editor, view}, session, edits, editing.shadow, messages}, wake};
+  LookPreview seen{wake};
   ScopesController scopes{
       {{editor, view}, session, edits, layout.scopeOptions, viewer, seen, colors, table, messages}, wake};
   LookShelf shelf{[this]() -> FilterLibrary& { return seen.library(); }, folder / "favourites.json"};

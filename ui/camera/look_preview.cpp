@@ -51,8 +51,8 @@ struct LookPreview::Drawing {
   std::shared_ptr<PipelineMemory> memory;
 };
 
-LookPreview::LookPreview(ViewportRenderer& renderer, std::function<void()> wake)
-    : m_renderer(renderer), m_wake(std::move(wake)), m_engine(std::make_shared<Engine>()) {}
+LookPreview::LookPreview(std::function<void()> wake)
+    : m_wake(std::move(wake)), m_engine(std::make_shared<Engine>()) {}
 
 LookPreview::~LookPreview() = default;
 
@@ -71,11 +71,7 @@ std::optional<LayeredPicture> LookPreview::picture(Side side, const SeenRequest&
   if (!options.settled) waitForDraft(place);
   const std::shared_ptr<const SeenPicture> seen = shown(side, request);
   if (!seen) return std::nullopt;
-  if (options.asLarge && seen->scale < 1) {
-    SeenPicture& front = *place.pictures.at(place.front);
-    enlarge(front);
-    m_renderer.changed(*front.pyramid, {0, 0, front.width, front.height});
-  }
+  if (options.asLarge && seen->scale < 1) enlarge(*place.pictures.at(place.front));
   return LayeredPicture{{{&*seen->pyramid, Rgb(1)}}, seen->colorSpace, seen->scale};
 }
 
@@ -227,7 +223,6 @@ void LookPreview::adopt(Place& place, Drawn drawn) {
     front.width = place.making.live->pictures().width();
     front.height = place.making.live->pictures().height();
   }
-  m_renderer.changed(*front.pyramid, {0, 0, front.image.width(), front.image.height()});
   place.shown = place.making;
   place.shownScale = place.makingScale;
 }

@@ -37,7 +37,7 @@ class LookPreview {
     bool asLarge = false;  ///< drafts are enlarged to the frame's size, to be compared pixel by pixel
   };
 
-  LookPreview(ViewportRenderer& renderer, std::function<void()> wake);
+  explicit LookPreview(std::function<void()> wake);
   LookPreview(const LookPreview&) = delete;
   LookPreview& operator=(const LookPreview&) = delete;
   ~LookPreview();
@@ -92,7 +92,6 @@ class LookPreview {
     SeenRequest asked, making, shown, failed;
     float makingScale = 1, shownScale = 0;  ///< 0: nothing is shown
     Kept draft, exact;
-    /// Pictures are told apart by their addresses: they stay.
     std::array<std::shared_ptr<SeenPicture>, 2> pictures{std::make_shared<SeenPicture>(),
                                                          std::make_shared<SeenPicture>()};
     size_t front = 0;
@@ -110,7 +109,6 @@ class LookPreview {
   [[nodiscard]] Drawing drawingOf(Place& place, float scale);
   [[nodiscard]] static Drawn draw(const Drawing& drawing, const Progress& progress);
 
-  ViewportRenderer& m_renderer;
   std::function<void()> m_wake;
   std::optional<FilterLibrary> m_library;
   std::shared_ptr<Engine> m_engine;

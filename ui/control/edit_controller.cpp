@@ -168,7 +168,6 @@ void EditController::adopt(Room room) {
   m_followed = false;
   m_parts.session.showEdited(m_room.live);
   m_parts.subjects.editsChanged();
-  m_parts.renderer.forget();
   ++m_revision;
 }
 
@@ -197,7 +196,6 @@ void EditController::setStack(const EditStack& stack) {
   }
   m_parts.session.lightsChanged();
   m_parts.subjects.editsChanged();
-  m_parts.renderer.forget();
   ++m_revision;
 }
 
@@ -263,7 +261,7 @@ void EditController::refresh(LiveSet::Writing& writing, const std::vector<PixelR
   for (const Pyramid* picture : writing.pixelsChanged(changed, lights))
     for (const PixelRect& rect : changed)
       m_parts.renderer.changed(*picture, {rect.x, rect.y, rect.width, rect.height});
-  if (m_parts.subjects.editsChanged()) m_parts.renderer.forget();
+  m_parts.subjects.editsChanged();
   ++m_revision;
 }
 

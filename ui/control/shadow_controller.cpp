@@ -148,10 +148,7 @@ const Pyramid* ShadowController::visibility(int light) {
   const auto found = m_parts.edits.shadows(nameOf(light));
   if (!found) return nullptr;
   Seen& seen = m_seen[light];
-  if (seen.shadows != found) {
-    seen = {found, std::make_unique<Pyramid>(found->visibility.view())};
-    m_parts.renderer.forget();
-  }
+  if (seen.shadows != found) seen = {found, std::make_unique<Pyramid>(found->visibility.view())};
   return seen.pyramid.get();
 }
 

@@ -11,7 +11,6 @@
 #include "core/shadow/result/connected_shadow.h"
 #include "core/shadow/result/untold_pixels.h"
 #include "core/view/window_pixels.h"
-#include "render/viewport_renderer.h"
 #include "ui/control/edit_controller.h"
 #include "ui/control/light_edit.h"
 #include "ui/control/session_controller.h"
@@ -30,7 +29,6 @@ class ShadowController {
     ChosenLights lights;
     const SessionController& session;
     EditController& edits;
-    ViewportRenderer& renderer;
     ShadowState& state;
     Messages& messages;
   };

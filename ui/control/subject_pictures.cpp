@@ -58,14 +58,12 @@ void SubjectPictures::update(Messages& messages) {
     if (!m_stale) keep(m_reading, std::move(image));
   });
   if (taken == Taken::Failed) m_failed.push_back(m_reading);
-  if (m_illumination.update(messages)) ++m_revision;
+  m_illumination.update(messages);
 }
 
-bool SubjectPictures::editsChanged() {
+void SubjectPictures::editsChanged() {
   m_illumination.editsChanged();
-  const size_t before = m_shown.size();
   m_shown.remove_if([](const Shown& shown) { return followsEdits(shown.subject); });
-  return m_shown.size() != before;
 }
 
 void SubjectPictures::forget() {
@@ -74,14 +72,10 @@ void SubjectPictures::forget() {
   m_shown.clear();
   m_failed.clear();
   m_illumination.forget();
-  ++m_revision;
 }
 
 const SubjectPictures::Shown& SubjectPictures::keep(const ViewSubject& subject, Image image) {
-  if (m_shown.size() == kKeptPictures) {
-    m_shown.pop_front();
-    ++m_revision;
-  }
+  if (m_shown.size() == kKeptPictures) m_shown.pop_front();
   Shown shown{subject, std::move(image), nullptr};
   shown.pyramid = std::make_unique<Pyramid>(shown.image.view());
   m_shown.push_back(std::move(shown));

@@ -37,13 +37,11 @@ class SubjectPictures {
   }
   /// To be called often: takes what was read or found.
   void update(Messages& messages);
-  /// Pixels of the set have changed: forgets what was made of them. True where there was any.
-  bool editsChanged();
+  /// Pixels of the set have changed: forgets what was made of them.
+  void editsChanged();
   /// Another set is open.
   void forget();
   [[nodiscard]] bool busy() const { return m_job.running() || m_illumination.busy(); }
-  /// Counts up when pictures have gone.
-  [[nodiscard]] uint64_t revision() const { return m_revision; }
 
  private:
   const Shown& keep(const ViewSubject& subject, Image image);
@@ -54,7 +52,6 @@ class SubjectPictures {
   ViewSubject m_reading;
   bool m_stale = false;  ///< what is being read belongs to a set that has gone
   std::vector<ViewSubject> m_failed;
-  uint64_t m_revision = 0;
   IlluminationPictures m_illumination;
 };
 

@@ -21,15 +21,13 @@ const std::vector<const Pyramid*>& IlluminationPictures::pictures(const std::sha
   return m_pictures;
 }
 
-bool IlluminationPictures::update(Messages& messages) {
+void IlluminationPictures::update(Messages& messages) {
   const Taken taken = takeOrReport(m_job, messages, "the light on the set", [this](Found found) {
     if (!m_gone) keep(std::move(found));
   });
-  if (taken == Taken::Nothing) return false;
-  const bool other = taken == Taken::Value && !m_gone;
+  if (taken == Taken::Nothing) return;
   m_failed = taken == Taken::Failed && !m_gone;
   m_gone = false;
-  return other;
 }
 
 void IlluminationPictures::forget() {

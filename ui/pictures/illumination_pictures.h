@@ -32,8 +32,8 @@ class IlluminationPictures {
     static_cast<void>(pictures(live, still));
     return m_pools;
   }
-  /// To be called often: takes what was found. True where there are other pictures now.
-  bool update(Messages& messages);
+  /// To be called often: takes what was found.
+  void update(Messages& messages);
   /// The set's pixels have changed.
   void editsChanged() { m_stale = true; }
   /// Another set is open.

@@ -135,7 +135,6 @@ class StudioWindow {
   LookThumbnails m_thumbnails;
   CameraLookState m_cameraLook;
   LookShelf m_shelf;
-  uint64_t m_subjectsShown = 0;
   ViewTable m_table;
   LookState m_looks;
   EditController m_edits;

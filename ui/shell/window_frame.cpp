@@ -62,24 +62,19 @@ void StudioWindow::markEchoes() {
 
 // Pictures and panels of the set that was open before are of no use any more.
 void StudioWindow::noticeSet() {
-  const bool other = m_setShown != m_session.setRevision();
-  if (other) {
-    m_subjects.forget();
-    m_seen.forget();
-    m_thumbnails.forget();
-    m_shelf.readAgain();
-    m_cameraLook = {};
-    m_viewer = {};
-    m_looks = {};
-    m_editing.brush.last.reset();
-    m_editing.brush.guide.reset();
-    m_editing.selection.outlineKnown = false;
-    m_editing.chosen = -1;
-    m_editing.histograms.clear();
-  }
-  if (other || m_subjectsShown != m_subjects.revision()) m_pictures->forget();
-  m_setShown = m_session.setRevision();
-  m_subjectsShown = m_subjects.revision();
+  if (std::exchange(m_setShown, m_session.setRevision()) == m_session.setRevision()) return;
+  m_subjects.forget();
+  m_seen.forget();
+  m_thumbnails.forget();
+  m_shelf.readAgain();
+  m_cameraLook = {};
+  m_viewer = {};
+  m_looks = {};
+  m_editing.brush.last.reset();
+  m_editing.brush.guide.reset();
+  m_editing.selection.outlineKnown = false;
+  m_editing.chosen = -1;
+  m_editing.histograms.clear();
 }
 
 // What fills the window: menus, viewer and panels.

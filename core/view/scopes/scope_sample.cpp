@@ -28,9 +28,8 @@ ScopeSample scopeSample(std::span<const ViewLayer> layers, const PictureRegion& 
   std::vector<VisibleLayer> visible;
   visible.reserve(layers.size());
   for (const ViewLayer& layer : layers)
-    visible.push_back({layer.picture,
-                       layer.picture->level(0).crop(region.x, region.y, region.width, region.height),
-                       layer.factor});
+    visible.emplace_back(layer,
+                         layer.picture->level(0).crop(region.x, region.y, region.width, region.height));
   LayerSum sum;
   sum.set(std::move(visible));
   const int rows = rowsOf(region, maxPixels);
