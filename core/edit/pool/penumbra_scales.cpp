@@ -196,7 +196,7 @@ void PenumbraScales::blurRow(int x, int y, int count, const float* sigma, float*
   for (size_t k = 0; k < m_levels.size() && below < *most; ++k) {
     const auto above = static_cast<float>(sigmaOf(k));
     const cv::Mat& level = m_levels[k];
-    if (*least < 2 * above)
+    if (*least <= 2 * above)
       sampleRow(level, smallRow(x, y, {m_visibility.width(), m_visibility.height()}, level.size()), count,
                 coarser);
     mixBlurs(finer, coarser, below, above, sigma, count, visibility);

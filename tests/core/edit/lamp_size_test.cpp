@@ -118,6 +118,26 @@ TEST(PenumbraScales, AnEdgeGetsAsManyTimesAsWideAsTheLamp) {
   }
 }
 
+/// What a function finds where it has not written is no number.
+[[gnu::noinline]] void leaveNothingOnTheStack() {
+  volatile float left[8192];
+  for (volatile float& value : left) value = std::nanf("");
+}
+
+/// All of a row blurred as far as it can be.
+TEST(PenumbraScales, TheWidestBlurNeedsNoOtherOnes) {
+  const Image visibility = shadowEdge(kWidth);
+  const PenumbraScales scales(visibility, std::nullopt);
+  leaveNothingOnTheStack();
+  const std::vector<float> row = seenWith(scales, 8, 1);
+  for (int x = 0; x < kWidth; ++x) {
+    ASSERT_GT(row[size_t(x)], 0) << x;
+    ASSERT_LT(row[size_t(x)], 1) << x;
+  }
+  EXPECT_NEAR(row[kWidth / 2], .5F, .02F);
+  EXPECT_TRUE(std::is_sorted(row.begin(), row.end()));
+}
+
 TEST(PenumbraScales, ASmallLampsShadowsHaveNarrowEdgesAlready) {
   const Image visibility = shadowEdge(20);
   const PenumbraScales scales(visibility, std::nullopt);
