@@ -108,6 +108,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
 }
 
 StudioWindow::~StudioWindow() {
+  m_window.leaveThreads();
   if (m_layout != m_layoutOnDisk) writePanelLayout(m_layout, m_layoutFile);
   keepWindow();
 }
@@ -203,7 +204,8 @@ void StudioWindow::update() {
 /// Of what the last frame showed; while nothing is held, and the viewer's own picture is there.
 void StudioWindow::drawThumbnails() {
   const OpenSet* set = m_session.set();
-  if (!set || !m_layout.cameraLook) return;
+  if (!set) return;
+  if (!m_layout.cameraLook) return m_thumbnails.leave(set->live);
   SeenRequest frame = frameRequest(m_colors.config(), set->live, m_edits.revision(), m_editor.document(),
                                    m_editor.document().rig);
   frame.look = {};

@@ -2,21 +2,22 @@
 
 #include <GLFW/glfw3.h>
 
-#include <chrono>
 #include <utility>
 
 #include "core/base/error.h"
+#include "render/gl/gl_info.h"
 
 namespace swaplight {
 namespace {
-
-/// The window answers between two frames; while it closes it does not.
-constexpr std::chrono::seconds kMostWait{10};
 
 GLFWwindow* hiddenWindow() {
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);
   return glfwCreateWindow(1, 1, "hidden", nullptr, nullptr);
+}
+
+[[noreturn]] void failWithout() {
+  throw ResourceError("the window's driver makes no OpenGL context beside it");
 }
 
 }  // namespace
@@ -26,6 +27,8 @@ class HiddenContexts::Lent : public GlContext {
  public:
   Lent(std::shared_ptr<Pool> pool, GLFWwindow* window) : m_pool(std::move(pool)), m_window(window) {
     glfwMakeContextCurrent(m_window);
+    if (glfwGetCurrentContext() != m_window) failWithout();
+    installGlDebugOutput();
   }
   ~Lent() override {
     glfwMakeContextCurrent(nullptr);
@@ -44,9 +47,9 @@ HiddenContexts::HiddenContexts() {
     std::unique_lock lock(pool->mutex);
     ++pool->waiting;
     glfwPostEmptyEvent();
-    pool->changed.wait_for(lock, kMostWait, [&] { return !pool->free.empty() || pool->failed; });
+    pool->changed.wait(lock, [&] { return !pool->free.empty() || pool->ended; });
     --pool->waiting;
-    if (pool->free.empty()) throw ResourceError("the window's driver makes no OpenGL context beside it");
+    if (pool->free.empty()) failWithout();
     GLFWwindow* window = pool->free.back();
     pool->free.pop_back();
     lock.unlock();
@@ -56,21 +59,27 @@ HiddenContexts::HiddenContexts() {
 
 HiddenContexts::~HiddenContexts() {
   setGlContextSource({});
+  close();
 }
 
-void HiddenContexts::prepare(bool idle) {
+void HiddenContexts::prepare() {
   std::unique_lock lock(m_pool->mutex);
-  const size_t wanted = m_pool->waiting + (idle ? 1 : 0);
-  while (!m_pool->failed && m_pool->free.size() < wanted) {
+  while (!m_pool->ended && m_pool->free.size() < m_pool->waiting) {
     lock.unlock();
     GLFWwindow* window = hiddenWindow();
     lock.lock();
     if (window)
       m_pool->free.push_back(window);
     else
-      m_pool->failed = true;
+      m_pool->ended = true;
     m_pool->changed.notify_all();
   }
+}
+
+void HiddenContexts::close() {
+  const std::lock_guard lock(m_pool->mutex);
+  m_pool->ended = true;
+  m_pool->changed.notify_all();
 }
 
 }  // namespace swaplight

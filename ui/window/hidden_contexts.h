@@ -13,7 +13,7 @@ namespace swaplight {
 
 /// OpenGL contexts for threads that draw beside a window, from the window's own driver: those of windows that
 /// are never shown. As long as it lives it is where GlThread gets them from. GLFW makes windows only on the
-/// thread that it was started on, so a thread that finds none ready waits for prepare().
+/// thread that it was started on, so a thread that finds none free waits for prepare() there, or for close().
 class HiddenContexts {
  public:
   HiddenContexts();
@@ -22,18 +22,20 @@ class HiddenContexts {
   /// No thread may draw any more. The hidden windows end with GLFW.
   ~HiddenContexts();
 
-  /// Often, on GLFW's thread: makes what is being waited for, and, where there is time, one more.
-  void prepare(bool idle);
+  /// Often, on GLFW's thread: makes what is being waited for.
+  void prepare();
+  /// There will be no prepare() any more: who waits, and who asks from now on, gets a ResourceError.
+  void close();
 
  private:
   class Lent;
-  /// What threads share with it; they may give a context back after it.
+  /// What threads share with it.
   struct Pool {
     std::mutex mutex;
     std::condition_variable changed;
     std::vector<GLFWwindow*> free;
     size_t waiting = 0;
-    bool failed = false;  ///< the driver makes no more of them
+    bool ended = false;  ///< there will be no more of them
   };
 
   std::shared_ptr<Pool> m_pool = std::make_shared<Pool>();

@@ -49,6 +49,9 @@ class Window {
   /// What the last frame looked like.
   [[nodiscard]] virtual Pixels pixels() = 0;
 
+  /// Nobody looks after it any more: threads that wait for something of it no longer do.
+  virtual void leaveThreads() {}
+
   [[nodiscard]] virtual bool closeAsked() const { return false; }
   virtual void refuseClose() {}
   virtual void setTitle(const std::string& /*title*/) {}
