@@ -64,6 +64,7 @@ PixelRect windowPart(const ViewWindow& window, const PixelRect& picture) {
 unsigned CpuViewportRenderer::texture(const ViewportRequest& request, int place) {
   Place& here = m_places[place];
   if (here.shown == request) {
+    here.shown = request;  // the same pictures may lie elsewhere now
     if (!here.changed.empty()) drawChanged(here);
     return here.texture.id();
   }

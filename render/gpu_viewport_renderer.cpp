@@ -25,7 +25,9 @@ void GpuViewportRenderer::draw(const ViewportRequest& request, Place& place) {
     return;
   }
   viewerA.draw(relit(place.a, request.a.layers), onA, request.settings, place.target);
-  if (request.comparison.mode == Comparison::Mode::Wipe)
+  if (request.comparison.mode != Comparison::Mode::Wipe)
+    place.b = {};
+  else
     viewerFor(request.b.colorSpace)
         .draw(relit(place.b, request.b.layers), windowOnCopy(request.window, request.b.scale),
               request.settings, {.side = glm::vec3(sideOfB(request.comparison, request.window))},

@@ -13,7 +13,8 @@
 namespace swaplight {
 
 /// Computes the window's pixels by shaders. Keeps every picture that was shown on the graphics card, as half
-/// floats, as long as it lives.
+/// floats, as long as it lives and, then, until
+/// something else is drawn.
 class GpuViewportRenderer : public ViewportRenderer {
  public:
   explicit GpuViewportRenderer(std::shared_ptr<const ColorConfig> config) : m_config(std::move(config)) {}

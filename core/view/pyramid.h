@@ -22,6 +22,11 @@ class Pyramid {
  public:
   /// The picture must outlive the pyramid. Builds every level down to a side of 64.
   explicit Pyramid(ImageView picture);
+  Pyramid(const Pyramid&) = delete;
+  Pyramid& operator=(const Pyramid&) = delete;
+  Pyramid(Pyramid&&) = default;
+  Pyramid& operator=(Pyramid&&) = default;
+  ~Pyramid() = default;
 
   /// To be called when pixels of the picture have changed: makes the halves of that rectangle again.
   void refresh(int x, int y, int width, int height);

@@ -14,6 +14,7 @@ struct ViewLayer {
   const Pyramid* picture;
   Rgb factor;
   PictureLife life;  ///< the picture's
+  /// The same picture, which may lie elsewhere now: only the newest of equal layers tells where.
   bool operator==(const ViewLayer& other) const {
     return isSamePicture(life, other.life) && factor == other.factor;
   }

@@ -189,6 +189,27 @@ TEST_F(ViewportRendererTest, APictureThatLiesWhereAnotherLayIsSeenAndTakesItsMem
   }
 }
 
+/// As the lights do that stay when another one comes or goes.
+TEST_F(ViewportRendererTest, APictureMayBeMovedAndThenChange) {
+  for (const Engine engine : {Engine::Processor, Engine::Graphics}) {
+    const auto screen = makeViewportRenderer(engine, m_config);
+    Image image = smoothPicture(640, 400, 1);
+    auto old = std::make_unique<Pyramid>(image.view());
+    ViewportRequest wanted = request({0, 0, 0.5, 320, 200});
+    wanted.a = {{{&*old, Rgb(1)}}, ""};
+    (void)screen->texture(wanted);
+    Pyramid moved = std::move(*old);
+    old.reset();
+    for (int y = 101; y < 140; ++y) std::fill_n(image.span().row(0, y) + 201, 60, 1.0F);
+    moved.refresh(201, 101, 60, 39);
+    screen->changed(moved, {201, 101, 60, 39});
+    wanted.a = {{{&moved, Rgb(1)}}, ""};
+    const std::vector<uint8_t> seen = pixelsOf(screen->texture(wanted), wanted.window);
+    const auto fresh = makeViewportRenderer(engine, m_config);
+    EXPECT_EQ(seen, pixelsOf(fresh->texture(wanted), wanted.window));
+  }
+}
+
 TEST_F(ViewportRendererTest, ChangedPixelsAreSeenAfterTheyWereAnnounced) {
   for (const Engine engine : {Engine::Processor, Engine::Graphics}) {
     const auto screen = makeViewportRenderer(engine, m_config);

@@ -107,13 +107,20 @@ void LookPreview::update(Messages& messages) {
   for (const std::string& line : std::exchange(m_toReport, {})) messages.error(line);
 }
 
+void LookPreview::forget(Place& place) {
+  place.job.drop();
+  place.asked = place.making = place.shown = place.failed = {};
+  place.draft = place.exact = {};
+  place.shownScale = 0;
+}
+
 void LookPreview::forget() {
-  for (Place& place : m_places) {
-    place.job.cancel();
-    place.asked = place.shown = place.failed = {};
-    place.draft = place.exact = {};
-    place.shownScale = 0;
-  }
+  for (Place& place : m_places) forget(place);
+}
+
+void LookPreview::leave(Side side, const std::shared_ptr<const LiveSet>& live) {
+  Place& place = m_places.at(static_cast<size_t>(side));
+  if (place.asked.live && place.asked.live != live) forget(place);
 }
 
 bool LookPreview::busy() const {

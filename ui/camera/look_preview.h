@@ -56,6 +56,8 @@ class LookPreview {
   void update(Messages& messages);
   /// Another set is open.
   void forget();
+  /// Nothing of it is shown: lets go of it, unless it is of these pixels, to be shown again at once.
+  void leave(Side side, const std::shared_ptr<const LiveSet>& live);
   /// A picture is being drawn.
   [[nodiscard]] bool busy() const;
 
@@ -100,6 +102,7 @@ class LookPreview {
     Job<Drawn> job;
   };
 
+  static void forget(Place& place);
   void advance(Place& place);
   void start(Place& place, float scale);
   void waitForDraft(Place& place);

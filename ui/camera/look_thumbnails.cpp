@@ -60,8 +60,12 @@ size_t LookThumbnails::pending() const {
                                            [this](const auto& entry) { return isWanted(entry.second); }));
 }
 
+void LookThumbnails::leave(const std::shared_ptr<const LiveSet>& live) {
+  if (m_frame && m_frame->live != live) forget();
+}
+
 void LookThumbnails::forget() {
-  m_job.cancel();
+  m_job.drop();
   m_entries.clear();
   m_frame.reset();
   m_light.reset();

@@ -43,6 +43,8 @@ class LookThumbnails {
   [[nodiscard]] size_t pending() const;
   /// Another set is open.
   void forget();
+  /// None are shown: lets go of them, unless they are of these pixels.
+  void leave(const std::shared_ptr<const LiveSet>& live);
 
  private:
   struct Entry {

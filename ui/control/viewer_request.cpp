@@ -21,7 +21,10 @@ std::optional<SeenRequest> requestOf(const ViewerContext& studio, const Rig& rig
 std::optional<LayeredPicture> seenPicture(const ViewerContext& studio, LookPreview::Side side,
                                           const Rig& rig) {
   const auto request = requestOf(studio, rig);
-  if (!request) return std::nullopt;
+  if (!request) {
+    studio.seen.leave(side, studio.set()->live);
+    return std::nullopt;
+  }
   return studio.seen.picture(side, *request,
                              {.settled = !studio.editor.inGesture(),
                               .asLarge = studio.view.compare.mode == CompareState::Mode::Difference});
@@ -80,7 +83,10 @@ ViewerPictures viewerPictures(const ViewerContext& studio) {
   const CompareState& compare = studio.view.compare;
   ViewerPictures pictures;
   pictures.a = sidePicture(studio, LookPreview::Side::A, studio.view.subject, studio.document().rig);
-  if (!compare.isOn()) return pictures;
+  if (!compare.isOn()) {
+    studio.seen.leave(LookPreview::Side::B, studio.set()->live);
+    return pictures;
+  }
   const Rig other = compare.rig ? fitRig(*compare.rig, studio.set()->solved().capture)
                                 : defaultRig(studio.set()->solved().capture);
   pictures.b = sidePicture(studio, LookPreview::Side::B, compare.subject, other);

@@ -45,7 +45,7 @@ class LiveSet {
   /// While it lives, only this thread reads.
   class Writing {
    public:
-    /// Pixels of these lights in these rectangles have changed. Returns the pictures that are other ones now.
+    /// Pixels of these lights in these rectangles have changed. Returns the pictures that show them.
     std::vector<const Pyramid*> pixelsChanged(const std::vector<PixelRect>& changed,
                                               const std::set<int>& lights) {
       return m_pictures.refresh(changed, lights);

@@ -22,7 +22,7 @@ class ViewPictures {
   [[nodiscard]] int height() const { return m_set->height(); }
 
   /// To be called when pixels of these lights have changed, of all lights: those of the ambient light, too.
-  /// Returns the pictures that are other ones now.
+  /// Returns the pictures that show them.
   std::vector<const Pyramid*> refresh(const std::vector<PixelRect>& changed, const std::set<int>& lights);
   /// To be called when the set has other lights: pictures that lie where they lay are kept.
   void lightsChanged();
