@@ -42,8 +42,9 @@ bool hasZebra(const ViewSettings& settings) {
 }
 
 bool shows(const LayeredPicture& shown, const Pyramid& picture) {
-  return std::any_of(shown.layers.begin(), shown.layers.end(),
-                     [&](const ViewLayer& layer) { return isSamePicture(layer.life, picture.life()); });
+  return std::any_of(shown.layers.begin(), shown.layers.end(), [&](const ViewLayer& layer) {
+    return isSamePicture(layer.identity, picture.identity());
+  });
 }
 
 /// The pixels of a window in which a part of the picture counts: with what interpolation and the halves of
@@ -64,7 +65,7 @@ PixelRect windowPart(const ViewWindow& window, const PixelRect& picture) {
 unsigned CpuViewportRenderer::texture(const ViewportRequest& request, int place) {
   Place& here = m_places[place];
   if (here.shown == request) {
-    here.shown = request;  // the same pictures may lie elsewhere now
+    here.shown = request;  // the pictures may have been moved
     if (!here.changed.empty()) drawChanged(here);
     return here.texture.id();
   }

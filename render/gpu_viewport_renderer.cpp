@@ -50,11 +50,11 @@ TiledTexture& GpuViewportRenderer::relit(Frame& frame, const std::vector<ViewLay
 }
 
 const TiledTexture& GpuViewportRenderer::uploaded(const Pyramid& picture) {
-  const auto found = m_pictures.find(picture.life());
+  const auto found = m_pictures.find(picture.identity());
   if (found != m_pictures.end()) return found->second;
   TiledTexture texture(picture.width(), picture.height(), largestTextureSide());
   updatePicture(texture, picture.level(0), 0, 0);
-  return m_pictures.emplace(picture.life(), std::move(texture)).first->second;
+  return m_pictures.emplace(picture.identity(), std::move(texture)).first->second;
 }
 
 ViewRenderer& GpuViewportRenderer::viewerFor(const std::string& colorSpace) {
@@ -62,7 +62,7 @@ ViewRenderer& GpuViewportRenderer::viewerFor(const std::string& colorSpace) {
 }
 
 void GpuViewportRenderer::changed(const Pyramid& picture, const TileRect& where) {
-  const auto found = m_pictures.find(picture.life());
+  const auto found = m_pictures.find(picture.identity());
   if (found == m_pictures.end()) return;
   updatePicture(found->second, picture.level(0).crop(where.x, where.y, where.width, where.height), where.x,
                 where.y);

@@ -13,8 +13,7 @@
 namespace swaplight {
 
 /// Computes the window's pixels by shaders. Keeps every picture that was shown on the graphics card, as half
-/// floats, as long as it lives and, then, until
-/// something else is drawn.
+/// floats, until something else is drawn after it was destroyed.
 class GpuViewportRenderer : public ViewportRenderer {
  public:
   explicit GpuViewportRenderer(std::shared_ptr<const ColorConfig> config) : m_config(std::move(config)) {}
@@ -42,7 +41,7 @@ class GpuViewportRenderer : public ViewportRenderer {
 
   std::shared_ptr<const ColorConfig> m_config;  ///< what is made of it refers to it: it stays first
   LayerRenderer m_layers;
-  std::map<PictureLife, TiledTexture, std::owner_less<>> m_pictures;
+  std::map<PictureIdentity, TiledTexture, std::owner_less<>> m_pictures;
   std::map<std::string, ViewRenderer> m_viewers;  ///< by colour space
   std::map<int, Place> m_places;
 };

@@ -39,8 +39,8 @@ enum class Engine {
   Processor,  ///< core/view, at the size shown; the result is uploaded
 };
 
-/// Makes textures of what is to be seen, and remembers what it made of pictures for as long as they live.
-/// Needs the OpenGL context in which it was made.
+/// Makes textures of what is to be seen, and caches what it made of pictures as long as these exist. Needs
+/// the OpenGL context in which it was made.
 class ViewportRenderer {
  public:
   ViewportRenderer() = default;

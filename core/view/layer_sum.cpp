@@ -14,7 +14,7 @@ constexpr int kFewestOthers = 2;
 
 bool samePixels(const std::vector<VisibleLayer>& a, const std::vector<VisibleLayer>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const VisibleLayer& x, const VisibleLayer& y) {
-    return isSamePicture(x.life, y.life) && x.pixels.data == y.pixels.data &&
+    return isSamePicture(x.identity, y.identity) && x.pixels.data == y.pixels.data &&
            x.pixels.width == y.pixels.width && x.pixels.height == y.pixels.height &&
            x.pixels.rowStride == y.pixels.rowStride;
   });
@@ -50,7 +50,7 @@ void LayerSum::set(std::vector<VisibleLayer> layers) {
 
 void LayerSum::pixelsChanged(const Pyramid& picture) {
   for (size_t i = 0; i < m_layers.size(); ++i)
-    if (isSamePicture(m_layers[i].life, picture.life())) m_stale[i] = 1;
+    if (isSamePicture(m_layers[i].identity, picture.identity())) m_stale[i] = 1;
 }
 
 void LayerSum::rememberOthers() {

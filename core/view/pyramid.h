@@ -7,11 +7,11 @@
 
 namespace swaplight {
 
-/// Goes with a picture, so that whoever remembers what was made of it finds out that it is no more: another
-/// one may come to lie where it lay.
-using PictureLife = std::weak_ptr<const void>;
+/// Identifies a picture for caches. An address would not: another picture may be created there later. Expires
+/// with the picture.
+using PictureIdentity = std::weak_ptr<const void>;
 
-[[nodiscard]] inline bool isSamePicture(const PictureLife& a, const PictureLife& b) {
+[[nodiscard]] inline bool isSamePicture(const PictureIdentity& a, const PictureIdentity& b) {
   return !a.owner_before(b) && !b.owner_before(a);
 }
 
@@ -37,13 +37,13 @@ class Pyramid {
   }
   [[nodiscard]] int width() const { return m_picture.width; }
   [[nodiscard]] int height() const { return m_picture.height; }
-  /// Wherever it is moved to.
-  [[nodiscard]] PictureLife life() const { return m_life; }
+  /// The same after the pyramid was moved.
+  [[nodiscard]] PictureIdentity identity() const { return m_identity; }
 
  private:
   ImageView m_picture;
   std::vector<Image> m_halves;
-  std::shared_ptr<const void> m_life = std::make_shared<char>();
+  std::shared_ptr<const void> m_identity = std::make_shared<char>();
 };
 
 /// Every 2 x 2 pixels averaged.

@@ -9,14 +9,15 @@ namespace swaplight {
 /// factor.
 struct ViewLayer {
   ViewLayer(const Pyramid* shown, const Rgb& times = Rgb(1))
-      : picture(shown), factor(times), life(shown ? shown->life() : PictureLife{}) {}
+      : picture(shown), factor(times), identity(shown ? shown->identity() : PictureIdentity{}) {}
 
   const Pyramid* picture;
   Rgb factor;
-  PictureLife life;  ///< the picture's
-  /// The same picture, which may lie elsewhere now: only the newest of equal layers tells where.
+  PictureIdentity identity;  ///< the picture's
+  /// The same picture and factor. The picture may have been moved: only the newest of equal layers has its
+  /// address.
   bool operator==(const ViewLayer& other) const {
-    return isSamePicture(life, other.life) && factor == other.factor;
+    return isSamePicture(identity, other.identity) && factor == other.factor;
   }
 };
 

@@ -52,7 +52,7 @@ void seeThroughFilters(DocumentEditor& editor) {
 }
 
 /// What the studio said last, for a measurement that cannot go on.
-std::string lastWords(StudioWindow& studio) {
+std::string lastMessage(StudioWindow& studio) {
   const auto& said = studio.messages().messages();
   return said.empty() ? "it is still being drawn" : said.back().text;
 }
@@ -64,7 +64,7 @@ void drawFiltered(BenchStage& stage, bool exact) {
   bool onScreen = true;  // what was there before the last frame
   while (!seen.follows(LookPreview::Side::A, exact)) {
     if (Clock::now() > end)
-      throw InputError("--bench-ui: the camera look is not drawn: {}", lastWords(stage.studio()));
+      throw InputError("--bench-ui: the camera look is not drawn: {}", lastMessage(stage.studio()));
     onScreen = stage.rest();
   }
   if (!onScreen) stage.drawFrame();

@@ -118,7 +118,7 @@ void LookPreview::forget() {
   for (Place& place : m_places) forget(place);
 }
 
-void LookPreview::leave(Side side, const std::shared_ptr<const LiveSet>& live) {
+void LookPreview::releaseOtherSet(Side side, const std::shared_ptr<const LiveSet>& live) {
   Place& place = m_places.at(static_cast<size_t>(side));
   if (place.asked.live && place.asked.live != live) forget(place);
 }

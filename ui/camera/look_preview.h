@@ -57,7 +57,7 @@ class LookPreview {
   /// Another set is open.
   void forget();
   /// Nothing of it is shown: lets go of it, unless it is of these pixels, to be shown again at once.
-  void leave(Side side, const std::shared_ptr<const LiveSet>& live);
+  void releaseOtherSet(Side side, const std::shared_ptr<const LiveSet>& live);
   /// A picture is being drawn.
   [[nodiscard]] bool busy() const;
 

@@ -60,7 +60,7 @@ size_t LookThumbnails::pending() const {
                                            [this](const auto& entry) { return isWanted(entry.second); }));
 }
 
-void LookThumbnails::leave(const std::shared_ptr<const LiveSet>& live) {
+void LookThumbnails::releaseOtherSet(const std::shared_ptr<const LiveSet>& live) {
   if (m_frame && m_frame->live != live) forget();
 }
 

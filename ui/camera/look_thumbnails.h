@@ -44,7 +44,7 @@ class LookThumbnails {
   /// Another set is open.
   void forget();
   /// None are shown: lets go of them, unless they are of these pixels.
-  void leave(const std::shared_ptr<const LiveSet>& live);
+  void releaseOtherSet(const std::shared_ptr<const LiveSet>& live);
 
  private:
   struct Entry {

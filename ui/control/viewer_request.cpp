@@ -22,7 +22,7 @@ std::optional<LayeredPicture> seenPicture(const ViewerContext& studio, LookPrevi
                                           const Rig& rig) {
   const auto request = requestOf(studio, rig);
   if (!request) {
-    studio.seen.leave(side, studio.set()->live);
+    studio.seen.releaseOtherSet(side, studio.set()->live);
     return std::nullopt;
   }
   return studio.seen.picture(side, *request,
@@ -84,7 +84,7 @@ ViewerPictures viewerPictures(const ViewerContext& studio) {
   ViewerPictures pictures;
   pictures.a = sidePicture(studio, LookPreview::Side::A, studio.view.subject, studio.document().rig);
   if (!compare.isOn()) {
-    studio.seen.leave(LookPreview::Side::B, studio.set()->live);
+    studio.seen.releaseOtherSet(LookPreview::Side::B, studio.set()->live);
     return pictures;
   }
   const Rig other = compare.rig ? fitRig(*compare.rig, studio.set()->solved().capture)

@@ -108,7 +108,7 @@ StudioWindow::StudioWindow(Window& window, const StudioOptions& options)
 }
 
 StudioWindow::~StudioWindow() {
-  m_window.leaveThreads();
+  m_window.releaseWaitingThreads();
   if (m_layout != m_layoutOnDisk) writePanelLayout(m_layout, m_layoutFile);
   keepWindow();
 }
@@ -205,7 +205,7 @@ void StudioWindow::update() {
 void StudioWindow::drawThumbnails() {
   const OpenSet* set = m_session.set();
   if (!set) return;
-  if (!m_layout.cameraLook) return m_thumbnails.leave(set->live);
+  if (!m_layout.cameraLook) return m_thumbnails.releaseOtherSet(set->live);
   SeenRequest frame = frameRequest(m_colors.config(), set->live, m_edits.revision(), m_editor.document(),
                                    m_editor.document().rig);
   frame.look = {};

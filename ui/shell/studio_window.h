@@ -94,9 +94,9 @@ class StudioWindow {
   void keepWindow() const;
   void startTour();
   void drawThumbnails();
-  void noticeSet();
-  void drawMain();
-  void drawAbove();
+  void resetForNewSet();
+  void drawMainWindow();
+  void drawOverlays();
   void drawTour();
   void markEchoes();
   void markStates();

@@ -61,7 +61,7 @@ void StudioWindow::markEchoes() {
 }
 
 // Pictures and panels of the set that was open before are of no use any more.
-void StudioWindow::noticeSet() {
+void StudioWindow::resetForNewSet() {
   if (std::exchange(m_setShown, m_session.setRevision()) == m_session.setRevision()) return;
   m_subjects.forget();
   m_seen.forget();
@@ -78,7 +78,7 @@ void StudioWindow::noticeSet() {
 }
 
 // What fills the window: menus, viewer and panels.
-void StudioWindow::drawMain() {
+void StudioWindow::drawMainWindow() {
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -98,7 +98,7 @@ void StudioWindow::drawMain() {
 }
 
 // What lies over it.
-void StudioWindow::drawAbove() {
+void StudioWindow::drawOverlays() {
   m_chooser.draw();
   if (!m_chooser.isOpen()) drawDialogs();
   m_unsaved.draw();
@@ -130,13 +130,13 @@ void StudioWindow::frame() {
   hearKeys();
   m_cues.update(m_lights);
   markEchoes();
-  noticeSet();
+  resetForNewSet();
   m_colors.follow(m_editor.document().colorConfig, m_messages);
   m_pictures->setConfig(m_colors.config());
   m_window.beginFrame();
   m_thumbnails.beginFrame();
-  drawMain();
-  drawAbove();
+  drawMainWindow();
+  drawOverlays();
   // However it was made, a gesture ends when nothing is held any more: one gesture, one step.
   if (m_editor.inGesture() && !ImGui::IsAnyItemActive() && !m_mixer.nudging && !m_cues.fading())
     m_editor.commit();

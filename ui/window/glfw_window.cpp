@@ -111,7 +111,7 @@ class DesktopWindow : public Window {
   }
 
   void wait(double seconds) override {
-    m_contexts.prepare();
+    m_contexts.createRequested();
     const double deaf = m_heard ? glfwGetTime() - *m_heard : 0;
     if (frameWanted())
       glfwPollEvents();
@@ -161,7 +161,7 @@ class DesktopWindow : public Window {
   void keepPixels() override { m_keepPixels = true; }
   [[nodiscard]] Pixels pixels() override { return m_pixels; }
 
-  void leaveThreads() override { m_contexts.close(); }
+  void releaseWaitingThreads() override { m_contexts.close(); }
 
   [[nodiscard]] bool closeAsked() const override { return glfwWindowShouldClose(m_window) != 0; }
   void refuseClose() override { glfwSetWindowShouldClose(m_window, GLFW_FALSE); }

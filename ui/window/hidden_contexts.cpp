@@ -23,14 +23,14 @@ GLFWwindow* hiddenWindow() {
 }  // namespace
 
 /// Current on a thread until that gives it back.
-class HiddenContexts::Lent : public GlContext {
+class HiddenContexts::Leased : public GlContext {
  public:
-  Lent(std::shared_ptr<Pool> pool, GLFWwindow* window) : m_pool(std::move(pool)), m_window(window) {
+  Leased(std::shared_ptr<Pool> pool, GLFWwindow* window) : m_pool(std::move(pool)), m_window(window) {
     glfwMakeContextCurrent(m_window);
     if (glfwGetCurrentContext() != m_window) failWithout();
     installGlDebugOutput();
   }
-  ~Lent() override {
+  ~Leased() override {
     glfwMakeContextCurrent(nullptr);
     const std::lock_guard lock(m_pool->mutex);
     m_pool->free.push_back(m_window);
@@ -53,7 +53,7 @@ HiddenContexts::HiddenContexts() {
     GLFWwindow* window = pool->free.back();
     pool->free.pop_back();
     lock.unlock();
-    return std::make_unique<Lent>(pool, window);
+    return std::make_unique<Leased>(pool, window);
   });
 }
 
@@ -62,7 +62,7 @@ HiddenContexts::~HiddenContexts() {
   close();
 }
 
-void HiddenContexts::prepare() {
+void HiddenContexts::createRequested() {
   std::unique_lock lock(m_pool->mutex);
   while (!m_pool->ended && m_pool->free.size() < m_pool->waiting) {
     lock.unlock();

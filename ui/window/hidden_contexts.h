@@ -13,7 +13,8 @@ namespace swaplight {
 
 /// OpenGL contexts for threads that draw beside a window, from the window's own driver: those of windows that
 /// are never shown. As long as it lives it is where GlThread gets them from. GLFW makes windows only on the
-/// thread that it was started on, so a thread that finds none free waits for prepare() there, or for close().
+/// thread that it was started on, so a thread that finds none free waits for createRequested() there, or for
+/// close().
 class HiddenContexts {
  public:
   HiddenContexts();
@@ -23,12 +24,12 @@ class HiddenContexts {
   ~HiddenContexts();
 
   /// Often, on GLFW's thread: makes what is being waited for.
-  void prepare();
-  /// There will be no prepare() any more: who waits, and who asks from now on, gets a ResourceError.
+  void createRequested();
+  /// There will be no createRequested() any more: who waits, and who asks from now on, gets a ResourceError.
   void close();
 
  private:
-  class Lent;
+  class Leased;
   /// What threads share with it.
   struct Pool {
     std::mutex mutex;

@@ -49,8 +49,8 @@ class Window {
   /// What the last frame looked like.
   [[nodiscard]] virtual Pixels pixels() = 0;
 
-  /// Nobody looks after it any more: threads that wait for something of it no longer do.
-  virtual void leaveThreads() {}
+  /// The studio ends: threads that wait for the window to create an OpenGL context stop waiting.
+  virtual void releaseWaitingThreads() {}
 
   [[nodiscard]] virtual bool closeAsked() const { return false; }
   virtual void refuseClose() {}

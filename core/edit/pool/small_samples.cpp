@@ -42,7 +42,7 @@ void sampleRow(const cv::Mat& small, const SmallRow& row, int count, float* out)
   const auto* below = small.ptr<float>(std::min(v.index + 1, small.rows - 1));
   const int last = small.cols - 1;
   // Its pixels are no smaller than the row's.
-  std::array<float, kBlock + 3 + kBeyondSmallRow> mixed;
+  std::array<float, kBlock + 3 + kSmallRowPadding> mixed;
   std::array<float, roundedUpToLanes(kBlock)> samples;
   for (int begin = 0; begin < count; begin += kBlock) {
     const int block = std::min(kBlock, count - begin);
@@ -51,7 +51,7 @@ void sampleRow(const cv::Mat& small, const SmallRow& row, int count, float* out)
     // One more, since places may be rounded otherwise there.
     const int to = std::min(between(x + row.step * static_cast<float>(block - 1), last).index + 2, last);
     mixRows(above + from, below + from, v.part, to - from + 1, mixed.data());
-    std::fill_n(mixed.data() + (to - from + 1), kBeyondSmallRow, 0.F);
+    std::fill_n(mixed.data() + (to - from + 1), kSmallRowPadding, 0.F);
     SWAPLIGHT_KERNEL(mixColumns)(mixed.data(), from, last, x, row.step, block, samples.data());
     std::copy_n(samples.data(), block, out + begin);
   }

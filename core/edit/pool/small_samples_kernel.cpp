@@ -4,7 +4,7 @@
 
 namespace swaplight::SWAPLIGHT_LEVEL {
 
-static_assert(2 * kLanes <= kBeyondSmallRow);
+static_assert(2 * kLanes <= kSmallRowPadding);
 
 // As many pixels as lanes lie between so few of the small row's that two registers hold these: the wanted
 // ones are chosen there, which is several times faster than to fetch each from memory.

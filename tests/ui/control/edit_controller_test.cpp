@@ -49,9 +49,9 @@ TEST(EditController, ThePictureFollowsTheDocumentAndUndo) {
   studio.open(test::smallSet(3, 300, 200));
   const auto original = studio.session.set()->original;
   const auto firstPicture = [&] {
-    return studio.session.set()->live->pictures().contributions().front().life();
+    return studio.session.set()->live->pictures().contributions().front().identity();
   };
-  const PictureLife solvedPicture = firstPicture();
+  const PictureIdentity solvedPicture = firstPicture();
   studio.append(fill("light2", 0.5F));
   settle(studio);
   const uint64_t first = studio.edits.revision();
