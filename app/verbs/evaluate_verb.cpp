@@ -16,6 +16,9 @@ struct EvaluateCommand {
   std::string test;
   std::string reference;
   std::string metrics;
+  std::string channels;
+  std::vector<std::string> regions;
+  std::vector<double> weights;
   std::optional<float> scale;
   EvaluateOptions options;
 };
@@ -29,6 +32,17 @@ int run(const EvaluateCommand& arguments, Terminal& terminal) {
   EvaluateOptions options = arguments.options;
   if (!arguments.metrics.empty()) options.metrics = metricsFromNames(arguments.metrics);
   options.scale = arguments.scale;
+  std::stringstream channels(arguments.channels);
+  for (std::string name; std::getline(channels, name, ',');) options.channels.push_back(name);
+  for (const std::string& text : arguments.regions) {
+    const EvaluatedRegion region = regionFromText(text);
+    for (const EvaluatedRegion& other : options.regions)
+      if (other.name == region.name)
+        throw InputError("--region {}: there are two of that name. Give each its own.", region.name);
+    options.regions.push_back(region);
+  }
+  if (!arguments.weights.empty())
+    options.difference.weights = {arguments.weights[0], arguments.weights[1], arguments.weights[2]};
   std::error_code ignored;  // the reader says it better
   const bool folders = fs::is_directory(arguments.test, ignored);
   if (folders != fs::is_directory(arguments.reference, ignored))
@@ -61,6 +75,22 @@ void addEvaluateVerb(Program& program) {
                   "The reference: a picture, or a folder with pictures of the same names")
       ->required();
   verb.add_option("--metric", a->metrics, "de2000,absdiff,rmse,psnr (default: all)")->type_name("LIST");
+  verb.add_option("--weights", a->weights,
+                  "Weights of lightness, chroma and hue in de2000 (default: 1,1,1; 5,1,1: lightness a fifth)")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(NumberRange(1e-3, 1e3))
+      ->type_name("L,C,H");
+  verb.add_option("--threshold", a->options.difference.threshold,
+                  "Give the share of pixels that differ by more than X, for every metric but psnr")
+      ->check(NumberRange(0, 1e30))
+      ->type_name("X");
+  verb.add_option("--channels", a->channels,
+                  "Compare these channels as numbers, each by its name in both: beta.key, or beta.* for all "
+                  "(default: R, G, B; where a file has none, all channels of both)")
+      ->type_name("LIST");
+  verb.add_option("--region", a->regions, "Measure this rectangle by itself, too; may be given again")
+      ->type_name("[NAME=]X,Y,W,H");
   verb.add_option(
           "--scale", a->scale,
           "Show linear pictures at this exposure (default: the reference's 99.5th percentile becomes .9)")

@@ -12,6 +12,7 @@
 #include "core/capture/left_out.h"
 #include "core/capture/no_such_light.h"
 #include "core/capture/response_curve.h"
+#include "core/image/cropped_image.h"
 #include "core/intake/capture_draft.h"
 #include "core/intake/rotation_guess.h"
 #include "core/ocio/chosen_config.h"

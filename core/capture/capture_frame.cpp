@@ -23,21 +23,6 @@ double checkedScale(double scale) {
   return scale;
 }
 
-Image croppedImage(const Image& image, const PixelRect& crop, const std::string& name) {
-  if (crop.empty() || crop.x < 0 || crop.y < 0 || crop.right() > image.width() ||
-      crop.bottom() > image.height())
-    throw InputError("{}: is {} x {} pixels, the crop {},{},{},{} does not lie inside. Crop less.", name,
-                     image.width(), image.height(), crop.x, crop.y, crop.width, crop.height);
-  ImageSpec spec = image.spec();
-  spec.width = crop.width;
-  spec.height = crop.height;
-  Image part(spec);
-  for (int c = 0; c < image.channelCount(); ++c)
-    for (int y = 0; y < crop.height; ++y)
-      std::copy_n(image.view().row(c, crop.y + y) + crop.x, crop.width, part.span().row(c, y));
-  return part;
-}
-
 Image scaledImage(const Image& image, double scale, float clip) {
   Image small = shrunkImage(image, static_cast<int>(std::lround(scale * image.width())),
                             static_cast<int>(std::lround(scale * image.height())));

@@ -20,8 +20,6 @@ struct CaptureFrame {
 /// A scale within its range. Throws InputError.
 [[nodiscard]] double checkedScale(double scale);
 
-/// The rectangle of an image. Throws InputError where it does not lie inside; `name` begins the message.
-[[nodiscard]] Image croppedImage(const Image& image, const PixelRect& crop, const std::string& name);
 /// The image made smaller by averaging in linear light. Where one of the pixels that are averaged reaches
 /// `clip`, the result does, too: nothing saturated gets lost in an average.
 [[nodiscard]] Image scaledImage(const Image& image, double scale, float clip);

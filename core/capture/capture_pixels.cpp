@@ -11,6 +11,7 @@
 #include "core/capture/response_curve.h"
 #include "core/capture/sensor_limits.h"
 #include "core/color/chromaticities.h"
+#include "core/image/cropped_image.h"
 #include "core/image/images_in_files.h"
 #include "core/image/io/image_format.h"
 #include "core/image/rgb_image.h"

@@ -38,7 +38,7 @@ Lab labAt(ImageView image, int x, int y, double scale) {
 
 }  // namespace
 
-double deltaE2000(const Lab& x, const Lab& y) {
+double deltaE2000(const Lab& x, const Lab& y, const DeltaEWeights& weights) {
   // Chroma and hue, with a* stretched for colours near grey.
   const double stretch = 1 + .5 * (1 - saturation((std::hypot(x.a, x.b) + std::hypot(y.a, y.b)) / 2));
   const double ax = stretch * x.a;
@@ -66,7 +66,7 @@ double deltaE2000(const Lab& x, const Lab& y) {
     meanH /= 2;
   }
 
-  // Weights.
+  // How much each weighs for the eye.
   const double t = 1 - .17 * std::cos((meanH - 30) * kDegree) + .24 * std::cos(2 * meanH * kDegree) +
                    .32 * std::cos((3 * meanH + 6) * kDegree) - .2 * std::cos((4 * meanH - 63) * kDegree);
   const double l50 = (meanL - 50) * (meanL - 50);
@@ -76,20 +76,21 @@ double deltaE2000(const Lab& x, const Lab& y) {
   const double blue = (meanH - 275) / 25;
   const double rT = -2 * saturation(meanC) * std::sin(60 * std::exp(-blue * blue) * kDegree);
 
-  const double l = dL / sL;
-  const double c = dC / sC;
-  const double h = dH / sH;
+  const double l = dL / (weights.lightness * sL);
+  const double c = dC / (weights.chroma * sC);
+  const double h = dH / (weights.hue * sH);
   return std::sqrt(l * l + c * c + h * h + rT * c * h);
 }
 
-void deltaE2000(ImageView test, ImageView reference, float scale, ImageSpan out) {
+void deltaE2000(ImageView test, ImageView reference, float scale, ImageSpan out,
+                const DeltaEWeights& weights) {
   parallelRows(out.height, 8, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < out.width; ++x)
-        out.at(0, x, y) =
-            isFinite(test, x, y) && isFinite(reference, x, y)
-                ? static_cast<float>(deltaE2000(labAt(test, x, y, scale), labAt(reference, x, y, scale)))
-                : std::numeric_limits<float>::quiet_NaN();
+        out.at(0, x, y) = isFinite(test, x, y) && isFinite(reference, x, y)
+                              ? static_cast<float>(deltaE2000(labAt(test, x, y, scale),
+                                                              labAt(reference, x, y, scale), weights))
+                              : std::numeric_limits<float>::quiet_NaN();
   });
 }
 

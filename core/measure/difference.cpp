@@ -31,29 +31,27 @@ double psnr(double peak, double rmse) {
   return rmse > 0 ? std::min(20 * std::log10(peak / rmse), kLargestPsnr) : kLargestPsnr;
 }
 
-// Fills `out` with valueOf(differences of R, G, B) for each pixel.
-template <typename ValueOf>
-void mapDifferences(const PicturePair& pair, float* out, const ValueOf& valueOf) {
+// Fills `out` with the mean over the channels of valueOf(difference), put through `end`, for each pixel.
+template <typename ValueOf, typename End>
+void mapDifferences(const PicturePair& pair, float* out, const ValueOf& valueOf, const End& endOf) {
   const int width = pair.test.width();
+  const int channels = pair.test.channelCount();
   parallelRows(pair.test.height(), 32, [&](int begin, int end) {
     const ptrdiff_t last = static_cast<ptrdiff_t>(end) * width;
     for (ptrdiff_t p = static_cast<ptrdiff_t>(begin) * width; p < last; ++p) {
-      double d[3];
-      for (int c = 0; c < 3; ++c)
-        d[c] = static_cast<double>(pair.test.plane(c)[p]) - pair.reference.plane(c)[p];
-      const double value = valueOf(d);
-      out[p] = std::isfinite(d[0] + d[1] + d[2]) ? static_cast<float>(value)
-                                                 : std::numeric_limits<float>::quiet_NaN();
+      double sum = 0;
+      for (int c = 0; c < channels; ++c)
+        sum += valueOf(static_cast<double>(pair.test.plane(c)[p]) - pair.reference.plane(c)[p]);
+      out[p] = std::isfinite(sum) ? static_cast<float>(endOf(sum / channels))
+                                  : std::numeric_limits<float>::quiet_NaN();
     }
   });
 }
 
-// Both pictures as linear light, which CIEDE2000 starts from.
+// A picture as linear light, which CIEDE2000 starts from.
 Image linearOf(const Image& image, bool encoded) {
   Image linear = image.clone();
-  if (!encoded) return linear;
-  for (int c = 0; c < 3; ++c)
-    for (float& v : std::span(linear.plane(c), linear.pixelCount())) v = linearFromSrgb(v);
+  if (encoded) linearize(linear);
   return linear;
 }
 
@@ -83,6 +81,11 @@ std::vector<Metric> metricsFromNames(const std::string& names) {
   return metrics;
 }
 
+void linearize(Image& image) {
+  for (int c = 0; c < image.channelCount(); ++c)
+    for (float& v : std::span(image.plane(c), image.pixelCount())) v = linearFromSrgb(v);
+}
+
 float displayScale(ImageView reference) {
   std::vector<float> values;
   values.reserve(static_cast<size_t>(reference.width) * reference.height * 3);
@@ -95,28 +98,25 @@ float displayScale(ImageView reference) {
   return bright > 0 ? static_cast<float>(.9 / bright) : 1;
 }
 
-Difference difference(const PicturePair& pair, Metric metric) {
+Difference difference(const PicturePair& pair, Metric metric, const DifferenceOptions& options) {
   const Image& test = pair.test;
   Difference result{
       metric, Image(ImageSpec{test.width(), test.height(), {metricName(metric)}, "data"}), {}, 0};
   float* map = result.map.plane(0);
   const double peak = pair.encoded ? 1 : 1. / pair.scale;
-  const auto rootMeanSquare = [](const double* d) {
-    return std::sqrt((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / 3);
-  };
-
   switch (metric) {
     case Metric::DeltaE2000:
       deltaE2000(linearOf(test, pair.encoded).view(), linearOf(pair.reference, pair.encoded).view(),
-                 pair.scale, result.map.span());
+                 pair.scale, result.map.span(), options.weights);
       break;
     case Metric::AbsDiff:
-      mapDifferences(pair, map,
-                     [](const double* d) { return (std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2])) / 3; });
+      mapDifferences(
+          pair, map, [](double d) { return std::abs(d); }, [](double mean) { return mean; });
       break;
     case Metric::Rmse:
     case Metric::Psnr:
-      mapDifferences(pair, map, rootMeanSquare);
+      mapDifferences(
+          pair, map, [](double d) { return d * d; }, [](double mean) { return std::sqrt(mean); });
       break;
   }
 
@@ -134,6 +134,10 @@ Difference difference(const PicturePair& pair, Metric metric) {
   result.value = metric == Metric::Rmse   ? rmse
                  : metric == Metric::Psnr ? psnr(peak, rmse)
                                           : result.statistics.mean;
+  if (options.threshold && metric != Metric::Psnr) {
+    const auto above = std::count_if(map, map + pixels, [&](float v) { return v > *options.threshold; });
+    result.shareAbove = static_cast<double>(above) / static_cast<double>(count);
+  }
   return result;
 }
 

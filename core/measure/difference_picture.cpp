@@ -72,15 +72,17 @@ Image drawDifferenceMap(const Difference& difference, double maximum) {
   return picture;
 }
 
-Image drawDifferencePlot(const std::vector<Difference>& differences) {
+Image drawDifferencePlot(const std::vector<PlottedDifferences>& parts) {
+  constexpr int kColumn = 240, kAxis = 70, kLeast = 360, kMost = 6000;
   std::vector<BoxPlot> plots;
-  for (const Difference& d : differences) {
+  for (size_t m = 0; m < parts.front().differences->size(); ++m) {
     BoxPlot& plot = plots.emplace_back();
-    plot.value.label = metricLabel(d.metric);
-    plot.boxes.push_back({metricName(d.metric), d.statistics});
+    plot.value.label = metricLabel((*parts.front().differences)[m].metric);
+    for (const PlottedDifferences& part : parts)
+      plot.boxes.push_back({part.name, (*part.differences)[m].statistics});
   }
-  const int width = std::max(360, 270 * static_cast<int>(plots.size()));
-  return drawBoxPlots(plots, {width, 520});
+  const int width = int(plots.size()) * (kAxis + kColumn * int(parts.size()));
+  return drawBoxPlots(plots, {std::clamp(width, kLeast, kMost), 520});
 }
 
 }  // namespace swaplight

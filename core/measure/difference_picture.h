@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/image/image.h"
 #include "core/measure/difference.h"
 
@@ -10,7 +13,12 @@ namespace swaplight {
 /// percentile, rounded up to a friendly number. R G B, sRGB code values.
 [[nodiscard]] Image drawDifferenceMap(const Difference& difference, double maximum = 0);
 
-/// A box plot a metric, side by side. Each has its own axis.
-[[nodiscard]] Image drawDifferencePlot(const std::vector<Difference>& differences);
+/// What is plotted: the whole or a part of the pictures.
+struct PlottedDifferences {
+  std::string name;
+  const std::vector<Difference>* differences = nullptr;  ///< one a metric; the same metrics in each part
+};
+/// A box plot a metric, side by side, each with its own axis; in each a box for every part.
+[[nodiscard]] Image drawDifferencePlot(const std::vector<PlottedDifferences>& parts);
 
 }  // namespace swaplight

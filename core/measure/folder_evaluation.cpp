@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -39,7 +40,7 @@ struct Column {
   double (*value)(const Difference&);
 };
 
-constexpr std::array<Column, 10> kColumns = {
+constexpr std::array<Column, 11> kColumns = {
     {{"value", [](const Difference& d) { return d.value; }},
      {"mean", [](const Difference& d) { return d.statistics.mean; }},
      {"median", [](const Difference& d) { return d.statistics.median; }},
@@ -49,7 +50,13 @@ constexpr std::array<Column, 10> kColumns = {
      {"std", [](const Difference& d) { return d.statistics.std; }},
      {"q1", [](const Difference& d) { return d.statistics.q1; }},
      {"q3", [](const Difference& d) { return d.statistics.q3; }},
-     {"outliers", [](const Difference& d) { return static_cast<double>(d.statistics.outliers); }}}};
+     {"outliers", [](const Difference& d) { return static_cast<double>(d.statistics.outliers); }},
+     {"share_above", [](const Difference& d) { return *d.shareAbove; }}}};
+
+/// Those of a metric: without a threshold nothing is above it.
+std::span<const Column> columnsOf(const Difference& d) {
+  return std::span(kColumns).first(kColumns.size() - (d.shareAbove ? 0 : 1));
+}
 
 double meanOf(const FolderEvaluation& evaluation, size_t metric, const Column& column) {
   double sum = 0;
@@ -112,7 +119,9 @@ FolderEvaluation evaluateFolders(const fs::path& test, const fs::path& reference
       continue;
     }
     Evaluation evaluation = evaluate(file, partner->second, each);
-    for (Difference& difference : evaluation.differences) difference.map = Image();
+    for (Difference& d : evaluation.differences) d.map = Image();
+    for (Evaluation::Part& part : evaluation.parts)
+      for (Difference& d : part.differences) d.map = Image();
     result.pictures.push_back({name, std::move(evaluation)});
   }
   for (const auto& [name, file] : references)
@@ -137,7 +146,7 @@ Json jsonFromFolders(const FolderEvaluation& evaluation) {
   }
   const auto& differences = evaluation.pictures.front().evaluation.differences;
   for (size_t m = 0; m < differences.size(); ++m)
-    for (const Column& column : kColumns)
+    for (const Column& column : columnsOf(differences[m]))
       json["mean"][metricName(differences[m].metric)][column.name] = meanOf(evaluation, m, column);
   return json;
 }
@@ -146,19 +155,29 @@ std::string textFromFolders(const FolderEvaluation& evaluation) {
   std::string text = fmt::format("{} against {}: {} pictures\n", evaluation.test, evaluation.reference,
                                  evaluation.pictures.size());
   for (const std::string& file : evaluation.unmatched) text += fmt::format("only in one folder: {}\n", file);
+  const size_t indent = 2;
   size_t longest = 8;
-  for (const auto& picture : evaluation.pictures) longest = std::max(longest, picture.name.size());
+  for (const auto& picture : evaluation.pictures) {
+    longest = std::max(longest, picture.name.size());
+    for (const Evaluation::Part& part : picture.evaluation.parts)
+      longest = std::max(longest, indent + part.name.size());
+  }
   const auto& differences = evaluation.pictures.front().evaluation.differences;
   for (size_t m = 0; m < differences.size(); ++m) {
+    const std::span<const Column> columns = columnsOf(differences[m]);
+    const auto row = [&](const std::string& name, const Difference& d) {
+      text += fmt::format("\n{:{}}", name, longest);
+      for (const Column& column : columns) text += fmt::format("{:>12.4g}", column.value(d));
+    };
     text += fmt::format("\n{:{}}", metricName(differences[m].metric), longest);
-    for (const Column& column : kColumns) text += fmt::format("{:>10}", column.name);
+    for (const Column& column : columns) text += fmt::format("{:>12}", column.name);
     for (const auto& picture : evaluation.pictures) {
-      text += fmt::format("\n{:{}}", picture.name, longest);
-      for (const Column& column : kColumns)
-        text += fmt::format("{:>10.4g}", column.value(picture.evaluation.differences.at(m)));
+      row(picture.name, picture.evaluation.differences.at(m));
+      for (const Evaluation::Part& part : picture.evaluation.parts)
+        row(std::string(indent, ' ') + part.name, part.differences.at(m));
     }
     text += fmt::format("\n{:{}}", "mean", longest);
-    for (const Column& column : kColumns) text += fmt::format("{:>10.4g}", meanOf(evaluation, m, column));
+    for (const Column& column : columns) text += fmt::format("{:>12.4g}", meanOf(evaluation, m, column));
     text += "\n";
   }
   return text;

@@ -44,7 +44,7 @@ void drawBoxes(PlotCanvas& canvas, cv::Rect outer, const BoxPlot& plot) {
         fmt::format(
             "95 % {:.3g}, {:.1f} % outliers", s.p95,
             s.count > 0 ? 100. * static_cast<double>(s.outliers) / static_cast<double>(s.count) : 0.)};
-    const int height = column < 210 ? kTextHeight - 3 : kTextHeight;
+    const int height = column < 250 ? kTextHeight - 3 : kTextHeight;
     for (size_t l = 0; l < lines.size(); ++l)
       canvas.text(lines[l], {x, bottom + kTextHeight * (.9 + 1.25 * static_cast<double>(l))},
                   TextAnchor::Center, height);

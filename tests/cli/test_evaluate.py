@@ -1,4 +1,6 @@
 """swaplight evaluate"""
+import json
+
 import numpy as np
 import swaplight_cli as cli
 
@@ -34,6 +36,42 @@ class EvaluateTest(cli.CliTest):
         self.succeed('evaluate', self.reference, self.reference, '--plot', plot, '--map', difference_map)
         for path in (plot, difference_map):
             self.assertGreater(cli.read_image(path)['R'].shape[1], 10)
+
+    def test_weights_and_a_threshold_are_those_of_the_dissertation(self):
+        brighter = self.path('brighter.exr')
+        cli.write_image(brighter, 1.3 * self.pixels)
+        plain = self.succeed_json('evaluate', brighter, self.reference, '--threshold', '5')['de2000']
+        weighted = self.succeed_json('evaluate', brighter, self.reference, '--threshold', '5',
+                                     '--weights', '5,1,1')['de2000']
+        self.assertLess(weighted['mean'], .6 * plain['mean'])
+        self.assertGreater(plain['share_above'], weighted['share_above'])
+        self.assertIn('above', self.succeed('evaluate', brighter, self.reference, '--threshold', '5').stdout)
+        self.assertNotIn('share_above', self.succeed_json('evaluate', brighter, self.reference)['de2000'])
+
+    def test_beta_maps_are_compared_light_by_light_and_in_regions(self):
+        solved, beta, edited = self.path('solved.exr'), self.path('beta.exr'), self.path('edited.exr')
+        capture = cli.Capture(self.path('set'))
+        self.succeed('solve', capture.path, '-o', solved)
+        self.succeed('beta', solved, '-o', beta)
+        edits = self.path('edits.json')
+        with open(edits, 'w') as file:
+            json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': [
+                {'lights': ['key'], 'operation': 'fill', 'value': .95, 'meaning': 'share',
+                 'mask': [{'shape': 'rectangle', 'x': 0, 'y': 0, 'width': 4, 'height': 4}]}]}, file)
+        self.succeed('beta', solved, '--edits', edits, '-o', edited)
+        plot = self.path('box.png')
+        result = self.succeed_json('evaluate', edited, beta, '--region', 'edited=0,0,4,4', '--region', '6,4,6,4',
+                                   '--threshold', '.01', '--plot', plot)
+        self.assertEqual(result['encoding'], 'numbers')
+        self.assertEqual(sorted(result['channels']), sorted(result['compared']))
+        self.assertGreater(result['regions']['edited']['absdiff']['mean'], .01)
+        self.assertLess(result['regions']['6,4,6,4']['absdiff']['max'], 1e-3)
+        self.assertEqual(result['regions']['6,4,6,4']['absdiff']['share_above'], 0)
+        self.assertGreater(cli.read_rgb(plot).std(), .05)
+        one = self.succeed_json('evaluate', edited, beta, '--channels', 'beta.key')
+        self.assertEqual(one['absdiff'], {key: value for key, value in
+                                          result['channels']['beta.key']['absdiff'].items()
+                                          if key != 'share_above'})
 
     def folders(self):
         random = np.random.default_rng(3)
@@ -75,6 +113,12 @@ class EvaluateTest(cli.CliTest):
         self.deny('evaluate', self.path('nothing.exr'), self.reference, naming='nothing.exr')
         self.deny('evaluate', small, self.reference, naming=['small.exr', '5', '12'])
         self.deny('evaluate', self.reference, self.reference, '--metric', 'ssim', naming=['ssim', 'de2000'])
+        self.deny('evaluate', self.reference, self.reference, '--weights', '5,1', naming='--weights')
+        self.deny('evaluate', self.reference, self.reference, '--channels', 'Z', naming=['reference.exr', 'Z', 'R'])
+        self.deny('evaluate', self.reference, self.reference, '--region', '0,0,4', naming=['--region', 'WIDTH'])
+        self.deny('evaluate', self.reference, self.reference, '--region', 'a=0,0,4,4', '--region', 'a=1,0,4,4',
+                  naming=['--region a', 'two'])
+        self.deny('evaluate', self.reference, self.reference, '--region', '9,0,400,4', naming=['400', 'inside'])
         self.deny('evaluate', self.reference, self.reference, '--json', '--plot', self.path('no/such/box.png'),
                   naming='box.png')
 

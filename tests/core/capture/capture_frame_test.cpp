@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/capture.h"
+#include "core/image/cropped_image.h"
 
 namespace swaplight {
 namespace {

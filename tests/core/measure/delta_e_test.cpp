@@ -54,6 +54,19 @@ constexpr PublishedPair kPublished[] = {
 };
 static_assert(std::size(kPublished) == 34);
 
+TEST(DeltaE, WeightsDivideEachOfTheThreeDifferences) {
+  const DeltaEWeights lightnessAFifth{5, 1, 1};
+  EXPECT_NEAR(deltaE2000({60, 0, 0}, {50, 0, 0}, lightnessAFifth), deltaE2000({60, 0, 0}, {50, 0, 0}) / 5,
+              1e-9);
+  EXPECT_NEAR(deltaE2000({50, 20, 0}, {50, 10, 0}, lightnessAFifth), deltaE2000({50, 20, 0}, {50, 10, 0}),
+              1e-9);
+  EXPECT_NEAR(deltaE2000({50, 20, 0}, {50, 10, 0}, {1, 4, 1}), deltaE2000({50, 20, 0}, {50, 10, 0}) / 4,
+              1e-9);
+  // Red, where hue and chroma do not act on each other: of one chroma, so that hue alone differs.
+  const Lab x{50, 30, 1}, y{50, 30, -1};
+  EXPECT_NEAR(deltaE2000(x, y, {1, 1, 2}), deltaE2000(x, y) / 2, 1e-9);
+}
+
 TEST(DeltaE, EqualsAllPublishedPairs) {
   for (size_t i = 0; i < std::size(kPublished); ++i)
     EXPECT_NEAR(deltaE2000(kPublished[i].x, kPublished[i].y), kPublished[i].deltaE, 1e-4) << "pair " << i + 1;

@@ -57,6 +57,28 @@ TEST(Difference, PixelsThatAreNotFiniteAreLeftOutAndCounted) {
   }
 }
 
+TEST(Difference, TheShareAboveAThresholdIsOfTheFinitePixels) {
+  PicturePair pair = pairOf(grey(10, 1, .5f), grey(10, 1, .5f));
+  for (int p = 0; p < 3; ++p)
+    for (int c = 0; c < 3; ++c) pair.test.plane(c)[p] = .7f;
+  pair.test.plane(0)[9] = NAN;
+  const DifferenceOptions options{{}, .1};
+  EXPECT_DOUBLE_EQ(*difference(pair, Metric::AbsDiff, options).shareAbove, 3. / 9);
+  EXPECT_DOUBLE_EQ(*difference(pair, Metric::DeltaE2000, options).shareAbove, 3. / 9);
+  EXPECT_FALSE(difference(pair, Metric::Psnr, options).shareAbove);
+  EXPECT_FALSE(difference(pair, Metric::AbsDiff).shareAbove);
+}
+
+TEST(Difference, IsOfAsManyChannelsAsThereAre) {
+  const ImageSpec spec{2, 1, {"a", "b"}, "data"};
+  const PicturePair pair = pairOf(Image(spec, .5f), Image(spec, .5f));
+  EXPECT_EQ(difference(pair, Metric::AbsDiff).value, 0);
+  PicturePair other = pairOf(Image(spec, .5f), Image(spec, .5f));
+  other.test.plane(1)[0] = .9f;
+  EXPECT_NEAR(difference(other, Metric::AbsDiff).value, .4 / 4, 1e-6);
+  EXPECT_NEAR(difference(other, Metric::Rmse).value, std::sqrt(.16 / 4), 1e-6);
+}
+
 TEST(Difference, WithoutOneFinitePixelIsAnError) {
   EXPECT_THROW((void)difference(pairOf(grey(3, 3, NAN), grey(3, 3, 0)), Metric::Rmse), InputError);
 }

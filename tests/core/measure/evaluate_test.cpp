@@ -78,7 +78,58 @@ TEST_F(Evaluate, TakesTheBeautyOutOfManyChannels) {
       0);
   const auto none = write("none.exr", Image(ImageSpec{4, 4, {"u", "v", "w"}, "data"}, 0.f));
   EXPECT_THAT(test::inputError([&] { (void)evaluate(none, file("b.exr")); }),
-              testing::AllOf(HasSubstr("none.exr"), HasSubstr("R, G, B")));
+              testing::AllOf(HasSubstr("none.exr"), HasSubstr("u, v, w"), HasSubstr("R, G, B")));
+}
+
+TEST_F(Evaluate, ComparesNumbersChannelByChannel) {
+  Image beta(ImageSpec{4, 4, {"beta.fill", "beta.key"}, "data"}, .5f);
+  const auto reference = write("b.exr", beta, "float");
+  std::fill_n(beta.plane(1), 16, .7f);
+  const auto test = write("a.exr", beta, "float");
+  const Evaluation e = evaluate(test, reference);
+  EXPECT_THAT(e.channels, testing::ElementsAre("beta.fill", "beta.key"));
+  EXPECT_EQ(e.scale, 1);
+  ASSERT_EQ(e.differences.size(), 3u);  // of all but de2000
+  EXPECT_NEAR(e.differences[0].value, .1, 1e-6);
+  ASSERT_EQ(e.parts.size(), 2u);
+  EXPECT_EQ(e.parts[0].differences[0].value, 0);
+  EXPECT_NEAR(e.parts[1].differences[0].value, .2, 1e-6);
+  EXPECT_NEAR(e.parts[1].differences[2].value, -20 * std::log10(.2), 1e-4);
+
+  EvaluateOptions options;
+  options.channels = {"*.key"};
+  const Evaluation key = evaluate(test, reference, options);
+  EXPECT_THAT(key.channels, testing::ElementsAre("beta.key"));
+  EXPECT_NEAR(key.differences[0].value, .2, 1e-6);
+  EXPECT_TRUE(key.parts.empty());
+  options.channels = {"beta.back"};
+  EXPECT_THAT(test::inputError([&] { (void)evaluate(test, reference, options); }),
+              testing::AllOf(HasSubstr("beta.back"), HasSubstr("beta.fill, beta.key")));
+  options.channels.clear();
+  options.metrics = {Metric::DeltaE2000};
+  EXPECT_THAT(test::inputError([&] { (void)evaluate(test, reference, options); }), HasSubstr("absdiff"));
+}
+
+TEST_F(Evaluate, MeasuresRegionsAtTheExposureOfTheWhole) {
+  Image changed = ramp(50, 20, 1);
+  for (int x = 10; x < 20; ++x) changed.span().at(1, x, 3) += .3f;
+  EvaluateOptions options;
+  options.regions = {regionFromText("line=10,3,10,1"), regionFromText("0,5,50,15")};
+  const auto test = write("a.exr", changed, "float");
+  const auto reference = write("b.exr", ramp(50, 20, 1), "float");
+  const Evaluation e = evaluate(test, reference, options);
+  ASSERT_EQ(e.parts.size(), 2u);
+  EXPECT_EQ(e.parts[0].name, "line");
+  EXPECT_NEAR(e.parts[0].differences[1].value, .1, 1e-6);
+  EXPECT_EQ(e.parts[1].name, "0,5,50,15");
+  EXPECT_EQ(e.parts[1].differences[0].value, 0);
+  // All that differs lies in the line: the mean over the picture is the line's over its share.
+  EXPECT_NEAR(e.differences[0].statistics.mean, e.parts[0].differences[0].statistics.mean * 10 / 1000, 1e-6);
+  options.regions = {{"outside", {45, 0, 6, 1}}};
+  EXPECT_THAT(test::inputError([&] { (void)evaluate(test, reference, options); }),
+              testing::AllOf(HasSubstr("a.exr"), HasSubstr("outside"), HasSubstr("50 x 20")));
+  for (const char* wrong : {"=1,1,2,2", "a=1,1,2", "1,1,0,2", ""})
+    EXPECT_THAT(test::inputError([&] { (void)regionFromText(wrong); }), HasSubstr("X,Y,WIDTH,HEIGHT"));
 }
 
 TEST_F(Evaluate, SaysBothSizesWhereTheyDiffer) {
