@@ -73,7 +73,7 @@ Image drawDifferenceMap(const Difference& difference, double maximum) {
 }
 
 Image drawDifferencePlot(const std::vector<PlottedDifferences>& parts) {
-  constexpr int kColumn = 240, kAxis = 70, kLeast = 360, kMost = 6000;
+  constexpr int kColumn = 150, kAxis = 70, kLeast = 360, kMost = 6000;
   std::vector<BoxPlot> plots;
   for (size_t m = 0; m < parts.front().differences->size(); ++m) {
     BoxPlot& plot = plots.emplace_back();

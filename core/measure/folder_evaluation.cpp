@@ -69,8 +69,10 @@ Image plotOf(const FolderEvaluation& evaluation) {
   constexpr int kColumn = 190, kAxis = 90, kLeast = 900, kMost = 6000;
   BoxPlot plot;
   const Metric metric = evaluation.pictures.front().evaluation.differences.front().metric;
-  plot.title = fs::path(evaluation.test).filename().string() + " against " +
-               fs::path(evaluation.reference).filename().string();
+  const auto nameOf = [](const fs::path& folder) {  // of "relit/", too
+    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+  };
+  plot.title = nameOf(evaluation.test) + " against " + nameOf(evaluation.reference);
   plot.value = {metricLabel(metric), false, {}, {}};
   for (const auto& picture : evaluation.pictures)
     plot.boxes.push_back({picture.name, picture.evaluation.differences.front().statistics});

@@ -7,6 +7,8 @@
 namespace swaplight {
 namespace {
 
+constexpr double kLinesBelow = 6.5;  // of text, a box's name and figures
+
 void drawBoxes(PlotCanvas& canvas, cv::Rect outer, const BoxPlot& plot) {
   std::vector<double> values;
   for (const BoxPlot::Box& box : plot.boxes) {
@@ -14,7 +16,7 @@ void drawBoxes(PlotCanvas& canvas, cv::Rect outer, const BoxPlot& plot) {
     values.insert(values.end(), {s.whiskerLow, s.whiskerHigh, s.mean, s.p95});
   }
   const AxisScale scale = scaleAxis(plot.value, values);
-  const PlotFrame frame(canvas, outer, plot.title, nullptr, scale, kTextHeight * 4);
+  const PlotFrame frame(canvas, outer, plot.title, nullptr, scale, kTextHeight * kLinesBelow);
   const double column = static_cast<double>(frame.inner().width) / static_cast<double>(plot.boxes.size());
   const double half = std::min(column * .28, 60.);
 
@@ -40,11 +42,12 @@ void drawBoxes(PlotCanvas& canvas, cv::Rect outer, const BoxPlot& plot) {
     // Names and numbers below.
     const double bottom = frame.inner().br().y;
     const std::vector<std::string> lines = {
-        plot.boxes[i].name, fmt::format("median {:.3g}, mean {:.3g}", s.median, s.mean),
+        plot.boxes[i].name, fmt::format("median {:.3g}", s.median), fmt::format("mean {:.3g}", s.mean),
+        fmt::format("95 % {:.3g}", s.p95),
         fmt::format(
-            "95 % {:.3g}, {:.1f} % outliers", s.p95,
+            "outliers {:.1f} %",
             s.count > 0 ? 100. * static_cast<double>(s.outliers) / static_cast<double>(s.count) : 0.)};
-    const int height = column < 250 ? kTextHeight - 3 : kTextHeight;
+    const int height = column < 130 ? kTextHeight - 3 : kTextHeight;
     for (size_t l = 0; l < lines.size(); ++l)
       canvas.text(lines[l], {x, bottom + kTextHeight * (.9 + 1.25 * static_cast<double>(l))},
                   TextAnchor::Center, height);

@@ -80,8 +80,8 @@ TEST(BoxPlot, DrawsTheBoxBetweenTheQuartiles) {
     last = y;
   }
   ASSERT_GE(first, 0);
-  // The axis takes the height minus 14 above and 72 below.
-  EXPECT_NEAR(last - first, .4 * (500 - 14 - 72), 4);
+  // The axis takes the height minus 14 above and 6.5 lines of 18 below.
+  EXPECT_NEAR(last - first, .4 * (500 - 14 - 117), 4);
 }
 
 }  // namespace

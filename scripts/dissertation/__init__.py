@@ -1,0 +1,1 @@
+"""The tables and figures of C. Lindsay's dissertation, each made again by a function of one of these files."""
