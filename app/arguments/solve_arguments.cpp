@@ -28,6 +28,13 @@ OpenColorChoice::OneLamp oneLampFromText(const std::string& text) {
 
 }  // namespace
 
+Remedy remedyFromText(const char* option, const std::string& text, const char* off, const char* on) {
+  if (text == "sure") return Remedy::Sure;
+  if (text != off && text != on)
+    throw InputError("{}: '{}' is not known; known: {}, sure, {}", option, text, off, on);
+  return text == on ? Remedy::On : Remedy::Off;
+}
+
 SensorNoise noiseFromText(const std::string& text) {
   const auto wrong = [&](const std::string& part) {
     return InputError(
@@ -74,7 +81,10 @@ void SolveArguments::addTo(CLI::App& verb) {
   add(verb.add_flag(
       "--solve-ambient", m_solve.solveAmbient,
       "Solve for ambient light, the same in every photograph (needs more photographs than lights)"));
-  add(verb.add_option("--align", m_align, "off or on: register the photographs to the first"))
+  add(verb.add_option("--align", m_align,
+                      "on: register the photographs to the first. sure: where they surely show that the "
+                      "camera moved. off: "
+                      "never"))
       ->type_name("HOW")
       ->capture_default_str();
   add(verb.add_option("--highlights", m_highlights,
@@ -121,7 +131,7 @@ bool SolveArguments::given() const {
 SolveOptions SolveArguments::resolve() const {
   SolveOptions resolved = m_solve;
   resolved.model = modelFromName(m_model);
-  resolved.align = chosen("--align", m_align, "off", "on");
+  resolved.align = remedyFromText("--align", m_align, "off", "on");
   resolved.highlights = chosen("--highlights", m_highlights, "off", "on");
   if (chosen("--denoise", m_denoise, "off", "guided")) resolved.denoise = Denoise::Guided;
   const int settled = !m_oneLamp.empty() + !m_grey.empty() + m_luminance.has_value() + m_position.has_value();

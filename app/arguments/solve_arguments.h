@@ -12,6 +12,10 @@ namespace swaplight {
 /// "read=.002,full_well=20000", as --noise has it. Throws InputError that says what would be right.
 [[nodiscard]] SensorNoise noiseFromText(const std::string& text);
 
+/// What an option of two words says, and "sure" between them. Throws InputError that lists them.
+[[nodiscard]] Remedy remedyFromText(const char* option, const std::string& text, const char* off,
+                                    const char* on);
+
 /// The options of solving, for every verb that solves. They are texts until the verb runs, so that a mistake
 /// is said as every other one.
 class SolveArguments {
@@ -25,7 +29,7 @@ class SolveArguments {
  private:
   std::string m_model = "auto";
   std::string m_highlights = "on";
-  std::string m_align = "off";
+  std::string m_align = "sure";
   std::string m_denoise = "off";
   std::string m_noise;
   std::string m_oneLamp;

@@ -33,7 +33,7 @@ struct SolveCommand {
   std::string colorSpace;
   std::string colors;
   std::string response;
-  std::string tone = "declared";
+  std::string tone = "sure";
   std::vector<std::string> leftOut;
   SolvedFileOptions file;
   SolveArguments solve;
@@ -65,10 +65,8 @@ std::shared_ptr<CameraLook> shotLook(const SolveCommand& arguments, Terminal& te
 }
 
 int run(const SolveCommand& arguments, Terminal& terminal) {
-  if (arguments.tone != "declared" && arguments.tone != "auto")
-    throw InputError("--tone: '{}' is not known; known: declared, auto", arguments.tone);
   SolveOptions options = arguments.solve.resolve();
-  options.correctTone = arguments.tone == "auto";
+  options.correctTone = remedyFromText("--tone", arguments.tone, "declared", "auto");
   const std::shared_ptr<const ColorConfig> config = programConfig();
   Capture capture = readCapture(*config, sourceFile(arguments.capture));
   capture = withShotsLeftOut(std::move(capture), arguments.leftOut, "--leave-out");
@@ -140,10 +138,10 @@ void addSolveVerb(Program& program) {
   verb.add_flag("--float", a->file.floatPictures, "Contributions as 32-bit float instead of half");
   verb.add_flag("--half", a->file.halfSum,
                 "R G B, their sum, as half instead of 32-bit float: a smaller file");
-  verb.add_option(
-          "--tone", a->tone,
-          "declared: the photographs are coded as the capture says. auto: a tone curve that is seen in "
-          "them is taken off")
+  verb.add_option("--tone", a->tone,
+                  "auto: a tone curve that is seen in the photographs is taken off. sure: where nothing else "
+                  "can be what "
+                  "is wrong. declared: they are coded as the capture says")
       ->type_name("HOW")
       ->capture_default_str();
   verb.add_option("--shot-look", a->shotLook.look,

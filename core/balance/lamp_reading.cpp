@@ -12,6 +12,7 @@
 #include "core/relight/relight.h"
 #include "core/set/measured_pixels.h"
 #include "core/solve/registration/align_shots.h"
+#include "core/solve/registration/moved_shots.h"
 
 namespace swaplight {
 namespace {

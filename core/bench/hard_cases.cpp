@@ -230,7 +230,7 @@ HardCase makeHardCase(int index, unsigned seed, int width) {
   made.matte = recipe.matte;
   made.mixed = recipe.mixed;
   made.capture = captureOf(recipe);
-  made.options.align = recipe.align;
+  if (recipe.align) made.options.align = Remedy::On;
   made.options.solveAmbient = recipe.ambientSolved;
   if (recipe.ambientSolved) {
     made.capture.shots.push_back(made.capture.shots.front());

@@ -89,10 +89,10 @@ std::vector<std::string> pictureWarnings(const CaptureDraft& draft, const Captur
     warnings.push_back(std::move(warning));
   const std::vector<ShotShift> shifts = measureShifts(pixels);
   for (size_t k = 0; k < shifts.size(); ++k)
-    if (worthMoving(shifts[k]) && std::hypot(shifts[k].x, shifts[k].y) > kMovedPixels)
+    if (const float moved = farthestMove({shifts[k]}, pixels.width(), pixels.height()); moved > kMovedPixels)
       warnings.push_back(fmt::format(
-          "{}: the camera moved by {:.1f}, {:.1f} pixels against {}: align the photographs when solving",
-          shots[k].file, shifts[k].x, shifts[k].y, shots[0].file));
+          "{}: the camera {} by {:.1f} pixels against {}: align the photographs when solving", shots[k].file,
+          shifts[k].isTurned() ? "moved and turned" : "moved", moved, shots[0].file));
   for (std::string& warning : shiftWarnings(shifts)) warnings.push_back(std::move(warning));
   exposureWarnings(draft, warnings);
   return warnings;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
@@ -11,6 +12,7 @@ namespace swaplight {
 namespace {
 
 constexpr double kMost = std::numeric_limits<double>::max();
+constexpr float kDegrees = 180 / std::numbers::pi_v<float>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// JSON has no infinity.
@@ -147,9 +149,13 @@ Json jsonFromConditioning(const Conditioning& conditioning) {
 
 Json jsonFromSolveReport(const SolveReport& report) {
   Json refined = Json::array();
-  Json shifts = Json::array();
-  for (const ShotShift& shift : report.shifts)
+  Json shifts = Json::array(), turns = Json::array();
+  bool turned = false;
+  for (const ShotShift& shift : report.shifts) {
     shifts.push_back(shift.found ? Json{shift.x, shift.y} : Json(nullptr));
+    turns.push_back({shift.turn * kDegrees, shift.zoom});
+    turned |= shift.isTurned();
+  }
   for (const Rgb& color : report.refinedColors) refined.push_back({color.r, color.g, color.b});
   Json json = {{"message", report.message},
                {"model", report.model},
@@ -174,6 +180,7 @@ Json jsonFromSolveReport(const SolveReport& report) {
                {"seconds", report.seconds},
                {"misfit_causes", jsonFromMisfitCauses(report.causes)},
                {"warnings", report.warnings}};
+  if (turned) json["turns"] = turns;
   if (report.highlights > 0) json["highlights"] = report.highlights;
   if (report.tone) json["tone_correction"] = jsonFromTakenTone(*report.tone);
   if (!report.lampFields.empty()) json["lamp_fields"] = jsonFromLampFields(report.lampFields);
@@ -216,6 +223,13 @@ SolveReport solveReportFromJson(const Json& json, const std::string& where) {
     if (!shift.found) return;
     const std::vector<float> offset = numbers(fields, "shifts", item, 2);
     shift.x = offset[0], shift.y = offset[1];
+  });
+  size_t k = 0;
+  each(fields, "turns", "a list of turns", [&](const Json& item) {
+    const std::vector<float> turn = numbers(fields, "turns", item, 2);
+    if (k >= report.shifts.size()) throw InputError("{}: turns: there are more than shifts", fields.where());
+    report.shifts[k].turn = turn[0] / kDegrees, report.shifts[k].zoom = turn[1];
+    ++k;
   });
   report.residualMedian = finiteOrInfinity(fields, "residual_median");
   report.sigmaMedian = finiteOrInfinity(fields, "sigma_median");

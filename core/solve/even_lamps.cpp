@@ -12,6 +12,7 @@
 #include "core/solve/model/lighting_matrix.h"
 #include "core/solve/model/unknown_color.h"
 #include "core/solve/registration/align_shots.h"
+#include "core/solve/registration/moved_shots.h"
 #include "core/solve/signal_scale.h"
 
 namespace swaplight {
@@ -163,7 +164,7 @@ std::optional<LampDrift> seenDrift(const Capture& capture, const CapturePixels& 
   std::optional<CapturePixels> scaled, aligned;
   if (scale != 1) scaled = scaledSignal(photographs, scale);
   const CapturePixels& pixels = scaled ? *scaled : photographs;
-  if (options.align) aligned = movedShots(pixels, measureShifts(pixels));
+  if (options.align == Remedy::On) aligned = movedShots(pixels, measureShifts(pixels));
   return findDrift(capture, aligned ? *aligned : pixels, noise, progress);
 }
 

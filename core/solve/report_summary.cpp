@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/quantile.h"
+#include "core/solve/registration/align_shots.h"
 
 namespace swaplight {
 namespace {
@@ -19,6 +20,16 @@ double medianOfPlane(const float* plane, size_t count) {
   for (size_t p = 0; p < count; p += step) sample.push_back(plane[p]);
   if (sample.empty()) return 0;
   return median(std::span(sample));
+}
+
+/// What registering has found and moved.
+std::string alignedWords(const std::vector<ShotShift>& shifts, int width, int height) {
+  const float farthest = farthestMove(shifts, width, height);
+  if (farthest == 0) return "";
+  const bool turned =
+      std::any_of(shifts.begin(), shifts.end(), [](const ShotShift& s) { return s.isTurned(); });
+  return fmt::format(" Photographs aligned; the farthest moved by {:.2f} pixels{}.", farthest,
+                     turned ? " at a corner, turned or zoomed" : "");
 }
 
 }  // namespace
@@ -47,11 +58,8 @@ void summarize(const SolvedSet& set, SolveReport& report) {
         "and that nothing moved.",
         report.residualMedian);
   for (const std::string& color : report.estimated) report.message += " " + color + ".";
-  double farthest = 0;
-  for (const ShotShift& shift : report.shifts)
-    farthest = std::max(farthest, double(std::hypot(shift.x, shift.y)));
-  if (farthest > 0)
-    report.message += fmt::format(" Photographs aligned; the largest shift was {:.2f} pixels.", farthest);
+  if (!report.shifts.empty())
+    report.message += alignedWords(report.shifts, set.beta.width(), set.beta.height());
   if (report.clipped)
     report.message +=
         fmt::format(" Clipped in a photograph: {:.2f} % of the pixels.", percent(report.clipped));

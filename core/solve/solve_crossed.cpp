@@ -17,6 +17,7 @@
 #include "core/solve/model/unknown_color.h"
 #include "core/solve/pixel_flags.h"
 #include "core/solve/registration/align_shots.h"
+#include "core/solve/registration/moved_shots.h"
 #include "core/solve/signal_scale.h"
 
 namespace swaplight {
@@ -123,7 +124,7 @@ SolvedSet solveAroundOne(const Capture& capture, CapturePixels photographs, cons
                          const SolveOptions& options, const Progress& progress) {
   SolveOptions plain = options;
   std::vector<ShotShift> shifts;
-  if (std::exchange(plain.align, false)) {
+  if (std::exchange(plain.align, Remedy::Off) == Remedy::On) {
     progress.update(0, "Aligning the photographs");
     shifts = measureShifts(photographs);
     if (std::any_of(shifts.begin(), shifts.end(), worthMoving)) photographs = movedShots(photographs, shifts);

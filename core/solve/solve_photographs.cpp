@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/solve/causes/cause_evidence.h"
 #include "core/solve/causes/tone_correction.h"
 #include "core/solve/even_lamps.h"
 #include "core/solve/highlights/highlights.h"
@@ -45,15 +46,29 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
     set.report->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return set;
   };
-  if (!options.correctTone) return solved();
-  const std::optional<ToneCorrection> tone = toneOf(capture, photographs, options.noise);
-  if (tone) correctTone(*tone, photographs);
+  if (options.correctTone == Remedy::On) {
+    const std::optional<ToneCorrection> tone = toneOf(capture, photographs, options.noise);
+    if (tone) correctTone(*tone, photographs);
+    SolvedSet set = solved();
+    if (tone)
+      reportTone(*tone, *set.report);
+    else
+      set.report->message +=
+          " The photographs do not surely show another tone curve than the declared one: none was taken off.";
+    return set;
+  }
   SolvedSet set = solved();
-  if (tone)
-    reportTone(*tone, *set.report);
-  else
-    set.report->message +=
-        " The photographs do not surely show another tone curve than the declared one: none was taken off.";
+  // Where shots were taken through crossed polarisers, the photographs are gone.
+  if (options.correctTone == Remedy::Off || isPartlyCrossed(capture) || !isSurelyTone(set.report->causes))
+    return set;
+  const std::optional<ToneCorrection> tone = findToneCorrection(capture, photographs, options.noise);
+  if (!tone) return set;
+  correctTone(*tone, photographs);
+  set = solved();
+  reportTone(*tone, *set.report);
+  set.report->warnings.emplace_back(
+      "the photographs surely hold a tone curve that was not told: it was taken off (--tone declared leaves "
+      "it)");
   return set;
 }
 

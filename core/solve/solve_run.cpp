@@ -19,12 +19,14 @@
 #include "core/solve/calibration/residual_noise.h"
 #include "core/solve/causes/cause_context.h"
 #include "core/solve/causes/cause_evidence.h"
+#include "core/solve/causes/shift_fit.h"
 #include "core/solve/clipped_bounds.h"
 #include "core/solve/denoise.h"
 #include "core/solve/pixel_flags.h"
 #include "core/solve/pixelwise.h"
 #include "core/solve/registration/align_shots.h"
 #include "core/solve/registration/moved_pixels.h"
+#include "core/solve/registration/moved_shots.h"
 #include "core/solve/report_summary.h"
 
 namespace swaplight {
@@ -107,9 +109,11 @@ SolveRun::SolveRun(const Capture& given, const CapturePixels& photographs, const
 
 SolvedSet SolveRun::run() {
   m_progress.update(0, "Analysing the photographs");
-  if (m_options.align) alignShots();
+  if (m_options.align == Remedy::On) alignShots();
   calibrateNoise();
   seekCauses();
+  if (m_options.align == Remedy::Sure && m_report.causes.is(Cause::Moved)) alignMovedShots();
+  if (const std::string words = wordsFor(m_report.causes); !words.empty()) warn({words});
   calibrateColors();
   separateLights();
   m_progress.update(0.9F, "Finishing");
@@ -128,7 +132,21 @@ void SolveRun::alignShots() {
   m_report.shifts = measureShifts(m_photographs);
   warn(shiftWarnings(m_report.shifts));
   if (std::any_of(m_report.shifts.begin(), m_report.shifts.end(), worthMoving))
+    m_report.shifts = fittedShifts(m_given, m_photographs, m_report.shifts, m_options.noise);
+  if (std::any_of(m_report.shifts.begin(), m_report.shifts.end(), worthMoving))
     m_aligned = movedShots(m_photographs, m_report.shifts);
+}
+
+/// The causes of the misfit are known for the photographs as they are; what they are when these lie on one
+/// another is asked once more. A registration that finds nothing to move has the last word.
+void SolveRun::alignMovedShots() {
+  alignShots();
+  if (!m_aligned) return m_report.shifts.clear();
+  warn(
+      {"the camera surely moved between the photographs: they were aligned to the first (--align off leaves "
+       "them as they are)"});
+  calibrateNoise();
+  seekCauses();
 }
 
 void SolveRun::calibrateNoise() {
@@ -154,7 +172,6 @@ void SolveRun::seekCauses() {
                                     [](double times) { return times > 0 && times <= kOneByOne; });
   if (!m_unknownColors.empty() || m_info.model == Model::Single || oneByOne) return;
   m_report.causes = misfitCauses({m_context.lighting, m_ownNoise}, *m_signal);
-  if (const std::string words = wordsFor(m_report.causes); !words.empty()) warn({words});
 }
 
 void SolveRun::placeUnknownColor() {
@@ -307,7 +324,7 @@ float SolveRun::judgeColors(float usual) {
 /// Misfit at edges is a moved camera's only where that explains any of it: relief and gloss are at edges,
 /// too. Photographs that were moved onto one another, and JPEGs, are never quite alike there.
 bool SolveRun::mayHaveMoved() const {
-  if (m_options.align || !pixels().codingError.empty()) return true;
+  if (!m_report.shifts.empty() || !pixels().codingError.empty()) return true;
   const auto& causes = m_report.causes.all;
   const auto moved = std::find_if(causes.begin(), causes.end(),
                                   [](const CauseEvidence& one) { return one.cause == Cause::Moved; });
@@ -326,9 +343,10 @@ void SolveRun::separateLights() {
     followLocalEvidence({m_context.lighting, m_ownNoise}, m_report.colorUncertainty, *m_signal,
                         m_tuning.automatic.evidence, m_set);
   // Gloss, grain and wrong colours are at edges, too.
-  if (shift > 0 && (m_report.causes.all.empty() || m_options.align))
+  const bool aligned = !m_report.shifts.empty();
+  if (shift > 0 && (m_report.causes.all.empty() || aligned))
     m_report.warnings.emplace_back(
-        m_options.align
+        aligned
             ? "the photographs still disagree along edges: trusted less there"
             : "the photographs disagree along edges, as if the camera had moved by a fraction of a pixel: "
               "trusted less there; --align may help");

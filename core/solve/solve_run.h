@@ -29,6 +29,7 @@ class SolveRun {
 
  private:
   void alignShots();         ///< m_report.shifts, and the shots moved by them
+  void alignMovedShots();    ///< where they have surely moved, though nobody asked for it
   void placeUnknownColor();  ///< one that has changed places with a known one: before all that needs colours
   void calibrateNoise();     ///< from the capture, the options, or the shots
   void seekCauses();         ///< why the photographs do not fit the colours as told, where they do not

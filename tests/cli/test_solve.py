@@ -71,12 +71,16 @@ class SolveTest(cli.CliTest):
             ours = np.stack([cli.read_rgb(self.path('solved.exr'), name) for name in ('key', 'fill')])
             exposure = (ours * truth).sum() / (ours * ours).sum()  # a curve that nobody tells leaves it open
             return report, np.linalg.norm(exposure * ours - truth) / np.linalg.norm(truth)
-        named, before = solve()
+        named, before = solve('--tone', 'declared')
         self.assertEqual(named['misfit_causes']['likely'], ['tone'])
         self.assertIn('--tone auto', named['verdict']['reasons'][0])
         corrected, after = solve('--tone', 'auto')
         self.assertGreater(corrected['tone_correction']['exponent'], 1.05, 'more contrast')
         self.assertLess(after, before / 3)
+        unasked, alike = solve()
+        self.assertIn('tone_correction', unasked, 'nothing else can be what is wrong')
+        self.assertTrue(any('--tone declared' in warning for warning in unasked['warnings']))
+        self.assertAlmostEqual(alike, after, places=6)
 
     def test_writes_every_channel_that_is_promised(self):
         capture = cli.Capture(self.path('set'))
@@ -213,7 +217,7 @@ class SolveTest(cli.CliTest):
         self.deny(*out, '--model', 'magic', naming=['magic', 'lambert', 'transport'])
         self.deny(*out, '--solver', 'magic', naming='magic')
         self.deny(*out, '--denoise', 'magic', naming=['magic', 'off', 'guided'])
-        self.deny(*out, '--align', 'magic', naming=['--align', 'magic', 'off', 'on'])
+        self.deny(*out, '--align', 'magic', naming=['--align', 'magic', 'off', 'sure', 'on'])
         self.deny(*out, '--noise', 'read=much', naming=['--noise', 'read=much', 'full_well'])
         self.deny(*out, '--noise', 'grain=2', naming=['--noise', 'grain=2'])
         self.deny(*out, '--color-uncertainty', '2', naming='--color-uncertainty')

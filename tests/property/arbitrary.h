@@ -199,7 +199,7 @@ inline SolveOptions anySolveOptions() {
   options.model = Model(anyInt(0, int(Model::Transport)));
   if (anyBool()) options.noise = SensorNoise{anyFloat(.0001F, .1F), anyFloat(100, 1e5F)};
   options.colorUncertainty = anyBool() ? -1 : anyFloat(0, 1);
-  options.solveAmbient = anyBool(), options.refineColors = anyBool(), options.align = anyBool();
+  options.solveAmbient = anyBool(), options.refineColors = anyBool(), options.align = Remedy(anyInt(0, 2));
   return options;
 }
 

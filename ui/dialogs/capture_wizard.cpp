@@ -247,9 +247,12 @@ void CaptureWizard::drawLights() {
       "the photographs surely show such a drift, the lamps are made even. Nothing is changed where they do "
       "not; flat_key.jpg, a picture of a grey card under the lamp alone, knows more.");
   ImGui::SameLine(ImGui::GetContentRegionMax().x - align);
-  ImGui::Checkbox("Align photographs", &m_solve.align);
+  bool aligned = m_solve.align == Remedy::On;
+  if (ImGui::Checkbox("Align photographs", &aligned)) m_solve.align = aligned ? Remedy::On : Remedy::Sure;
   markItem("wizard.align");
-  tooltip("Use this if the camera moved: photographs are registered to the first one before solving.");
+  tooltip(
+      "Use this if the camera moved: photographs are registered to the first one before solving. Without it, "
+      "they are where they surely show that it moved.");
 }
 
 void CaptureWizard::drawExposures() {
@@ -375,8 +378,8 @@ void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, con
     const fs::path written = writeDraft(draft(), m_replace);
     SolveOptions options = m_solve;
     // The tick stands below the answer, and counts as long as that is seen.
-    options.correctTone =
-        options.correctTone && linearity() && linearity()->answer == LinearityEvidence::Answer::Curved;
+    if (!linearity() || linearity()->answer != LinearityEvidence::Answer::Curved)
+      options.correctTone = Remedy::Sure;
     close();
     answers.solve(written, options);
   } catch (const std::exception& error) {

@@ -59,7 +59,9 @@ void CaptureWizard::drawLinearity() {
   ImGui::SameLine(0, px(6));
   ImGui::TextUnformatted(("Do the photographs hold light? " + evidence->finding).c_str());
   if (evidence->answer != LinearityEvidence::Answer::Curved) return;
-  ImGui::Checkbox("Take the curve off before solving", &m_solve.correctTone);
+  bool take = m_solve.correctTone == Remedy::On;
+  if (ImGui::Checkbox("Take the curve off before solving", &take))
+    m_solve.correctTone = take ? Remedy::On : Remedy::Off;
   markItem("wizard.tone");
   tooltip(
       "Finds the tone curve once more by the whole picture and solves without it. The exposure stays open. "

@@ -260,6 +260,13 @@ MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& sig
   return causes;
 }
 
+bool isSurelyTone(const MisfitCauses& causes, const CauseTuning& tuning) {
+  return causes.is(Cause::Tone) &&
+         std::all_of(causes.all.begin(), causes.all.end(), [&](const CauseEvidence& one) {
+           return one.cause == Cause::Tone ? one.certainty > tuning.surelyTone : one.behind > tuning.apart;
+         });
+}
+
 bool isUnnamed(const MisfitCauses& causes, double colorUncertainty, const CauseTuning& tuning) {
   return causes.likely.empty() && colorUncertainty > tuning.unnamedColors &&
          std::ranges::any_of(

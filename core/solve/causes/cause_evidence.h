@@ -24,6 +24,10 @@ namespace swaplight {
 [[nodiscard]] MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& signal,
                                         const CauseTuning& tuning = {});
 
+/// Whether it is a tone curve beyond doubt: the one likely cause, surer than what is only said, and all
+/// others surely worse. Ambient light of a glossy set has been taken for a curve with less.
+[[nodiscard]] bool isSurelyTone(const MisfitCauses& causes, const CauseTuning& tuning = {});
+
 /// Whether something is wrong all the same where none is likely: `colorUncertainty` is what the photographs
 /// make of the colours' error (color_evidence.h).
 [[nodiscard]] bool isUnnamed(const MisfitCauses& causes, double colorUncertainty,

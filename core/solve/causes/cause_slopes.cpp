@@ -180,6 +180,14 @@ double toneGain(const Eigen::VectorXd& unknowns, double y) {
   return toneTerms(y).dot(unknowns);
 }
 
+std::vector<MovedUnknowns> movedUnknowns(const CauseModel& model, const Eigen::VectorXd& unknowns) {
+  const double half = .5 * model.pixels->width();
+  std::vector<MovedUnknowns> shots;
+  for (Eigen::Index j = 0; j < unknowns.size(); j += kMoveTerms)
+    shots.push_back({unknowns[j], unknowns[j + 1], unknowns[j + 2] / half, unknowns[j + 3] / half});
+  return shots;
+}
+
 double causeSize(const CauseModel& model, const Eigen::VectorXd& unknowns,
                  const std::vector<PixelMisfit>& sample) {
   switch (model.cause) {

@@ -43,6 +43,15 @@ struct CauseModel {
 /// The logarithm of the gain that the unknowns of Tone put on a value y (linear, full scale 1).
 [[nodiscard]] double toneGain(const Eigen::VectorXd& unknowns, double y);
 
+/// What the unknowns of Moved say of each shot but the first.
+struct MovedUnknowns {
+  double right, down;  ///< pixels
+  double turn;         ///< radians, clockwise as seen
+  double zoom;         ///< relative
+};
+[[nodiscard]] std::vector<MovedUnknowns> movedUnknowns(const CauseModel& model,
+                                                       const Eigen::VectorXd& unknowns);
+
 /// CauseEvidence::size of a model's unknowns as they were fitted; of Ambient their RMS.
 [[nodiscard]] double causeSize(const CauseModel& model, const Eigen::VectorXd& unknowns,
                                const std::vector<PixelMisfit>& sample);

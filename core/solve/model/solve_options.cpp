@@ -122,8 +122,9 @@ Json jsonFromSolveOptions(const SolveOptions& options) {
   if (options.colorUncertainty >= 0) json["color_uncertainty"] = jsonNumber(options.colorUncertainty);
   json["refine_colors"] = options.refineColors;
   json["ambient"] = options.solveAmbient;
-  if (options.correctTone) json["correct_tone"] = true;
-  json["align"] = options.align;
+  // Sure is what is meant where nothing is said.
+  if (options.correctTone != Remedy::Sure) json["correct_tone"] = options.correctTone == Remedy::On;
+  if (options.align != Remedy::Sure) json["align"] = options.align == Remedy::On;
   if (!options.highlights) json["highlights"] = false;
   if (options.field) json["field"] = true;
   if (options.openColor != OpenColorChoice{}) json["open_color"] = jsonFromChoice(options.openColor);
@@ -147,8 +148,12 @@ SolveOptions solveOptionsFromJson(const Json& json, const std::string& where) {
       static_cast<float>(fields.number("color_uncertainty", 0, 1).value_or(options.colorUncertainty));
   options.refineColors = fields.boolean("refine_colors").value_or(options.refineColors);
   options.solveAmbient = fields.boolean("ambient").value_or(options.solveAmbient);
-  options.correctTone = fields.boolean("correct_tone").value_or(options.correctTone);
-  options.align = fields.boolean("align").value_or(options.align);
+  const auto remedy = [&](const char* key) {
+    const std::optional<bool> told = fields.boolean(key);
+    return !told ? Remedy::Sure : *told ? Remedy::On : Remedy::Off;
+  };
+  options.correctTone = remedy("correct_tone");
+  options.align = remedy("align");
   options.highlights = fields.boolean("highlights").value_or(options.highlights);
   options.field = fields.boolean("field").value_or(options.field);
   if (const Json* open = fields.find("open_color"))

@@ -28,6 +28,13 @@ enum class Denoise {
 [[nodiscard]] std::string denoiseName(Denoise denoise);
 [[nodiscard]] Denoise denoiseFromName(const std::string& name);  ///< throws InputError, listing the known
 
+/// Whether something is taken off the photographs that nobody told of.
+enum class Remedy {
+  Off,
+  Sure,  ///< where the photographs surely show it, and nothing else that it may be as well
+  On,    ///< where it is likely
+};
+
 /// The least luminance of a gel that can be told: deeper ones leave nothing to see by.
 inline constexpr double kLeastGelLuminance = 1e-3;
 
@@ -57,10 +64,10 @@ struct SolveOptions {
   float colorUncertainty = -1;
   bool solveAmbient = false;  ///< one more unknown light, the same in every shot (K > N)
   bool refineColors = false;  ///< estimate the light colours from the pictures, starting at the manifest's
-  bool correctTone = false;   ///< take off a tone curve that nobody told of, where one is surely seen
-  bool align = false;         ///< register the shots to the first (sub-pixel translation)
-  bool highlights = true;     ///< keep what of each light is highlight, where that is seen
-  bool field = false;         ///< find how the lamps' colours drift over the picture, and even them
+  Remedy correctTone = Remedy::Sure;  ///< take off a tone curve
+  Remedy align = Remedy::Sure;        ///< register the shots to the first; On: whatever they show
+  bool highlights = true;             ///< keep what of each light is highlight, where that is seen
+  bool field = false;                 ///< find how the lamps' colours drift over the picture, and even them
   OpenColorChoice openColor;
   Denoise denoise = Denoise::Off;
   int guidedRadius = 8;  ///< pixels, 1..1000: how far Denoise::Guided looks

@@ -38,6 +38,7 @@ SolveReport fullReport() {
   report.conditioning.matteAmplification = 1.5;
   report.conditioning.advice = {"two lights share a colour"};
   report.shifts = {{}, {1.5F, -0.25F}, {0, 0, false}};
+  report.shifts[1].turn = .01F, report.shifts[1].zoom = 1.002F;
   report.residualMedian = 1.25;
   report.sigmaMedian = 0.01;
   report.pixels = 4800;
@@ -64,6 +65,9 @@ TEST(SolveReport, ComesBackFromItsJsonWithEveryField) {
   EXPECT_EQ(back.causes.all.back().behind, 3);
   EXPECT_EQ(back.tone->exponent, 1.25);
   EXPECT_EQ(back.shifts[1].y, -0.25F);
+  EXPECT_NEAR(back.shifts[1].turn, .01F, 1e-7);
+  EXPECT_EQ(back.shifts[1].zoom, 1.002F);
+  EXPECT_FALSE(back.shifts[0].isTurned());
   EXPECT_THAT(back.warnings, ElementsAre("shot 2 was not registered"));
   EXPECT_EQ(back.unknown.json().dump(), R"({"of_a_newer_version":[1,2]})");
 }

@@ -1,4 +1,6 @@
 #include "core/solve/registration/align_shots.h"
+#include "core/solve/registration/moved_shots.h"
+#include "core/solve/registration/shot_place.h"
 
 #include <gtest/gtest.h>
 
@@ -48,9 +50,9 @@ class MovableSet {
         for (int y = 0; y < kHeight; ++y)
           for (int x = 0; x < kWidth; ++x) {
             float sum = gauss(random);
+            const auto [u, v] = shownAt(shifts[k], float(x), float(y));
             for (int i = 0; i < 2; ++i)
-              sum += (*capture.shots[k].lightColors[size_t(i)])[c] *
-                     light(i, c, float(x) - shifts[k].x, float(y) - shifts[k].y);
+              sum += (*capture.shots[k].lightColors[size_t(i)])[c] * light(i, c, u, v);
             image.span().at(c, x, y) = sum;
           }
       pixels.shots.push_back(std::move(image));
@@ -75,6 +77,14 @@ class MovableSet {
   }
 
  private:
+  /// The place of the set that a moved camera sees at a pixel.
+  static std::array<float, 2> shownAt(const ShotShift& shift, float x, float y) {
+    const float middleX = (kWidth - 1) / 2.0F, middleY = (kHeight - 1) / 2.0F;
+    const float right = (x - middleX - shift.x) / shift.zoom, down = (y - middleY - shift.y) / shift.zoom;
+    return {middleX + std::cos(shift.turn) * right + std::sin(shift.turn) * down,
+            middleY - std::sin(shift.turn) * right + std::cos(shift.turn) * down};
+  }
+
   std::vector<std::array<float, 6>> m_blobs;
 };
 
@@ -96,6 +106,50 @@ TEST(AlignShots, AShiftIsMeasuredToAFewHundredthsOfAPixelThoughTheLightsChange) 
     EXPECT_NEAR(found[1].y, shift.y, 0.08);
     printf("shift %.2f %.2f measured %.3f %.3f\n", shift.x, shift.y, found[1].x, found[1].y);
   }
+}
+
+ShotShift turned(float x, float y, float degrees, float zoom) {
+  ShotShift shift{x, y};
+  shift.turn = degrees * float(M_PI) / 180;
+  shift.zoom = zoom;
+  return shift;
+}
+
+TEST(AlignShots, ATurnAndAZoomAreMeasuredToAThirdOfAPixelAtTheCorners) {
+  const Capture capture = swappedLights();
+  const MovableSet set;
+  for (const ShotShift& shift : {turned(0, 0, 1, 1), turned(.7F, -1.2F, -1.5F, 1), turned(0, 0, 0, 1.015F),
+                                 turned(-2.3F, .4F, 2, .985F)}) {
+    const auto found = measureShifts(set.photograph(capture, {{0, 0}, shift}));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_TRUE(worthMoving(found[1]));
+    EXPECT_TRUE(found[1].isTurned());
+    const ShotPlaces places(found[1], MovableSet::kWidth, MovableSet::kHeight);
+    const ShotPlaces truth(shift, MovableSet::kWidth, MovableSet::kHeight);
+    for (const float u : {0.0F, MovableSet::kWidth - 1.0F})
+      for (const float v : {0.0F, MovableSet::kHeight - 1.0F}) {
+        EXPECT_NEAR(places(u, v).x, truth(u, v).x, .33) << shift.turn << " " << shift.zoom;
+        EXPECT_NEAR(places(u, v).y, truth(u, v).y, .33) << shift.turn << " " << shift.zoom;
+      }
+    EXPECT_NEAR(farthestMove(found, MovableSet::kWidth, MovableSet::kHeight), truth.farthestMove(), .33);
+  }
+}
+
+TEST(AlignShots, ATurnedShotIsSolvedNearlyAsWellAsOneThatStoodStill) {
+  const Capture capture = swappedLights();
+  const MovableSet set;
+  const CapturePixels pixels = set.photograph(capture, {{0, 0}, turned(.4F, .9F, 1.2F, 1.006F)});
+  SolveOptions options;
+  options.align = Remedy::Off;
+  const double still = set.relativeError(solve(capture, set.photograph(capture, {{0, 0}, {0, 0}}), options));
+  const double without = set.relativeError(solve(capture, pixels, options));
+  options.align = Remedy::On;
+  const SolvedSet solved = solve(capture, pixels, options);
+  printf("still %.4f turned %.4f aligned %.4f\n", still, without, set.relativeError(solved));
+  EXPECT_LT(set.relativeError(solved), .3 * without);
+  EXPECT_LT(set.relativeError(solved), 1.2 * still);
+  EXPECT_TRUE(solved.report->shifts[1].isTurned());
+  EXPECT_NE(solved.report->message.find("turned"), std::string::npos);
 }
 
 TEST(AlignShots, LightsFromOtherSidesAreNotTakenForAMovedCameraButHalfAPixelIs) {
@@ -138,8 +192,9 @@ TEST(AlignShots, ASolveOfAMovedShotIsNearlyAsGoodAsIfItHadNotMoved) {
   const Capture capture = swappedLights();
   const MovableSet set;
   SolveOptions plain;
+  plain.align = Remedy::Off;
   SolveOptions align;
-  align.align = true;
+  align.align = Remedy::On;
   const CapturePixels moved = set.photograph(capture, {{0, 0}, {1.3F, -0.6F}});
   const double still = set.relativeError(solve(capture, set.photograph(capture, {{0, 0}, {0, 0}}), plain));
   const double without = set.relativeError(solve(capture, moved, plain));
@@ -153,6 +208,23 @@ TEST(AlignShots, ASolveOfAMovedShotIsNearlyAsGoodAsIfItHadNotMoved) {
   EXPECT_FALSE(int(solved.quality.view().at(kFlags, 80, 60)) & kFilled);
 }
 
+TEST(AlignShots, ACameraThatSurelyMovedIsAlignedUnasked) {
+  const Capture capture = swappedLights();
+  const MovableSet set;
+  const auto solved = [&](const ShotShift& shift) {
+    return solve(capture, set.photograph(capture, {{0, 0}, shift}), {});
+  };
+  const SolvedSet moved = solved({1.3F, -0.6F});
+  ASSERT_EQ(moved.report->shifts.size(), 2U);
+  EXPECT_NEAR(double(moved.report->shifts[1].x), 1.3, 0.08);
+  ASSERT_FALSE(moved.report->warnings.empty());
+  EXPECT_NE(moved.report->warnings.front().find("--align off"), std::string::npos);
+  EXPECT_TRUE(moved.report->causes.likely.empty()) << "nothing is wrong any more";
+  const SolvedSet still = solved({});
+  EXPECT_TRUE(still.report->shifts.empty());
+  EXPECT_TRUE(still.report->warnings.empty());
+}
+
 TEST(AlignShots, AShotOfSomethingElseIsLeftWhereItIsAndNamed) {
   const Capture capture = swappedLights();
   CapturePixels pixels = MovableSet().photograph(capture, {{0, 0}, {0, 0}});
@@ -161,7 +233,7 @@ TEST(AlignShots, AShotOfSomethingElseIsLeftWhereItIsAndNamed) {
   for (int c = 0; c < 3; ++c)
     for (size_t p = 0; p < pixels.shots[1].pixelCount(); ++p) pixels.shots[1].plane(c)[p] = unit(random);
   SolveOptions options;
-  options.align = true;
+  options.align = Remedy::On;
   const SolvedSet set = solve(capture, pixels, options);
   EXPECT_FALSE(set.report->shifts[1].found);
   ASSERT_FALSE(set.report->warnings.empty());
@@ -183,6 +255,13 @@ TEST(AlignShots, SaturatedAndBrokenValuesStaySoWhenAShotMoves) {
   EXPECT_TRUE(std::isnan(moved.shots[1].view().at(1, 7, 8)));
   EXPECT_NEAR(moved.shots[1].view().at(2, 7, 8), 0.5F, 1e-6);
   EXPECT_LT(moved.shots[1].view().at(0, 2, 8), 0.6F);
+
+  const CapturePixels turnedShots = movedShots(pixels, {{0, 0}, turned(0, 0, 10, 1)});
+  const ImageView view = turnedShots.shots[1].view();
+  EXPECT_GE(*std::max_element(view.row(0, 0), view.row(0, 0) + 256), 0.99F);
+  EXPECT_TRUE(
+      std::any_of(view.row(1, 0), view.row(1, 0) + 256, [](float value) { return std::isnan(value); }));
+  for (int x = 0; x < 16; ++x) EXPECT_NEAR(view.at(2, x, 5), 0.5F, 1e-5);
 }
 
 }  // namespace

@@ -241,6 +241,20 @@ TEST(CauseEvidence, SaysThatSomethingIsWrongWhereNoneCanBeNamed) {
   EXPECT_NE(verdictOf(read).reasons.front().find("cannot be told why"), std::string::npos);
 }
 
+TEST(CauseEvidence, ACurveIsSureWhereNothingElseIsNearlyAsLikely) {
+  MisfitCauses causes;
+  causes.all = {{Cause::Tone, .5, .4, 8, 0, .1}, {Cause::Ambient, .4, .3, 7, 3, .1}};
+  EXPECT_FALSE(isSurelyTone(causes)) << "none is likely";
+  causes.likely = {Cause::Tone};
+  EXPECT_TRUE(isSurelyTone(causes));
+  causes.all.back().behind = 1;
+  EXPECT_FALSE(isSurelyTone(causes)) << "ambient light explains it as well";
+  causes.all.back().behind = 3, causes.all.front().certainty = 4.9;
+  EXPECT_FALSE(isSurelyTone(causes));
+  causes.all.front().certainty = 8, causes.likely = {Cause::Tone, Cause::Ambient};
+  EXPECT_FALSE(isSurelyTone(causes));
+}
+
 /// Of the contributions, up to a factor: under an unknown curve the exposure is open.
 double relativeError(const SolvedSet& set, const SolvedSet& truth) {
   double own = 0, both = 0, power = 0;
@@ -274,8 +288,14 @@ TEST(ToneCorrection, IsAnOptionOfEverySolveOfPhotographs) {
     return solvePhotographs(swappedCapture(), photographed(defect), {}, options);
   };
   const Defect curved{.curve = contrastCurve};
+  options.correctTone = Remedy::Off;
   EXPECT_FALSE(solved(curved).report->tone);
-  options.correctTone = true;
+  options.correctTone = Remedy::Sure;
+  const SolvedSet unasked = solved(curved);
+  EXPECT_TRUE(unasked.report->tone);
+  EXPECT_NE(unasked.report->warnings.back().find("--tone declared"), std::string::npos);
+  EXPECT_TRUE(solved({}).report->warnings.empty());
+  options.correctTone = Remedy::On;
   const SolvedSet corrected = solved(curved);
   EXPECT_TRUE(corrected.report->tone);
   EXPECT_TRUE(corrected.report->causes.likely.empty()) << told(corrected.report->causes);

@@ -99,7 +99,7 @@ TEST(HardCases, AreWhatTheirNamesSay) {
     const float code = 1023 * bits.pixels.shots[1].plane(2)[x];
     EXPECT_NEAR(code, std::round(code), 1e-3);
   }
-  EXPECT_TRUE(named("camera moved 2 pixels, aligned").options.align);
+  EXPECT_EQ(named("camera moved 2 pixels, aligned").options.align, Remedy::On);
 }
 
 TEST(HardCases, TheSameSeedGivesTheSameNoise) {

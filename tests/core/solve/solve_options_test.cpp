@@ -27,9 +27,12 @@ TEST(SolveOptions, DenoisingComesBackFromJson) {
 
 TEST(SolveOptions, ACorrectedToneComesBackFromJson) {
   SolveOptions options;
-  options.correctTone = true;
+  options.correctTone = Remedy::On;
   EXPECT_EQ(solveOptionsFromJson(jsonFromSolveOptions(options)), options);
-  EXPECT_FALSE(jsonFromSolveOptions({}).contains("correct_tone")) << "what older programs do not know";
+  options.correctTone = Remedy::Off, options.align = Remedy::On;
+  EXPECT_EQ(solveOptionsFromJson(jsonFromSolveOptions(options)), options);
+  for (const char* key : {"correct_tone", "align"})
+    EXPECT_FALSE(jsonFromSolveOptions({}).contains(key)) << "what older programs do not know";
 }
 
 TEST(SolveOptions, EveningOfLampsComesBackFromJson) {
