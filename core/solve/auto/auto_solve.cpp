@@ -121,8 +121,12 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
   });
 
   const int freedom = shrinkage.matte().freedom();
-  const float squaredShift =
+  const float seenShift =
       mayHaveMoved ? squaredEdgeShift(signal, context.noise, waiting.misfit, freedom, tuning.edges) : 0;
+  // Between pixels nobody knows what an edge is like: shots that were moved agree no better than that.
+  const float leastShift =
+      std::any_of(shifts.begin(), shifts.end(), worthMoving) ? tuning.edges.resampled : 0.0F;
+  const float squaredShift = std::max(seenShift, leastShift * leastShift);
   float* factor = squaredShift > 0 ? planeOf(waiting.edgeFactor) : nullptr;
   if (factor) {
     edgeNoiseFactor(signal, context.noise, squaredShift, waiting.edgeFactor);
@@ -143,7 +147,7 @@ float solveAuto(const EstimatorContext& context, const ShotSignal& signal,
     writeBeta(lights, in.count, out);
   });
   moveToFreeContributions(context, signal, separatedPart(context.lighting), set);
-  return std::sqrt(squaredShift);
+  return std::sqrt(seenShift);
 }
 
 }  // namespace swaplight

@@ -46,13 +46,15 @@ struct EdgeNoiseTuning {
   /// Of the squared shift that the median pixel speaks of. An edge is sharper than its surroundings' mean:
   /// the worst pixels would count as gloss.
   float tailFactor = 16;
+  /// Pixels: what shots that were moved onto one another are taken to lie apart by, at least.
+  float resampled = .18F;
 
   static constexpr auto fields() {
     using T = EdgeNoiseTuning;
-    return std::tuple{std::pair{"min_sample", &T::minSample},
-                      std::pair{"min_misfit_ratio", &T::minMisfitRatio},
-                      std::pair{"max_flat_misfit", &T::maxFlatMisfit}, std::pair{"min_shift2", &T::minShift2},
-                      std::pair{"tail_factor", &T::tailFactor}};
+    return std::tuple{
+        std::pair{"min_sample", &T::minSample},          std::pair{"min_misfit_ratio", &T::minMisfitRatio},
+        std::pair{"max_flat_misfit", &T::maxFlatMisfit}, std::pair{"min_shift2", &T::minShift2},
+        std::pair{"tail_factor", &T::tailFactor},        std::pair{"resampled", &T::resampled}};
   }
 };
 
