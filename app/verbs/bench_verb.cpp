@@ -7,6 +7,7 @@
 #include "core/base/json.h"
 #include "core/bench/solver_error.h"
 #include "core/bench/solver_speed.h"
+#include "core/bench/trade_off.h"
 #include "core/image/io/image_io.h"
 #include "core/ocio/chosen_config.h"
 #include "core/plot/plot.h"
@@ -20,6 +21,7 @@ struct BenchCommand {
   bool noSpeed = false;
   bool quick = false;
   bool hardCases = false;
+  bool tradeOff = false;
   unsigned seed = 1;
 };
 
@@ -70,6 +72,29 @@ Json jsonOf(const std::vector<SolverSpeed>& speeds, const std::vector<SolverErro
   return json;
 }
 
+std::string tradeOffTable(const std::vector<TradeOff>& rows) {
+  std::vector<std::vector<std::string>> cells{
+      {"solver", "lights", "surfaces", "MPix/s", "of the limit", "rel RMSE", "mean dE00"}};
+  for (const TradeOff& row : rows)
+    cells.push_back({row.solver, std::to_string(row.lights), row.glossy ? "glossy" : "matte",
+                     fmt::format("{:.1f}", row.megapixels), fmt::format("{:.2f}", row.megapixels / row.limit),
+                     fmt::format("{:.4f}", row.relativeRmse), fmt::format("{:.2f}", row.deltaE)});
+  return tableText(cells);
+}
+
+Json jsonOf(const std::vector<TradeOff>& rows) {
+  Json json{{"trade_off", Json::array()}};
+  for (const TradeOff& row : rows)
+    json["trade_off"].push_back({{"solver", row.solver},
+                                 {"lights", row.lights},
+                                 {"glossy", row.glossy},
+                                 {"megapixels_per_second", row.megapixels},
+                                 {"limit_megapixels_per_second", row.limit},
+                                 {"rel_rmse", row.relativeRmse},
+                                 {"de_mean", row.deltaE}});
+  return json;
+}
+
 /// Error against cost of a whole solve, a series a capture.
 Image paretoPlot(const std::vector<SolverError>& rows) {
   ScatterPlot plot;
@@ -93,6 +118,15 @@ int run(const BenchCommand& arguments, Terminal& terminal) {
   if (arguments.hardCases) {
     const Description suite = benchHardCases(arguments.captures, arguments.seed, arguments.quick, progress);
     terminal.result(suite.text, suite.json);
+    return 0;
+  }
+  if (arguments.tradeOff) {
+    const std::vector<TradeOff> rows = measureTradeOff(arguments.seed, arguments.quick, progress);
+    if (!arguments.output.empty()) {
+      writeImage(drawTradeOff(rows), arguments.output);
+      terminal.say("wrote {}", arguments.output);
+    }
+    terminal.result(tradeOffTable(rows), jsonOf(rows));
     return 0;
   }
   const std::shared_ptr<const ColorConfig> config = programConfig();
@@ -129,6 +163,9 @@ void addBenchVerb(Program& program) {
   verb.add_flag("--no-speed", a->noSpeed, "Measure errors only");
   verb.add_flag("--hard-cases", a->hardCases,
                 "Instead, run every model on synthetic captures, each hard in one way");
+  verb.add_flag(
+      "--trade-off", a->tradeOff,
+      "Instead, speed against error of every solver: a still life of 2, 3, 4 and 8 lights, matte and glossy");
   verb.add_flag("--quick", a->quick, "Small pictures and one repetition, as a quick check");
 }
 

@@ -212,16 +212,7 @@ void damage(CapturePixels& pixels) {
   for (Image& shot : pixels.shots) shot.plane(1)[pixels.shots.front().pixelCount() / 2] = NAN;
 }
 
-}  // namespace
-
-std::vector<std::string> hardCaseNames() {
-  std::vector<std::string> names;
-  for (const Recipe& recipe : recipes()) names.emplace_back(recipe.name);
-  return names;
-}
-
-HardCase makeHardCase(int index, unsigned seed, int width) {
-  Recipe recipe = recipes()[size_t(index)];
+HardCase caseOf(Recipe recipe, unsigned seed, int width) {
   recipe.picture.width = width;
   recipe.picture.height = width * 2 / 3;
   HardCase made;
@@ -276,6 +267,27 @@ HardCase makeHardCase(int index, unsigned seed, int width) {
   made.noise = noiseModel(recipe.noise, made.pixels, 0);
   if (!recipe.noiseTold) made.capture.noise.reset();
   return made;
+}
+
+}  // namespace
+
+std::vector<std::string> hardCaseNames() {
+  std::vector<std::string> names;
+  for (const Recipe& recipe : recipes()) names.emplace_back(recipe.name);
+  return names;
+}
+
+HardCase makeHardCase(int index, unsigned seed, int width) {
+  return caseOf(recipes()[size_t(index)], seed, width);
+}
+
+HardCase makeStillLife(int lights, float gloss, unsigned seed, int width) {
+  return caseOf({.name = "still life",
+                 .group = "still life",
+                 .matte = gloss == 0,
+                 .mixed = gloss > 0,
+                 .picture = {.lights = lights, .gloss = gloss}},
+                seed, width);
 }
 
 HardCase hardCaseOfCapture(Capture capture, unsigned seed) {

@@ -30,6 +30,10 @@ struct HardCase {
 [[nodiscard]] std::vector<std::string> hardCaseNames();
 [[nodiscard]] HardCase makeHardCase(int index, unsigned seed, int width = 192);
 
+/// The same still life without a difficulty, under as many lights that change places; `gloss` as in
+/// BenchPicture.
+[[nodiscard]] HardCase makeStillLife(int lights, float gloss, unsigned seed, int width);
+
 /// A capture with truth, photographed again: its own colours, its noise or the usual. Throws InputError where
 /// it has no truth.
 [[nodiscard]] HardCase hardCaseOfCapture(Capture capture, unsigned seed);

@@ -5,8 +5,9 @@ usage: cause_table.py SWAPLIGHT SHARED [--sets A,B] [--cases clean,tone] [--size
 
 Photographs are composed of SHARED/captures' pictures of one light each, with one thing wrong that the capture does not
 tell. The noise is not told. Columns: relative RMSE of the contributions (exposure, which nothing tells under an unknown
-curve, taken off) and mean CIEDE2000 of SHARED/tools/score.py; the causes that the report names, with the best one's size
-and certainty; then both errors with the remedy that the named cause offers, where `solve` has it, or with --remedy.
+curve, taken off) and mean CIEDE2000 of SHARED/tools/score.py, nothing done about it; the causes that the report names, with
+the best one's size and certainty; both errors of a solve that is asked for nothing, and what it did; then both with the remedy
+that the named cause offers, where that did nothing and `solve` has it, or with --remedy.
 """
 import argparse
 import json
@@ -162,14 +163,16 @@ def row(score, program, truth, ambient, names, case, label, always):
         def errors(*options):
             report = solve(program, capture, solved, *options)
             return report, f'{rescaled(score, solved, truth, names):.3f} | {score.score(capture, solved)["de_mean"]:.2f}'
-        report, before = errors()
+        report, before = errors('--align', 'off', '--tone', 'declared')
         causes = report.get('misfit_causes', {'likely': [], 'all': []})
         best = causes['all'][0] if causes['all'] else None
         what = ' or '.join(causes['likely']) or 'none'
         detail = f'{best["cause"]} {best["size"]:.3f} ({best["certainty"]:.1f}, {best["explained"]:.2f})' if best else ''
-        remedy = always or (REMEDY.get(causes['likely'][0]) if causes['likely'] else None)
+        by_itself, usual = errors()
+        done = 'curve taken off' if 'tone_correction' in by_itself else 'aligned' if by_itself['shifts'] else ''
+        remedy = always or (REMEDY.get(causes['likely'][0]) if causes['likely'] and not done else None)
         after = errors(*remedy)[1] if remedy else ' | '
-    print(f'| {label} | {case} | {before} | {what} | {detail} | {after} |', flush=True)
+    print(f'| {label} | {case} | {before} | {what} | {detail} | {usual} | {done} | {after} |', flush=True)
     return causes
 
 
@@ -188,8 +191,9 @@ def main():
     sys.path.insert(0, os.path.join(options.shared, 'tools'))
     import score
     sets = one_light_sets(os.path.join(options.shared, 'captures'))
-    print('| set | defect | rel. RMSE | dE00 | named | best (certainty, explained) | RMSE with remedy | dE00 |')
-    print('|---|---|---|---|---|---|---|---|')
+    print('| set | defect | rel. RMSE | dE00 | named | best (certainty, explained) | by itself: RMSE | dE00 | done '
+          '| RMSE with remedy | dE00 |')
+    print('|---|---|---|---|---|---|---|---|---|---|---|')
     for label in options.sets.split(',') if options.sets else sets:
         folder, lights = sets[label]
         names = lights[:options.lights]
