@@ -21,9 +21,10 @@ const cv::Scalar PlotCanvas::kGrid(226, 226, 230);
 const cv::Scalar PlotCanvas::kFrame(120, 120, 128);
 
 cv::Scalar PlotCanvas::seriesColor(size_t index) {
-  static const std::array<cv::Scalar, 7> colors = {
+  static const std::array<cv::Scalar, 10> colors = {
       cv::Scalar(0, 114, 178),  cv::Scalar(213, 94, 0),  cv::Scalar(0, 158, 115), cv::Scalar(204, 121, 167),
-      cv::Scalar(86, 180, 233), cv::Scalar(180, 130, 0), cv::Scalar(90, 90, 90)};
+      cv::Scalar(86, 180, 233), cv::Scalar(180, 130, 0), cv::Scalar(90, 90, 90),  cv::Scalar(130, 20, 60),
+      cv::Scalar(90, 60, 160),  cv::Scalar(60, 110, 20)};
   return colors[index % colors.size()];
 }
 

@@ -29,7 +29,7 @@ constexpr std::array<CauseText, 5> kTexts = {{
     {Cause::Tone, "tone", "a tone curve that was not told (light to the power of about {:.2f})",
      "let the solve take the curve off (--tone auto), or photograph raw"},
     {Cause::Moved, "moved", "a camera that moved (by {:.1f} pixels or more)",
-     "--align on takes off shifts, but no turn or zoom"},
+     "align the photographs (--align on)"},
     {Cause::Field, "field", "lamps whose colour is not the same over the picture (by about {:.0f} %)",
      "solve with --field, or photograph a grey card under each lamp (--flat)"},
 }};

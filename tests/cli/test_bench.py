@@ -28,6 +28,22 @@ class BenchTest(cli.CliTest):
         self.assertNotIn('published', cases['eight lights']['models'])
         self.assertEqual(suite, self.succeed_json('bench', '--hard-cases', '--quick', SAMPLE), 'the same every time')
 
+    def test_speed_against_error_is_a_table_and_a_picture(self):
+        picture = self.path('solvers.png')
+        rows = self.succeed_json('bench', '--trade-off', '--quick', '-o', picture)['trade_off']
+        self.assertEqual({row['lights'] for row in rows}, {2, 3, 4, 8})
+        for row in rows:
+            self.assertGreater(row['megapixels_per_second'], 0)
+            self.assertGreater(row['limit_megapixels_per_second'], 0)
+            self.assertGreater(row['de_mean'], 0)
+        auto = {(row['lights'], row['glossy']): row for row in rows if row['solver'] == 'auto'}
+        self.assertEqual(len(auto), 8)
+        matte = {row['lights']: row for row in rows if row['solver'] == 'maximum-likelihood' and not row['glossy']}
+        for lights in (2, 3, 4, 8):
+            self.assertLess(auto[lights, False]['rel_rmse'], 1.05 * matte[lights]['rel_rmse'])
+        self.assertEqual({row['lights'] for row in rows if row['solver'] == 'brute-force'}, {2})
+        self.assertGreater(cli.read_rgb(picture).std(), .05)
+
     def test_a_capture_without_truth_is_refused(self):
         with open(SAMPLE) as file:
             manifest = json.load(file)
