@@ -34,19 +34,19 @@ SWAPLIGHT_SIMD(void, streamRun, (const float* const* in, int reads, float* const
   }
 }
 
-/// Seconds of the best of several calls that take `least` seconds together.
+/// Seconds of the best of calls that take `least` seconds together.
 double bestSeconds(double least, const std::function<void()>& work) {
   using Clock = std::chrono::steady_clock;
   double best = INFINITY;
   double spent = 0;
   work();  // first touch
-  while (spent < least) {
+  do {
     const auto start = Clock::now();
     work();
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     best = std::min(best, seconds);
     spent += seconds;
-  }
+  } while (spent < least);
   return best;
 }
 
