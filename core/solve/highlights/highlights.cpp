@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/solve/highlights/highlight_holes.h"
 #include "core/solve/highlights/highlight_surroundings.h"
 
 namespace swaplight {
@@ -216,9 +217,14 @@ void findHighlights(SolvedSet& set, const Progress& progress) {
   for (const Image& light : set.contributions) set.highlights.emplace_back(light.spec(), 0.0F);
   std::vector<uint8_t> marks(set.beta.pixelCount(), None);
   fillIn(set, around, marks, progress);
-  const double part = static_cast<double>(keepRegions(set, marks)) / static_cast<double>(marks.size());
-  if (part < kWorthwhile) return set.highlights.clear();
+  size_t kept = keepRegions(set, marks);
+  if (static_cast<double>(kept) < kWorthwhile * static_cast<double>(marks.size()))
+    return set.highlights.clear();
   dropOthers(marks, set);
+  std::vector<bool> has(marks.size());
+  std::transform(marks.begin(), marks.end(), has.begin(), [](uint8_t mark) { return mark == Kept; });
+  kept += fillHighlightHoles(set, has);
+  const double part = static_cast<double>(kept) / static_cast<double>(marks.size());
   if (!set.report) return;
   set.report->highlights = part;
   set.report->message += fmt::format(" Highlights in {:.2f} % of the picture.", 100 * part);

@@ -77,6 +77,25 @@ TEST(Highlights, OfAColouredSurfaceAreFound) {
   }
 }
 
+TEST(Highlights, HaveNoHolesWhereAPixelAloneDoesNotShowThem) {
+  Plate plate({0.6F, 0.25F, 0.15F}, 0.8F);
+  // Noise that makes the light as colourful as the surface, and the other one as bright: no highlight by
+  // itself.
+  const int x = 146, y = 145;
+  Image& left = plate.set.contributions[0];
+  Image& right = plate.set.contributions[1];
+  for (int c = 0; c < 3; ++c) right.span().at(c, x, y) = 0;
+  for (int c = 0; c < 3; ++c) right.span().at(c, x, y - 1) = 0;
+  findHighlights(plate.set);
+  ASSERT_FALSE(plate.set.highlights.empty());
+  const ImageView found = plate.set.highlights[0].view(), truth = plate.highlights[0].view();
+  for (const int row : {y, y - 1}) {
+    EXPECT_NEAR(found.at(0, x, row), truth.at(0, x, row), .15 * truth.at(0, x, row));
+    EXPECT_LE(found.at(0, x, row), left.view().at(2, x, row)) << "no more than its darkest channel";
+  }
+  EXPECT_EQ(plate.set.highlights[1].view().at(0, x, y), 0) << "the other light has none there";
+}
+
 TEST(Highlights, AreNoLongerLookedForWhenTheWorkIsStopped) {
   Plate plate({0.5F, 0.15F, 0.1F}, 1);
   std::atomic<bool> stop = false;
