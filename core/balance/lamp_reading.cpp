@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <numbers>
 
 #include "core/balance/lamp_fit.h"
 #include "core/ocio/luminance.h"
@@ -172,8 +173,12 @@ void warnOfMisfit(const LampReading& reading, std::vector<std::string>& warnings
         100 * reading.leftOut));
   if (shifted)
     warnings.push_back(
-        fmt::format("the photograph lies {:+.1f}, {:+.1f} pixels beside the set: --align moves it",
-                    reading.shift->x, reading.shift->y));
+        reading.shift->isTurned()
+            ? fmt::format("the photograph is turned by {:+.2f} degrees against the set, or zoomed: "
+                          "--align moves it",
+                          double(reading.shift->turn) * 180 / std::numbers::pi)
+            : fmt::format("the photograph lies {:+.1f}, {:+.1f} pixels beside the set: --align moves it",
+                          reading.shift->x, reading.shift->y));
 }
 
 /// The part of the blocks that weighs less than half of what it would.

@@ -17,7 +17,7 @@ struct LampReadingOptions {
   std::optional<SensorNoise> noise;
   float exposureStops = 0;       ///< the photograph's exposure over that of the capture's first shot
   std::optional<float> ambient;  ///< level of the light that no lamp explains; nothing: read as well
-  bool align = false;            ///< register the photograph to the set (sub-pixel translation)
+  bool align = false;            ///< register the photograph to the set (shift, turn, zoom)
 };
 
 /// What a lamp was doing.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <numbers>
 
 #include "core/base/json.h"
 #include "core/color/chromaticity.h"
@@ -87,6 +88,8 @@ Json jsonFromReading(const ColorConfig& config, const SolvedSet& set, const Lamp
   json["used"] = reading.used;
   json["left_out"] = reading.leftOut;
   if (reading.shift) json["shift"] = {reading.shift->x, reading.shift->y};
+  if (reading.shift && reading.shift->isTurned())
+    json["turn"] = {double(reading.shift->turn) * 180 / std::numbers::pi, reading.shift->zoom};
   json["warnings"] = reading.warnings;
   json["rig"] = jsonFromRig(rigOfReading(config, defaultRig(set.capture), set, reading));
   return json;

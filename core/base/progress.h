@@ -14,9 +14,14 @@ struct Progress {
   std::function<void(float fraction, std::string_view what)> report;
   const std::atomic<bool>* stop = nullptr;
 
+  /// Throws Stopped when the caller has asked to stop.
+  void stopIfAsked() const {
+    if (stop && stop->load(std::memory_order_relaxed)) throw Stopped();
+  }
+
   /// fraction in 0..1. Throws Stopped when the caller has asked to stop.
   void update(float fraction, std::string_view what) const {
-    if (stop && stop->load(std::memory_order_relaxed)) throw Stopped();
+    stopIfAsked();
     if (report) report(fraction, what);
   }
 

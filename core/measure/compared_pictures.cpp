@@ -20,9 +20,12 @@ bool holds(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool isColor(const Image& image) {
+/// A picture of one channel is grey, but a map (beta.key, Z) of floating point is numbers.
+bool isColor(const ImageFile& file) {
+  const Names& names = file.image.spec().channels;
+  if (names.size() == 1 && file.info.isFloat) return holds({"Y", "L", "I", "R", "grey", "gray"}, names[0]);
   try {
-    static_cast<void>(rgbChannels(image, {}));
+    static_cast<void>(rgbChannels(file.image, {}));
     return true;
   } catch (const InputError&) {
     return false;
@@ -96,7 +99,7 @@ ComparedPictures readCompared(const fs::path& test, const fs::path& reference, c
                      a.image.width(), a.image.height(), reference.string(), b.image.width(),
                      b.image.height());
   ComparedPictures compared;
-  compared.numbers = !channels.empty() || !isColor(a.image) || !isColor(b.image);
+  compared.numbers = !channels.empty() || !isColor(a) || !isColor(b);
   if (compared.numbers) {
     const Names names = commonChannels(a.image, test, b.image, reference, channels);
     compared.pair = {channelsOf(a.image, names), channelsOf(b.image, names)};

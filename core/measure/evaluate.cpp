@@ -93,11 +93,21 @@ Evaluation evaluate(const std::filesystem::path& test, const std::filesystem::pa
   ComparedPictures compared = readCompared(test, reference, options.channels, options.scale);
   PicturePair& pair = compared.pair;
   const std::vector<Metric> metrics = metricsOf(options.metrics, compared.numbers);
-  const auto differencesOf = [&](const PicturePair& pictures) {
+  const auto differencesOf = [&](const PicturePair& pictures, const std::string& name) {
     std::vector<Difference> differences;
-    for (const Metric metric : metrics)
-      differences.push_back(difference(pictures, metric, options.difference));
+    try {
+      for (const Metric metric : metrics)
+        differences.push_back(difference(pictures, metric, options.difference));
+    } catch (const InputError& error) {
+      throw InputError("{}: {}", name, error.what());
+    }
     return differences;
+  };
+  const auto addPart = [&](std::vector<Evaluation::Part>& parts, const std::string& name,
+                           const std::optional<PixelRect>& pixels, const PicturePair& pictures) {
+    Evaluation::Part& part = parts.emplace_back(
+        Evaluation::Part{name, pixels, differencesOf(pictures, test.string() + ", " + name)});
+    for (Difference& d : part.differences) d.map = Image();  // which nobody looks at
   };
 
   Evaluation result;
@@ -108,16 +118,13 @@ Evaluation evaluate(const std::filesystem::path& test, const std::filesystem::pa
   result.encoded = pair.encoded;
   result.scale = pair.scale;
   if (compared.numbers) result.channels = pair.test.spec().channels;
-  result.differences = differencesOf(pair);
+  result.differences = differencesOf(pair, test.string());
   if (result.channels.size() > 1)
     for (size_t c = 0; c < result.channels.size(); ++c)
-      result.parts.push_back(
-          {result.channels[c],
-           {},
-           differencesOf({channelOf(pair.test, int(c)), channelOf(pair.reference, int(c))})});
+      addPart(result.parts, result.channels[c], {},
+              {channelOf(pair.test, int(c)), channelOf(pair.reference, int(c))});
   for (const EvaluatedRegion& region : options.regions)
-    result.parts.push_back(
-        {region.name, region.pixels, differencesOf(croppedPair(pair, region, test.string()))});
+    addPart(result.parts, region.name, region.pixels, croppedPair(pair, region, test.string()));
 
   if (compared.numbers && !options.histogram.empty())
     throw InputError("{}: numbers have no luminance; leave the histogram out", options.histogram.string());

@@ -45,8 +45,8 @@ struct Evaluation {
   /// The same of one channel, where several are compared as numbers, or of one region.
   struct Part {
     std::string name;
-    std::optional<PixelRect> pixels;  ///< of a region
-    std::vector<Difference> differences;
+    std::optional<PixelRect> pixels;      ///< of a region
+    std::vector<Difference> differences;  ///< without their maps
   };
   std::vector<Part> parts;  ///< channels, then regions
   /// Of linear light, in stops from middle grey; where asked for.

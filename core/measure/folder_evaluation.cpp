@@ -121,9 +121,16 @@ FolderEvaluation evaluateFolders(const fs::path& test, const fs::path& reference
       continue;
     }
     Evaluation evaluation = evaluate(file, partner->second, each);
+    if (!options.histogram.empty() && !evaluation.testLuminance)
+      throw InputError("{}: is compared as numbers, which have no luminance; leave the histogram out",
+                       file.string());
+    if (!result.pictures.empty() &&
+        evaluation.channels.empty() != result.pictures[0].evaluation.channels.empty())
+      throw InputError(
+          "{} and {}: one is compared as colours, the other as numbers. Compare them apart, or give "
+          "--channels",
+          result.pictures[0].evaluation.test, file.string());
     for (Difference& d : evaluation.differences) d.map = Image();
-    for (Evaluation::Part& part : evaluation.parts)
-      for (Difference& d : part.differences) d.map = Image();
     result.pictures.push_back({name, std::move(evaluation)});
   }
   for (const auto& [name, file] : references)

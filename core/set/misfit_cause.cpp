@@ -40,7 +40,10 @@ const CauseText& textOf(Cause cause) {
 }
 
 /// No curve is taken off where ambient light may be what looks like one.
-const char* remedyOf(Cause cause, const MisfitCauses& causes) {
+const char* remedyOf(Cause cause, const MisfitCauses& causes, const TriedRemedies& tried) {
+  if (cause == Cause::Moved && tried.aligned)
+    return "they were registered, and that is left: take them again, or leave out the one that moved";
+  if (cause == Cause::Tone && tried.toneTaken) return "one was taken off, and that is left: photograph raw";
   const bool ambient =
       std::find(causes.likely.begin(), causes.likely.end(), Cause::Ambient) != causes.likely.end();
   return cause == Cause::Tone && ambient ? "photograph raw" : textOf(cause).remedy;
@@ -113,14 +116,14 @@ const char* causeName(Cause cause) {
   return textOf(cause).name;
 }
 
-std::string wordsFor(const MisfitCauses& causes) {
+std::string wordsFor(const MisfitCauses& causes, const TriedRemedies& tried) {
   std::vector<std::string> found, remedies;
   for (const Cause cause : causes.likely) {
     const auto evidence = std::find_if(causes.all.begin(), causes.all.end(),
                                        [&](const CauseEvidence& one) { return one.cause == cause; });
     if (evidence == causes.all.end()) continue;
     found.push_back(fmt::format(fmt::runtime(textOf(cause).found), spokenSize(*evidence)));
-    remedies.emplace_back(remedyOf(cause, causes));
+    remedies.emplace_back(remedyOf(cause, causes, tried));
   }
   if (found.empty() && causes.unnamed)
     return "the photographs do not go together as told, and it cannot be told why: a tone curve of the "

@@ -48,8 +48,13 @@ struct MisfitCauses {
 
 /// "colors", "ambient", "tone", "moved", "field".
 [[nodiscard]] const char* causeName(Cause cause);
+/// What was done about causes already, and did not end them.
+struct TriedRemedies {
+  bool aligned = false;
+  bool toneTaken = false;
+};
 /// For a person: what the photographs look like, and what to do about it. Empty where
 /// nothing is wrong.
-[[nodiscard]] std::string wordsFor(const MisfitCauses& causes);
+[[nodiscard]] std::string wordsFor(const MisfitCauses& causes, const TriedRemedies& tried = {});
 
 }  // namespace swaplight

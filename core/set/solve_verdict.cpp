@@ -56,7 +56,9 @@ Word colorWord(const SolveReport& report) {
 }
 
 void addColorReasons(const SolveReport& report, std::vector<std::string>& reasons) {
-  if (const std::string words = wordsFor(report.causes); !words.empty()) reasons.push_back(words);
+  if (const std::string words = wordsFor(report.causes, {!report.shifts.empty(), report.tone.has_value()});
+      !words.empty())
+    reasons.push_back(words);
   for (const std::string& advice : report.conditioning.advice) reasons.push_back(advice);
   if (report.openColor && !report.openColor->settled)
     reasons.push_back(fmt::format("the photographs leave one number of {} open", report.openColor->name));

@@ -130,14 +130,27 @@ Progress silent(const Progress& progress) {
   return {{}, progress.stop};
 }
 
-/// `set`: what even lamps would have given, solved in the first part of `progress`.
+/// The photographs as a solve has moved them onto one another; nothing where it has left them.
+std::optional<CapturePixels> movedAsIn(const SolvedSet& set, const CapturePixels& photographs) {
+  const std::vector<ShotShift>& shifts = set.report->shifts;
+  if (std::none_of(shifts.begin(), shifts.end(), worthMoving)) return std::nullopt;
+  return movedShots(photographs, shifts);
+}
+
+/// `set`: what even lamps would have given, solved in the first part of `progress`. All rounds lie where it
+/// has moved the photographs.
 SolvedSet solveUnevenLamps(SolvedSet set, const Capture& capture, const CapturePixels& photographs,
                            const FlatFields& fields, const SolveOptions& options, const Progress& progress) {
-  EvenedShots shots(photographs, fields);
+  const std::optional<CapturePixels> moved = movedAsIn(set, photographs);
+  const std::vector<ShotShift> shifts = set.report->shifts;
+  SolveOptions again = options;
+  if (shifts.empty()) again.align = Remedy::Off;
+  EvenedShots shots(moved ? *moved : photographs, fields);
   double seconds = set.report->seconds;
   for (int round = 1; round <= kMostRounds; ++round) {
     if (shots.update(colorsOf(capture, *set.report), set.contributions) < kSettled) break;
-    set = solve(capture, shots.pixels(), options, partOfRound(progress, round));
+    set = solve(capture, shots.pixels(), again, partOfRound(progress, round), {}, shifts);
+    set.report->options = jsonFromSolveOptions(options);
     seconds += set.report->seconds;
   }
   set.report->seconds = seconds;
@@ -161,11 +174,9 @@ std::optional<LampDrift> seenDrift(const Capture& capture, const CapturePixels& 
   std::optional<SensorNoise> noise = toldNoise(capture, options.noise);
   const float scale = signalScale(photographs, where);
   if (noise) noise = scaledNoise(*noise, scale);
-  std::optional<CapturePixels> scaled, aligned;
+  std::optional<CapturePixels> scaled;
   if (scale != 1) scaled = scaledSignal(photographs, scale);
-  const CapturePixels& pixels = scaled ? *scaled : photographs;
-  if (options.align == Remedy::On) aligned = movedShots(pixels, measureShifts(pixels));
-  return findDrift(capture, aligned ? *aligned : pixels, noise, progress);
+  return findDrift(capture, scaled ? *scaled : photographs, noise, progress);
 }
 
 LampField fieldInReport(const std::string& light, const SmoothField& field, double size) {
@@ -192,7 +203,9 @@ SolvedSet solveDriftingLamps(const Capture& capture, const CapturePixels& photog
         "whether the lamps' colour drifts over the picture cannot be told of these photographs: a colour is "
         "unknown, the lamps were lit one at a time, or the photographs are too few, too dark, or more than "
         "can be compared (--field)");
-  const std::optional<LampDrift> drift = seenDrift(capture, photographs, lens, options, silent(progress));
+  const std::optional<CapturePixels> moved = movedAsIn(set, photographs);
+  const std::optional<LampDrift> drift =
+      seenDrift(capture, moved ? *moved : photographs, lens, options, silent(progress));
   if (!drift) return asItIs("the photographs do not surely show lamps whose colour drifts over the picture");
   FlatFields fields;
   std::vector<LampField> found;

@@ -126,7 +126,7 @@ SolvedSet solveAroundOne(const Capture& capture, CapturePixels photographs, cons
   std::vector<ShotShift> shifts;
   if (std::exchange(plain.align, Remedy::Off) == Remedy::On) {
     progress.update(0, "Aligning the photographs");
-    shifts = measureShifts(photographs);
+    shifts = measureShifts(photographs, progress);
     if (std::any_of(shifts.begin(), shifts.end(), worthMoving)) photographs = movedShots(photographs, shifts);
   }
   const bool moved = std::any_of(shifts.begin(), shifts.end(), worthMoving);

@@ -8,6 +8,8 @@
 #include "core/solve/even_lamps.h"
 #include "core/solve/highlights/highlights.h"
 #include "core/solve/model/crossed_shots.h"
+#include "core/solve/registration/align_shots.h"
+#include "core/solve/registration/moved_shots.h"
 #include "core/solve/solve_crossed.h"
 
 namespace swaplight {
@@ -15,6 +17,12 @@ namespace swaplight {
 namespace {
 
 constexpr float kSolving = 0.9F;  // of the work; the rest finds highlights
+constexpr int kMostPasses = 2;    // more, for what a curve has left
+
+bool isMoved(const SolvedSet& set) {
+  const std::vector<ShotShift>& shifts = set.report->shifts;
+  return std::any_of(shifts.begin(), shifts.end(), worthMoving);
+}
 
 /// Whether there may be highlights, and the model lets a light have another colour than the others.
 bool showsHighlights(const SolvedSet& set) {
@@ -24,12 +32,18 @@ bool showsHighlights(const SolvedSet& set) {
   return model != Model::Single && model != Model::Lambert;
 }
 
-/// Highlights fit no matte model: where some photographs are without, those say what the curve is.
+/// The curve of photographs that are moved onto one another as they lie. Highlights fit no matte model: where
+/// some photographs are without, those say what it is.
 std::optional<ToneCorrection> toneOf(const Capture& capture, CapturePixels& photographs,
-                                     const std::optional<SensorNoise>& noise) {
-  if (!isPartlyCrossed(capture)) return findToneCorrection(capture, photographs, noise);
-  BorrowedShots crossed(capture, true, photographs);
-  return findToneCorrection(shotsOf(capture, true), crossed.pixels(), noise);
+                                     const std::vector<ShotShift>& shifts, const SolveOptions& options,
+                                     const Progress& progress) {
+  if (isPartlyCrossed(capture)) {
+    BorrowedShots crossed(capture, true, photographs);
+    return findToneCorrection(shotsOf(capture, true), crossed.pixels(), options.noise, progress);
+  }
+  if (std::none_of(shifts.begin(), shifts.end(), worthMoving))
+    return findToneCorrection(capture, photographs, options.noise, progress);
+  return findToneCorrection(capture, movedShots(photographs, shifts), options.noise, progress);
 }
 
 }  // namespace
@@ -46,29 +60,43 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
     set.report->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return set;
   };
+  std::optional<ToneCorrection> tone;
+  const auto takeOff = [&](const std::vector<ShotShift>& shifts) {
+    const std::optional<ToneCorrection> seen = toneOf(capture, photographs, shifts, options, progress);
+    if (!seen) return false;
+    correctTone(*seen, photographs);
+    tone = tone ? tone->followedBy(*seen) : *seen;
+    return true;
+  };
   if (options.correctTone == Remedy::On) {
-    const std::optional<ToneCorrection> tone = toneOf(capture, photographs, options.noise);
-    if (tone) correctTone(*tone, photographs);
-    SolvedSet set = solved();
-    if (tone)
-      reportTone(*tone, *set.report);
-    else
-      set.report->message +=
-          " The photographs do not surely show another tone curve than the declared one: none was taken off.";
-    return set;
+    progress.update(0, "Looking for a tone curve");
+    takeOff(options.align == Remedy::On ? measureShifts(photographs, progress) : std::vector<ShotShift>{});
   }
   SolvedSet set = solved();
   // Where shots were taken through crossed polarisers, the photographs are gone.
-  if (options.correctTone == Remedy::Off || isPartlyCrossed(capture) || !isSurelyTone(set.report->causes))
-    return set;
-  const std::optional<ToneCorrection> tone = findToneCorrection(capture, photographs, options.noise);
-  if (!tone) return set;
-  correctTone(*tone, photographs);
-  set = solved();
-  reportTone(*tone, *set.report);
-  set.report->warnings.emplace_back(
-      "the photographs surely hold a tone curve that was not told: it was taken off (--tone declared leaves "
-      "it)");
+  const bool more = !isPartlyCrossed(capture) && options.correctTone != Remedy::Off;
+  for (int pass = 0; more && pass < kMostPasses; ++pass) {
+    // What a camera that moved has left of a curve is seen where the photographs lie on one another.
+    const bool left = tone && isMoved(set) && set.report->causes.is(Cause::Tone);
+    if (!left && (tone || !isSurelyTone(set.report->causes))) break;
+    const double seconds = set.report->seconds;
+    const std::vector<ShotShift> shifts = set.report->shifts;
+    progress.update(0, "Looking for a tone curve");
+    if (!takeOff(shifts)) break;
+    set = {};  // two of them would be more than the memory is known to hold
+    set = solved();
+    set.report->seconds += seconds;
+  }
+  if (tone)
+    reportTone(*tone, *set.report);
+  else if (options.correctTone == Remedy::On)
+    set.report->message +=
+        " The photographs do not surely show another tone curve than the declared one: none was taken off.";
+  if (tone && options.correctTone == Remedy::Sure)
+    set.report->warnings.emplace_back(
+        "the photographs surely hold a tone curve that was not told: it was taken off (--tone declared "
+        "leaves "
+        "it)");
   return set;
 }
 

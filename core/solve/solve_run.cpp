@@ -89,7 +89,7 @@ std::vector<int> placesOf(const std::vector<UnknownColor>& unknown, const Lighti
 }  // namespace
 
 SolveRun::SolveRun(const Capture& given, const CapturePixels& photographs, const SolveOptions& options,
-                   const SolveTuning& tuning, const Progress& progress)
+                   const SolveTuning& tuning, const Progress& progress, const std::vector<ShotShift>& movedBy)
     : m_given(given),
       m_photographs(photographs),
       m_options(options),
@@ -100,6 +100,7 @@ SolveRun::SolveRun(const Capture& given, const CapturePixels& photographs, const
   m_context.lighting = lightingFromCapture(m_capture);
   m_unknownColors = unknownColorsOf(m_capture);
   checkSolvable(m_context.lighting, given.calledName(), placesOf(m_unknownColors, m_context.lighting));
+  m_report.shifts = movedBy;
   m_report.solver = m_info.name;
   m_report.model = modelName(m_info.model);
   m_report.conditioning = conditioningOf(m_context.lighting);
@@ -109,11 +110,18 @@ SolveRun::SolveRun(const Capture& given, const CapturePixels& photographs, const
 
 SolvedSet SolveRun::run() {
   m_progress.update(0, "Analysing the photographs");
-  if (m_options.align == Remedy::On) alignShots();
+  const bool fresh = m_report.shifts.empty();
+  if (m_options.align == Remedy::On && fresh) alignShots();
   calibrateNoise();
   seekCauses();
-  if (m_options.align == Remedy::Sure && m_report.causes.is(Cause::Moved)) alignMovedShots();
-  if (const std::string words = wordsFor(m_report.causes); !words.empty()) warn({words});
+  if (m_options.align == Remedy::Sure && fresh && m_report.causes.is(Cause::Moved)) alignMovedShots();
+  if (m_options.align == Remedy::Sure && isAligned())
+    warn(
+        {"the camera surely moved between the photographs: they were aligned to the first (--align off "
+         "leaves "
+         "them as they are)"});
+  const TriedRemedies tried{.aligned = !m_report.shifts.empty()};
+  if (const std::string words = wordsFor(m_report.causes, tried); !words.empty()) warn({words});
   calibrateColors();
   separateLights();
   m_progress.update(0.9F, "Finishing");
@@ -124,27 +132,27 @@ SolvedSet SolveRun::run() {
 }
 
 void SolveRun::warn(const std::vector<std::string>& warnings) {
-  m_report.warnings.insert(m_report.warnings.end(), warnings.begin(), warnings.end());
+  auto& said = m_report.warnings;
+  for (const std::string& warning : warnings)
+    if (std::find(said.begin(), said.end(), warning) == said.end()) said.push_back(warning);
 }
 
 void SolveRun::alignShots() {
   m_progress.update(0.02F, "Aligning the photographs");
-  m_report.shifts = measureShifts(m_photographs);
+  m_report.shifts = shiftsOfShots(m_given, m_photographs, m_options.noise, m_progress);
   warn(shiftWarnings(m_report.shifts));
-  if (std::any_of(m_report.shifts.begin(), m_report.shifts.end(), worthMoving))
-    m_report.shifts = fittedShifts(m_given, m_photographs, m_report.shifts, m_options.noise);
-  if (std::any_of(m_report.shifts.begin(), m_report.shifts.end(), worthMoving))
-    m_aligned = movedShots(m_photographs, m_report.shifts);
+  if (isAligned()) m_aligned = movedShots(m_photographs, m_report.shifts);
 }
 
-/// The causes of the misfit are known for the photographs as they are; what they are when these lie on one
-/// another is asked once more. A registration that finds nothing to move has the last word.
+bool SolveRun::isAligned() const {
+  return std::any_of(m_report.shifts.begin(), m_report.shifts.end(), worthMoving);
+}
+
+/// The causes of the misfit are known for the photographs as they are: what they are when these lie on one
+/// another is asked once more.
 void SolveRun::alignMovedShots() {
   alignShots();
-  if (!m_aligned) return m_report.shifts.clear();
-  warn(
-      {"the camera surely moved between the photographs: they were aligned to the first (--align off leaves "
-       "them as they are)"});
+  if (!isAligned()) return;
   calibrateNoise();
   seekCauses();
 }
@@ -324,7 +332,7 @@ float SolveRun::judgeColors(float usual) {
 /// Misfit at edges is a moved camera's only where that explains any of it: relief and gloss are at edges,
 /// too. Photographs that were moved onto one another, and JPEGs, are never quite alike there.
 bool SolveRun::mayHaveMoved() const {
-  if (!m_report.shifts.empty() || !pixels().codingError.empty()) return true;
+  if (isAligned() || !pixels().codingError.empty()) return true;
   const auto& causes = m_report.causes.all;
   const auto moved = std::find_if(causes.begin(), causes.end(),
                                   [](const CauseEvidence& one) { return one.cause == Cause::Moved; });
@@ -339,14 +347,13 @@ void SolveRun::separateLights() {
   const float shift =
       solveAuto(m_context, *m_signal, m_report.shifts, mayHaveMoved(), m_tuning.automatic, m_set, m_progress);
   // Photographs that do not lie on one another, and JPEGs, differ by more than noise says.
-  if (shift == 0 && m_report.shifts.empty() && pixels().codingError.empty())
+  if (shift == 0 && !isAligned() && pixels().codingError.empty())
     followLocalEvidence({m_context.lighting, m_ownNoise}, m_report.colorUncertainty, *m_signal,
                         m_tuning.automatic.evidence, m_set);
   // Gloss, grain and wrong colours are at edges, too.
-  const bool aligned = !m_report.shifts.empty();
-  if (shift > 0 && (m_report.causes.all.empty() || aligned))
+  if (shift > 0 && (m_report.causes.all.empty() || isAligned()))
     m_report.warnings.emplace_back(
-        aligned
+        isAligned()
             ? "the photographs still disagree along edges: trusted less there"
             : "the photographs disagree along edges, as if the camera had moved by a fraction of a pixel: "
               "trusted less there; --align may help");

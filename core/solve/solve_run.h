@@ -20,9 +20,10 @@ namespace swaplight {
 /// One solve, of photographs around full scale: its steps in their order, and what one hands to the next.
 class SolveRun {
  public:
-  /// All of them outlive the run. Throws InputError where the capture cannot be solved.
+  /// All of them outlive the run. `movedBy`: as solve() has it. Throws InputError where the capture cannot be
+  /// solved.
   SolveRun(const Capture& given, const CapturePixels& photographs, const SolveOptions& options,
-           const SolveTuning& tuning, const Progress& progress);
+           const SolveTuning& tuning, const Progress& progress, const std::vector<ShotShift>& movedBy);
 
   /// Once. Throws as solve() does.
   [[nodiscard]] SolvedSet run();
@@ -47,6 +48,7 @@ class SolveRun {
   void doubtFittedError();
   float judgeColors(float usual);
   [[nodiscard]] bool mayHaveMoved() const;
+  [[nodiscard]] bool isAligned() const;  ///< some shot was moved
   [[nodiscard]] const CapturePixels& pixels() const { return m_aligned ? *m_aligned : m_photographs; }
   void warn(const std::vector<std::string>& warnings);
 

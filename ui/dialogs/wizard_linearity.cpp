@@ -61,11 +61,13 @@ void CaptureWizard::drawLinearity() {
   if (evidence->answer != LinearityEvidence::Answer::Curved) return;
   bool take = m_solve.correctTone == Remedy::On;
   if (ImGui::Checkbox("Take the curve off before solving", &take))
-    m_solve.correctTone = take ? Remedy::On : Remedy::Off;
+    m_solve.correctTone = take ? Remedy::On : Remedy::Sure;
   markItem("wizard.tone");
   tooltip(
       "Finds the tone curve once more by the whole picture and solves without it. The exposure stays open. "
-      "Where no curve is surely seen, nothing is changed.");
+      "Where no curve is surely seen, nothing is changed. Without the tick it is taken off where nothing "
+      "else can be "
+      "what is wrong.");
 }
 
 }  // namespace swaplight

@@ -222,8 +222,9 @@ void compare(std::vector<Candidate>& candidates, const MisfitRows& rows, const T
     candidate.evidence.behind = difference(candidates.front().sums, candidate.sums).deviations();
 }
 
-/// As many as a pass over them may cost; 0: so many that nothing is said.
-int pixelsFor(const EstimatorContext& context, const CauseTuning& tuning) {
+}  // namespace
+
+int causeSampleSize(const EstimatorContext& context, const CauseTuning& tuning) {
   const MatteFit matte(context);
   if (context.lighting.lights < 2 || matte.freedom() < 1) return 0;
   const double cost = double(matte.freedom()) * std::pow(mostCauseUnknowns(context.lighting), 2);
@@ -231,12 +232,10 @@ int pixelsFor(const EstimatorContext& context, const CauseTuning& tuning) {
   return count < tuning.fewestPixels ? 0 : count;
 }
 
-}  // namespace
-
 MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& signal,
                           const CauseTuning& tuning) {
   MisfitCauses causes;
-  const int count = pixelsFor(context, tuning);
+  const int count = causeSampleSize(context, tuning);
   if (count == 0) return causes;
   std::vector<PixelMisfit> sample = misfitSample(context, signal, count, tuning);
   const Tiles tiles = tilesOf(sample, signal.pixels(), tuning.tiles);

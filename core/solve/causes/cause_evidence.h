@@ -24,6 +24,10 @@ namespace swaplight {
 [[nodiscard]] MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& signal,
                                         const CauseTuning& tuning = {});
 
+/// How many pixels of a capture are held against each other: as many as a pass over them may cost. 0: so many
+/// unknowns, or so little freedom, that nothing is said.
+[[nodiscard]] int causeSampleSize(const EstimatorContext& context, const CauseTuning& tuning = {});
+
 /// Whether it is a tone curve beyond doubt: the one likely cause, surer than what is only said, and all
 /// others surely worse. Ambient light of a glossy set has been taken for a curve with less.
 [[nodiscard]] bool isSurelyTone(const MisfitCauses& causes, const CauseTuning& tuning = {});

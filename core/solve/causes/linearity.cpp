@@ -295,7 +295,7 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
   using Answer = LinearityEvidence::Answer;
   const MisfitCauses& causes = evidence.causes;
   if (causes.is(Cause::Tone)) {
-    const auto tone = findToneCorrection(capture, photographs, {}, tuning);
+    const auto tone = findToneCorrection(capture, photographs, {}, {}, tuning);
     if (tone) evidence.curve = tone->curve();
     return answerCurved(evidence, "matte surfaces would look otherwise under these colours",
                         tone ? tone->exponent() : evidence.matte->exponent);

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/solve/causes/cause_context.h"
+#include "core/solve/causes/cause_evidence.h"
 #include "core/solve/causes/cause_fit.h"
 #include "core/solve/causes/cause_slopes.h"
-#include "core/solve/estimators/matte_fit.h"
 #include "core/solve/registration/align_shots.h"
 #include "core/solve/registration/moved_shots.h"
 #include "core/solve/registration/shot_place.h"
@@ -30,7 +30,8 @@ std::optional<Misfit> misfitOf(const Capture& capture, const CapturePixels& phot
                                const CauseTuning& tuning) {
   const CapturePixels moved = movedShots(photographs, shifts);
   const auto [context, signal] = causeContext(capture, moved, told);
-  const std::vector<PixelMisfit> sample = misfitSample(context, signal, tuning.pixels, tuning);
+  const std::vector<PixelMisfit> sample =
+      misfitSample(context, signal, causeSampleSize(context, tuning), tuning);
   if (int(sample.size()) < tuning.fewestPixels) return std::nullopt;
   const MisfitRows rows = misfitRows(sample);
   const PixelSpan all{0, int(sample.size())};
@@ -68,20 +69,15 @@ bool colorsAreKnown(const Capture& capture) {
   });
 }
 
-}  // namespace
-
-std::vector<ShotShift> fittedShifts(const Capture& capture, const CapturePixels& photographs,
-                                    const std::vector<ShotShift>& shifts,
-                                    const std::optional<SensorNoise>& noise, const CauseTuning& tuning) {
-  if (!colorsAreKnown(capture)) return shifts;
-  if (const EstimatorContext context{lightingFromCapture(capture), {}};
-      context.lighting.lights < 2 || MatteFit(context).freedom() < 1)
-    return shifts;
-  const std::optional<SensorNoise> told = toldNoise(capture, noise);
+/// Better than edges have them.
+std::vector<ShotShift> fitted(const Capture& capture, const CapturePixels& photographs,
+                              const std::vector<ShotShift>& shifts, const std::optional<SensorNoise>& told,
+                              const Progress& progress, const CauseTuning& tuning) {
   const int width = photographs.width(), height = photographs.height();
   std::vector<ShotShift> best = shifts, next = shifts;
   double least = INFINITY;
   for (int round = 0; round < kMostRounds; ++round) {
+    progress.stopIfAsked();
     const std::optional<Misfit> misfit = misfitOf(capture, photographs, next, told, tuning);
     if (!misfit || misfit->squaredScale >= least) break;
     least = misfit->squaredScale;
@@ -98,10 +94,21 @@ std::vector<ShotShift> fittedShifts(const Capture& capture, const CapturePixels&
     if (change < kSettled || far > kMostChange) break;
   }
   for (ShotShift& shift : best)
-    if (ShotShift turn{0, 0, true, 0, 0, shift.turn, shift.zoom};
+    if (const ShotShift turn{0, 0, true, 0, 0, shift.turn, shift.zoom};
         ShotPlaces(turn, width, height).farthestMove() < kNoTurn)
       shift.turn = 0, shift.zoom = 1;
   return best;
+}
+
+}  // namespace
+
+std::vector<ShotShift> shiftsOfShots(const Capture& capture, const CapturePixels& photographs,
+                                     const std::optional<SensorNoise>& noise, const Progress& progress,
+                                     const CauseTuning& tuning) {
+  std::vector<ShotShift> shifts = measureShifts(photographs, progress);
+  if (std::none_of(shifts.begin(), shifts.end(), worthMoving) || !colorsAreKnown(capture)) return shifts;
+  if (causeSampleSize({lightingFromCapture(capture), {}}, tuning) == 0) return shifts;
+  return fitted(capture, photographs, shifts, toldNoise(capture, noise), progress, tuning);
 }
 
 }  // namespace swaplight

@@ -95,6 +95,13 @@ double ToneCorrection::takeOff(const std::vector<double>& gain) {
   return largest;
 }
 
+ToneCorrection ToneCorrection::followedBy(const ToneCorrection& next) const {
+  ToneCorrection both;
+  for (size_t j = 0; j < size_t(kLevels); ++j)
+    both.m_logLight[j] = std::log(double(next(float(std::exp(m_logLight[j])))));
+  return both;
+}
+
 std::vector<double> ToneCorrection::lights() const {
   std::vector<double> lights;
   for (const double log : m_logLight) lights.push_back(std::exp(log));
@@ -114,7 +121,7 @@ std::vector<std::array<float, 2>> ToneCorrection::curve() const {
 
 std::optional<ToneCorrection> findToneCorrection(const Capture& capture, const CapturePixels& photographs,
                                                  const std::optional<SensorNoise>& noise,
-                                                 const CauseTuning& tuning) {
+                                                 const Progress& progress, const CauseTuning& tuning) {
   for (const Shot& shot : capture.shots)
     for (const auto& color : shot.lightColors)
       if (!color)
@@ -125,6 +132,7 @@ std::optional<ToneCorrection> findToneCorrection(const Capture& capture, const C
   const std::optional<SensorNoise> told = toldNoise(capture, noise);
   ToneCorrection tone;
   for (int round = 0; round < ToneCorrection::kMostRounds; ++round) {
+    progress.stopIfAsked();
     const double change = improve(capture, photographs, told, round == 0, tuning, tone);
     if (change == 0 && round == 0) return std::nullopt;
     if (change < ToneCorrection::kSettled) break;

@@ -22,6 +22,8 @@ class ToneCorrection {
   /// Takes e^gain(light) off as well, `gain` at the lights of `values`; as much of it as keeps the curve
   /// rising. Returns the largest change of the logarithm that was made.
   double takeOff(const std::vector<double>& gain);
+  /// Both, this one first.
+  [[nodiscard]] ToneCorrection followedBy(const ToneCorrection& next) const;
   /// The lights, as they are now, of the values that the correction is kept at.
   [[nodiscard]] std::vector<double> lights() const;
   /// What the camera did: the power of light, over the middle of the range, that the files hold.
@@ -40,11 +42,12 @@ class ToneCorrection {
 
 /// Finds the tone curve by Gauss-Newton: the Tone cause of misfitCauses() is fitted, taken off, and fitted
 /// again. Nothing where that cause is not the likeliest, or ambient light may be it. Throws InputError where
-/// a light colour is unknown: the curve and the colour could not be told apart. `noise`: the sensor's, if it
-/// is told otherwise than by the capture.
+/// a light colour is unknown: the curve and the colour could not be told apart; Stopped. `noise`: the
+/// sensor's, if it is told otherwise than by the capture.
 [[nodiscard]] std::optional<ToneCorrection> findToneCorrection(const Capture& capture,
                                                                const CapturePixels& photographs,
                                                                const std::optional<SensorNoise>& noise = {},
+                                                               const Progress& progress = {},
                                                                const CauseTuning& tuning = {});
 
 /// The photographs, and the ambient one, with the curve taken off.

@@ -1,5 +1,6 @@
 #include "core/solve/model/solve_options.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -29,6 +30,7 @@ constexpr std::array<std::pair<Denoise, const char*>, 2> kDenoising = {{
 constexpr double kMostRead = 1e6;
 constexpr double kLeastFullWell = 1e-6, kMostFullWell = 1e30;
 constexpr int kWidestRadius = 1000;
+constexpr const char* kLeftAsItIs = "left_as_it_is";  // remedies that are not wanted
 
 template <typename Value, size_t count>
 std::string nameIn(const std::array<std::pair<Value, const char*>, count>& names, Value wanted) {
@@ -122,9 +124,13 @@ Json jsonFromSolveOptions(const SolveOptions& options) {
   if (options.colorUncertainty >= 0) json["color_uncertainty"] = jsonNumber(options.colorUncertainty);
   json["refine_colors"] = options.refineColors;
   json["ambient"] = options.solveAmbient;
-  // Sure is what is meant where nothing is said.
-  if (options.correctTone != Remedy::Sure) json["correct_tone"] = options.correctTone == Remedy::On;
-  if (options.align != Remedy::Sure) json["align"] = options.align == Remedy::On;
+  // Older programs know true, and have written false where nothing was asked for.
+  const auto writeRemedy = [&](const char* key, Remedy remedy) {
+    if (remedy == Remedy::On) json[key] = true;
+    if (remedy == Remedy::Off) json[kLeftAsItIs].push_back(key);
+  };
+  writeRemedy("correct_tone", options.correctTone);
+  writeRemedy("align", options.align);
   if (!options.highlights) json["highlights"] = false;
   if (options.field) json["field"] = true;
   if (options.openColor != OpenColorChoice{}) json["open_color"] = jsonFromChoice(options.openColor);
@@ -148,9 +154,11 @@ SolveOptions solveOptionsFromJson(const Json& json, const std::string& where) {
       static_cast<float>(fields.number("color_uncertainty", 0, 1).value_or(options.colorUncertainty));
   options.refineColors = fields.boolean("refine_colors").value_or(options.refineColors);
   options.solveAmbient = fields.boolean("ambient").value_or(options.solveAmbient);
+  const Json* left = fields.find(kLeftAsItIs);
   const auto remedy = [&](const char* key) {
-    const std::optional<bool> told = fields.boolean(key);
-    return !told ? Remedy::Sure : *told ? Remedy::On : Remedy::Off;
+    if (fields.boolean(key).value_or(false)) return Remedy::On;
+    const bool off = left && left->is_array() && std::find(left->begin(), left->end(), key) != left->end();
+    return off ? Remedy::Off : Remedy::Sure;
   };
   options.correctTone = remedy("correct_tone");
   options.align = remedy("align");

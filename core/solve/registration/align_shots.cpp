@@ -101,12 +101,14 @@ ShotShift registered(const std::vector<cv::Mat>& first, const std::vector<cv::Ma
 
 }  // namespace
 
-std::vector<ShotShift> measureShifts(const CapturePixels& pixels) {
+std::vector<ShotShift> measureShifts(const CapturePixels& pixels, const Progress& progress) {
   std::vector<ShotShift> shifts(pixels.shots.size());
   if (pixels.shots.size() < 2) return shifts;
   const auto first = edgePyramid(pixels.shots[0], pixels.clipLevel[0]);
-  for (size_t k = 1; k < pixels.shots.size(); ++k)
+  for (size_t k = 1; k < pixels.shots.size(); ++k) {
+    progress.stopIfAsked();
     shifts[k] = registered(first, edgePyramid(pixels.shots[k], pixels.clipLevel[k]));
+  }
   return shifts;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/capture/capture_pixels.h"
 #include "core/set/shot_shift.h"
 
@@ -13,7 +14,9 @@ namespace swaplight {
 /// what is compared is the strength of the edges of log luminance over their local mean (part_shifts.h),
 /// coarse to fine. A shot that correlates too little, or would move by more than a twelfth of the picture, is
 /// not found.
-[[nodiscard]] std::vector<ShotShift> measureShifts(const CapturePixels& pixels);
+/// Throws Stopped.
+[[nodiscard]] std::vector<ShotShift> measureShifts(const CapturePixels& pixels,
+                                                   const Progress& progress = {});
 
 /// A shift that is worth resampling for (moved_shots.h): beyond what registering is good to under different
 /// lights, and twice as far as the parts of the picture disagree, across or down, or as turned.

@@ -39,15 +39,19 @@ struct Plane {
   }
   /// What the kernel may spread.
   [[nodiscard]] float bounded(float value) const { return std::isfinite(value) ? std::min(value, clip) : 0; }
-  /// A value that its two by two nearest pixels cannot give is theirs: broken, or saturated.
+  /// A value that its two by two nearest pixels cannot give is theirs: broken, saturated, or not below
+  /// nothing.
   [[nodiscard]] float asNearest(float value, int left, int up) const {
+    float least = INFINITY;
     for (const float* row : {line(up), line(up + 1)})
       for (const int at : {column(left), column(left + 1)}) {
+        least = std::min(least, row[at]);
         if (!std::isfinite(row[at]))
           value = NAN;
         else if (row[at] >= clip)
           value = std::max(value, clip);  // NaN stays
       }
+    if (least >= 0 && value < 0) return 0;
     return value;
   }
 };

@@ -31,6 +31,8 @@ TEST(SolveOptions, ACorrectedToneComesBackFromJson) {
   EXPECT_EQ(solveOptionsFromJson(jsonFromSolveOptions(options)), options);
   options.correctTone = Remedy::Off, options.align = Remedy::On;
   EXPECT_EQ(solveOptionsFromJson(jsonFromSolveOptions(options)), options);
+  EXPECT_EQ(solveOptionsFromJson({{"align", false}}).align, Remedy::Sure)
+      << "so older programs wrote what nobody asked";
   for (const char* key : {"correct_tone", "align"})
     EXPECT_FALSE(jsonFromSolveOptions({}).contains(key)) << "what older programs do not know";
 }
