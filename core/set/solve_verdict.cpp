@@ -21,7 +21,7 @@ constexpr Limits kUnexplained{0.1, 0.2};   ///< of the light in bright pixels, b
 /// Lights that every channel tells apart like one lamp at a time need no surface to be matte: what that
 /// leaves unexplained says nothing of the colours.
 constexpr double kOneByOne = 1.1;
-// What is worth naming as a reason, by judgement: it chooses words, never the verdict.
+// What is worth naming as a reason, by judgement: but for what moved it chooses words, never the verdict.
 constexpr double kManyNoises = 3;     ///< of the photographs' noise, as in the report's message
 constexpr double kMuchAmplified = 2;  ///< noise of the matte model over that of a photograph
 constexpr double kManyPixels = 0.05;  ///< clipped, too dark or moved
@@ -95,7 +95,8 @@ SolveVerdict verdictOf(const SolveReport& report) {
     return {SolveVerdict::Word::Fair, {"the report does not say how well the lights are known"}};
   verdict.word = std::max(wordOf(report.sigmaMedian, kError), colorWord(report));
   // Sigma knows noise and colours, no other cause: what explains much of the misfit is not good.
-  if (!report.causes.likely.empty() || report.causes.unnamed || lacksChannel(report))
+  const bool muchMoved = partOf(report, report.moved) > kManyPixels;
+  if (!report.causes.likely.empty() || report.causes.unnamed || muchMoved || lacksChannel(report))
     verdict.word = std::max(verdict.word, SolveVerdict::Word::Fair);
   if (verdict.word == SolveVerdict::Word::Good) return verdict;
   addColorReasons(report, verdict.reasons);

@@ -1,11 +1,23 @@
 #include "core/solve/solve.h"
 
 #include "core/base/json.h"
+#include "core/solve/causes/shift_fit.h"
+#include "core/solve/registration/align_shots.h"
+#include "core/solve/registration/moved_shots.h"
 #include "core/solve/signal_scale.h"
 #include "core/solve/solve_run.h"
 
 namespace swaplight {
 namespace {
+
+constexpr double kManyMoved = 0.02;  // of the pixels
+constexpr float kFarApart = 1;       // pixels, of photographs that were not registered
+
+/// What a small shift explains is seen before the solve (Cause::Moved). Photographs that lie farther apart
+/// than their edges are wide look like many things, and like something that moved in much of the picture.
+bool mayLieFarApart(const SolveReport& report) {
+  return report.shifts.empty() && double(report.moved) > kManyMoved * double(report.pixels);
+}
 
 /// Pictures far from full scale, as radiance in physical units may be: solved around 1, and scaled back.
 SolvedSet solveScaled(const Capture& given, const CapturePixels& photographs, const SolveOptions& options,
@@ -31,7 +43,15 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
   const std::string where = capture.calledName();
   if (const float scale = signalScale(photographs, where); scale != 1)
     return solveScaled(capture, photographs, options, scale, progress, tuning, movedBy);
-  return SolveRun(capture, photographs, options, tuning, progress, movedBy).run();
+  SolvedSet set = SolveRun(capture, photographs, options, tuning, progress, movedBy).run();
+  if (options.align != Remedy::Sure || !mayLieFarApart(*set.report)) return set;
+  const std::vector<ShotShift> shifts = shiftsOfShots(capture, photographs, options.noise, progress);
+  if (farthestMove(shifts, photographs.width(), photographs.height()) < kFarApart) return set;
+  const double seconds = set.report->seconds;
+  set = {};
+  set = SolveRun(capture, movedShots(photographs, shifts), options, tuning, progress, shifts).run();
+  set.report->seconds += seconds;
+  return set;
 }
 
 }  // namespace swaplight

@@ -35,11 +35,11 @@ def limit_memory(gigabytes):
     resource.setrlimit(resource.RLIMIT_AS, (gigabytes << 30, gigabytes << 30))
 
 
-def write_image(path, pixels, pixel_type='float', **attributes):
+def write_image(path, pixels, pixel_type='float', channels='RGBA', **attributes):
     """pixels: height x width x 3, as the file holds them (0..1 for integer types)."""
     pixels = np.ascontiguousarray(pixels, np.float32)
     spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], pixels.shape[2], pixel_type)
-    spec.channelnames = ('R', 'G', 'B', 'A')[:pixels.shape[2]]
+    spec.channelnames = tuple(channels)[:pixels.shape[2]]
     for name, value in attributes.items():
         spec.attribute(name, value)
     os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)

@@ -1,5 +1,6 @@
 """swaplight evaluate"""
 import json
+import os
 
 import numpy as np
 import swaplight_cli as cli
@@ -99,6 +100,23 @@ class EvaluateTest(cli.CliTest):
         text = self.succeed('evaluate', test, reference).stdout
         for word in ('3 pictures', 'more/c', 'alone.exr', 'de2000', 'mean'):
             self.assertIn(word, text)
+
+    def test_colours_and_maps_are_not_compared_in_one_table(self):
+        for folder in ('test', 'reference'):
+            cli.write_image(self.path(folder, 'a.exr'), self.pixels)
+            cli.write_image(self.path(folder, 'b.exr'), self.pixels[..., :1], channels=['beta.key'])
+        self.deny('evaluate', self.path('test'), self.path('reference'), naming=['a.exr', 'b.exr', '--channels'])
+        os.remove(self.path('test', 'a.exr'))
+        self.deny('evaluate', self.path('test'), self.path('reference'), '--histogram', self.path('h.png'),
+                  naming=['b.exr', 'luminance'])
+        self.deny('evaluate', self.path('test', 'b.exr'), self.path('reference', 'a.exr'), naming=['beta.key', 'R, G, B'])
+
+    def test_a_region_without_a_finite_pixel_is_named(self):
+        broken = self.path('broken.exr')
+        pixels = self.pixels.copy()
+        pixels[:4, :4] = np.nan
+        cli.write_image(broken, pixels)
+        self.deny('evaluate', broken, self.reference, '--region', 'corner=0,0,4,4', naming=['broken.exr', 'corner', 'finite'])
 
     def test_folders_that_cannot_be_compared_are_said(self):
         test, reference = self.folders()

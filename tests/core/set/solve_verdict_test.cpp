@@ -10,6 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using Word = SolveVerdict::Word;
 
 SolveReport reportWith(double error) {
@@ -54,6 +55,25 @@ TEST(SolveVerdict, LampsPhotographedOneByOneNeedNoMatteSurface) {
   report.colorUncertainty = 0.6F;
   report.colorDisagreement = 0.6;
   EXPECT_EQ(verdictOf(report).word, Word::Good);
+}
+
+TEST(SolveVerdict, ASetOfWhichMuchMovedIsNotGood) {
+  SolveReport report = reportWith(0.02);
+  report.moved = 40;
+  EXPECT_EQ(verdictOf(report).word, Word::Good);
+  report.moved = 120;
+  EXPECT_EQ(verdictOf(report).word, Word::Fair);
+  EXPECT_THAT(verdictLine(verdictOf(report)), HasSubstr("12 % of the pixels moved"));
+}
+
+TEST(SolveVerdict, WhatWasTriedIsNotAdvisedAgain) {
+  SolveReport report = reportWith(0.02);
+  report.causes.all = {{Cause::Moved, .4, .3, 8, 0, .5}};
+  report.causes.likely = {Cause::Moved};
+  EXPECT_THAT(verdictLine(verdictOf(report)), HasSubstr("--align on"));
+  report.shifts = {{}, {1, 0}};
+  EXPECT_THAT(verdictLine(verdictOf(report)), Not(HasSubstr("--align on")));
+  EXPECT_THAT(verdictLine(verdictOf(report)), HasSubstr("were registered"));
 }
 
 TEST(SolveVerdict, ASetWithoutGreenIsNotGood) {

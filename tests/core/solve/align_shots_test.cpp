@@ -220,6 +220,16 @@ TEST(AlignShots, ACameraThatSurelyMovedIsAlignedUnasked) {
   ASSERT_FALSE(moved.report->warnings.empty());
   EXPECT_NE(moved.report->warnings.front().find("--align off"), std::string::npos);
   EXPECT_TRUE(moved.report->causes.likely.empty()) << "nothing is wrong any more";
+  // So far that what it leaves looks like no small shift.
+  const SolvedSet far = solved({7, 3});
+  ASSERT_EQ(far.report->shifts.size(), 2U);
+  EXPECT_NEAR(double(far.report->shifts[1].x), 7, 0.08);
+  EXPECT_NE(far.report->warnings.front().find("--align off"), std::string::npos);
+  SolveOptions asked;
+  asked.align = Remedy::On;
+  const SolvedSet asAsked = solve(capture, set.photograph(capture, {{0, 0}, {7, 3}}), asked);
+  EXPECT_NEAR(set.relativeError(far), set.relativeError(asAsked), 1e-6);
+
   const SolvedSet still = solved({});
   EXPECT_TRUE(still.report->shifts.empty());
   EXPECT_TRUE(still.report->warnings.empty());
