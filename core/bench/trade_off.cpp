@@ -57,9 +57,8 @@ void measureScene(const HardCase& still, bool glossy, double seconds, std::vecto
   }
   const BenchScene scene{still.capture, fourTimes(still.pixels)};
   SolvedSet room = roomFor(scene);
-  const double limit = memorySpeed(scene, room, true, seconds);
   for (TradeOff& row : these) {
-    row.limit = limit;
+    row.limit = memorySpeed(scene, room, true, seconds);  // beside it: what else runs slows both
     row.megapixels = row.solver == "brute-force" ? bruteForceSpeed(scene, room, seconds)
                                                  : estimatorSpeed(row.solver, scene, room, true, seconds);
     rows.push_back(std::move(row));

@@ -37,7 +37,7 @@ struct CauseTuning {
   /// the third. Chosen with those sets in sight (cause_table.py); the rendered seeds 3101 to 3112 check it.
   double surelyAmbient = .05, muchAmbient = .1, mostAmbient = .6;
   double leastCertainty = 3, farApart = 5;
-  /// Standard errors of Tone's gain with which it is taken off without being asked (isSurelyTone). Of 312
+  /// Standard errors of Tone's gain with which it is taken off without being asked (isSurelyTone). Of 288
   /// captures of the sets of ../shared/captures the one that was named wrongly (ambient light, gloss/spec1)
   /// had 4.9.
   double surelyTone = 5.5;
