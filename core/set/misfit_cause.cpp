@@ -42,7 +42,7 @@ const CauseText& textOf(Cause cause) {
 /// No curve is taken off where ambient light may be what looks like one.
 const char* remedyOf(Cause cause, const MisfitCauses& causes, const TriedRemedies& tried) {
   if (cause == Cause::Moved && tried.aligned)
-    return "they were registered, and that is left: take them again, or leave out the one that moved";
+    return "registering them has not ended it: take them again, or leave out the one that moved";
   if (cause == Cause::Tone && tried.toneTaken) return "one was taken off, and that is left: photograph raw";
   const bool ambient =
       std::find(causes.likely.begin(), causes.likely.end(), Cause::Ambient) != causes.likely.end();

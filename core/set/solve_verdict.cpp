@@ -81,7 +81,10 @@ void addPictureReasons(const SolveReport& report, std::vector<std::string>& reas
     if (const double part = partOf(report, pixels); part > kManyPixels)
       reasons.push_back(fmt::format("{:.0f} % of the pixels {}", 100 * part, words));
   };
-  many(report.moved, "moved between the photographs: align them");
+  many(report.moved, report.shifts.empty()
+                         ? "moved between the photographs: align them"
+                         : "moved between the photographs, and registering has not ended it: "
+                           "take them again");
   many(report.clipped, "are clipped in a photograph: expose less");
   // Under wrong colours what is known of a pixel is less than its light, as where it is dark.
   if (colorWord(report) == Word::Good) many(report.tooDark, "are too dark: expose more");

@@ -203,9 +203,10 @@ SolvedSet solveDriftingLamps(const Capture& capture, const CapturePixels& photog
         "whether the lamps' colour drifts over the picture cannot be told of these photographs: a colour is "
         "unknown, the lamps were lit one at a time, or the photographs are too few, too dark, or more than "
         "can be compared (--field)");
-  const std::optional<CapturePixels> moved = movedAsIn(set, photographs);
-  const std::optional<LampDrift> drift =
-      seenDrift(capture, moved ? *moved : photographs, lens, options, silent(progress));
+  const std::optional<LampDrift> drift = [&] {
+    const std::optional<CapturePixels> moved = movedAsIn(set, photographs);
+    return seenDrift(capture, moved ? *moved : photographs, lens, options, silent(progress));
+  }();
   if (!drift) return asItIs("the photographs do not surely show lamps whose colour drifts over the picture");
   FlatFields fields;
   std::vector<LampField> found;

@@ -1,5 +1,7 @@
 #include "core/solve/solve.h"
 
+#include <chrono>
+
 #include "core/base/json.h"
 #include "core/solve/causes/shift_fit.h"
 #include "core/solve/registration/align_shots.h"
@@ -10,8 +12,8 @@
 namespace swaplight {
 namespace {
 
-constexpr double kManyMoved = 0.02;  // of the pixels
-constexpr float kFarApart = 1;       // pixels, of photographs that were not registered
+constexpr double kManyMoved = 0.005;  // of the pixels; .001 is the most of sets that stood still
+constexpr float kFarApart = 0.5F;     // pixels, of photographs that were not registered
 
 /// What a small shift explains is seen before the solve (Cause::Moved). Photographs that lie farther apart
 /// than their edges are wide look like many things, and like something that moved in much of the picture.
@@ -45,12 +47,20 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
     return solveScaled(capture, photographs, options, scale, progress, tuning, movedBy);
   SolvedSet set = SolveRun(capture, photographs, options, tuning, progress, movedBy).run();
   if (options.align != Remedy::Sure || !mayLieFarApart(*set.report)) return set;
-  const std::vector<ShotShift> shifts = shiftsOfShots(capture, photographs, options.noise, progress);
-  if (farthestMove(shifts, photographs.width(), photographs.height()) < kFarApart) return set;
+  const auto started = std::chrono::steady_clock::now();
   const double seconds = set.report->seconds;
+  progress.update(0, "Aligning the photographs");
+  std::vector<ShotShift> shifts = shiftsOfShots(capture, photographs, options.noise, progress);
+  if (farthestMove(shifts, photographs.width(), photographs.height()) < kFarApart) {
+    for (std::string& warning : shiftWarnings(shifts)) set.report->warnings.push_back(std::move(warning));
+    set.report->shifts = std::move(shifts);
+    progress.update(1, "Solved");
+    return set;
+  }
   set = {};
   set = SolveRun(capture, movedShots(photographs, shifts), options, tuning, progress, shifts).run();
-  set.report->seconds += seconds;
+  set.report->seconds =
+      seconds + std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return set;
 }
 

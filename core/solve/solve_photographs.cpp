@@ -77,7 +77,8 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
   const bool more = !isPartlyCrossed(capture) && options.correctTone != Remedy::Off;
   for (int pass = 0; more && pass < kMostPasses; ++pass) {
     // What a camera that moved has left of a curve is seen where the photographs lie on one another.
-    const bool left = tone && isMoved(set) && set.report->causes.is(Cause::Tone);
+    const bool wanted = tone || options.correctTone == Remedy::On;
+    const bool left = wanted && isMoved(set) && set.report->causes.is(Cause::Tone);
     if (!left && (tone || !isSurelyTone(set.report->causes))) break;
     const double seconds = set.report->seconds;
     const std::vector<ShotShift> shifts = set.report->shifts;
@@ -87,9 +88,14 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
     set = solved();
     set.report->seconds += seconds;
   }
-  if (tone)
+  if (tone) {
+    // What the solve said of a curve that is left, it said without knowing of this one.
+    const bool aligned = !set.report->shifts.empty();
+    auto& warnings = set.report->warnings;
+    std::replace(warnings.begin(), warnings.end(), wordsFor(set.report->causes, {aligned, false}),
+                 wordsFor(set.report->causes, {aligned, true}));
     reportTone(*tone, *set.report);
-  else if (options.correctTone == Remedy::On)
+  } else if (options.correctTone == Remedy::On)
     set.report->message +=
         " The photographs do not surely show another tone curve than the declared one: none was taken off.";
   if (tone && options.correctTone == Remedy::Sure)

@@ -106,6 +106,7 @@ SolveRun::SolveRun(const Capture& given, const CapturePixels& photographs, const
   m_report.conditioning = conditioningOf(m_context.lighting);
   warn(m_capture.warnings);
   warn(photographs.warnings);
+  warn(shiftWarnings(movedBy));
 }
 
 SolvedSet SolveRun::run() {
@@ -351,9 +352,10 @@ void SolveRun::separateLights() {
     followLocalEvidence({m_context.lighting, m_ownNoise}, m_report.colorUncertainty, *m_signal,
                         m_tuning.automatic.evidence, m_set);
   // Gloss, grain and wrong colours are at edges, too.
-  if (shift > 0 && (m_report.causes.all.empty() || isAligned()))
+  const bool registered = !m_report.shifts.empty();
+  if (shift > 0 && (m_report.causes.all.empty() || registered))
     m_report.warnings.emplace_back(
-        isAligned()
+        registered
             ? "the photographs still disagree along edges: trusted less there"
             : "the photographs disagree along edges, as if the camera had moved by a fraction of a pixel: "
               "trusted less there; --align may help");

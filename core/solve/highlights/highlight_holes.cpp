@@ -1,13 +1,17 @@
 #include "core/solve/highlights/highlight_holes.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
 
 namespace swaplight {
 namespace {
 
 constexpr int kMostNeighbours = 8;
 constexpr int kSurrounded = 5;  // of them have highlights
-constexpr int kRounds = 4;      // holes are single pixels, and now and then a few
+constexpr int kRowsAtOnce = 32;
+constexpr int kRounds = 4;  // holes are single pixels, and now and then a few
 
 struct Neighbours {
   size_t at[kMostNeighbours];
@@ -39,24 +43,38 @@ float heightBeside(const Image& light, const Image& highlight, size_t p, const N
   return std::clamp(beyond, 0.0F, std::max(std::min(darkest, most), 0.0F));
 }
 
+/// Gives a pixel its highlights; whether it has any.
+bool fill(SolvedSet& set, size_t p, const Neighbours& around) {
+  bool any = false;
+  for (size_t i = 0; i < set.highlights.size(); ++i) {
+    const float height = heightBeside(set.contributions[i], set.highlights[i], p, around);
+    for (int c = 0; c < 3; ++c) set.highlights[i].plane(c)[p] = height;
+    any |= height > 0;
+  }
+  return any;
+}
+
 }  // namespace
 
-size_t fillHighlightHoles(SolvedSet& set, std::vector<bool>& kept) {
+size_t fillHighlightHoles(SolvedSet& set, std::vector<bool>& kept, const Progress& progress) {
+  const int width = set.width();
   size_t filled = 0;
   for (int round = 0; round < kRounds; ++round) {
-    std::vector<size_t> holes;
-    for (size_t p = 0; p < kept.size(); ++p)
-      if (!kept[p] && keptAround(kept, set.width(), set.height(), p).count >= kSurrounded) holes.push_back(p);
-    if (holes.empty()) break;
-    for (const size_t p : holes) {
-      const Neighbours around = keptAround(kept, set.width(), set.height(), p);
-      for (size_t i = 0; i < set.highlights.size(); ++i) {
-        const float height = heightBeside(set.contributions[i], set.highlights[i], p, around);
-        for (int c = 0; c < 3; ++c) set.highlights[i].plane(c)[p] = height;
-      }
-    }
-    for (const size_t p : holes) kept[p] = true;
-    filled += holes.size();
+    progress.stopIfAsked();
+    std::vector<std::vector<size_t>> holes(size_t(set.height()));
+    parallelRows(set.height(), kRowsAtOnce, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y)
+        for (size_t p = size_t(y) * size_t(width); p < size_t(y + 1) * size_t(width); ++p)
+          if (!kept[p] && keptAround(kept, width, set.height(), p).count >= kSurrounded)
+            holes[size_t(y)].push_back(p);
+    });
+    std::vector<size_t> found;
+    for (const auto& row : holes)
+      for (const size_t p : row)
+        if (fill(set, p, keptAround(kept, width, set.height(), p))) found.push_back(p);
+    if (found.empty()) break;
+    for (const size_t p : found) kept[p] = true;
+    filled += found.size();
   }
   return filled;
 }

@@ -223,7 +223,7 @@ void findHighlights(SolvedSet& set, const Progress& progress) {
   dropOthers(marks, set);
   std::vector<bool> has(marks.size());
   std::transform(marks.begin(), marks.end(), has.begin(), [](uint8_t mark) { return mark == Kept; });
-  kept += fillHighlightHoles(set, has);
+  kept += fillHighlightHoles(set, has, progress);
   const double part = static_cast<double>(kept) / static_cast<double>(marks.size());
   if (!set.report) return;
   set.report->highlights = part;

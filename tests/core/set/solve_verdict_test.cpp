@@ -63,7 +63,10 @@ TEST(SolveVerdict, ASetOfWhichMuchMovedIsNotGood) {
   EXPECT_EQ(verdictOf(report).word, Word::Good);
   report.moved = 120;
   EXPECT_EQ(verdictOf(report).word, Word::Fair);
-  EXPECT_THAT(verdictLine(verdictOf(report)), HasSubstr("12 % of the pixels moved"));
+  EXPECT_THAT(verdictLine(verdictOf(report)),
+              HasSubstr("12 % of the pixels moved between the photographs: align"));
+  report.shifts = {{}, {0, 0, false}};
+  EXPECT_THAT(verdictLine(verdictOf(report)), HasSubstr("take them again"));
 }
 
 TEST(SolveVerdict, WhatWasTriedIsNotAdvisedAgain) {
@@ -73,7 +76,7 @@ TEST(SolveVerdict, WhatWasTriedIsNotAdvisedAgain) {
   EXPECT_THAT(verdictLine(verdictOf(report)), HasSubstr("--align on"));
   report.shifts = {{}, {1, 0}};
   EXPECT_THAT(verdictLine(verdictOf(report)), Not(HasSubstr("--align on")));
-  EXPECT_THAT(verdictLine(verdictOf(report)), HasSubstr("were registered"));
+  EXPECT_THAT(verdictLine(verdictOf(report)), HasSubstr("registering them"));
 }
 
 TEST(SolveVerdict, ASetWithoutGreenIsNotGood) {
