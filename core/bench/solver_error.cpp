@@ -9,6 +9,11 @@
 
 namespace swaplight {
 
+bool fitsCapture(const EstimatorInfo& info, int lights, int shots) {
+  const bool twoOnly = info.name == "brute-force" || info.name == "published" || info.name == "closed-form";
+  return !twoOnly || (lights == 2 && shots == 2);
+}
+
 std::vector<SolverError> measureSolverError(Capture capture, unsigned seed, const Progress& progress) {
   const HardCase test = hardCaseOfCapture(std::move(capture), seed);
   const LightingMatrix lighting = lightingFromCapture(test.capture);
@@ -16,8 +21,7 @@ std::vector<SolverError> measureSolverError(Capture capture, unsigned seed, cons
                            test.pixels.clipLevel.front());
   std::vector<SolverError> rows;
   for (const EstimatorInfo& info : estimators()) {
-    const bool twoOnly = info.name == "brute-force" || info.name == "published" || info.name == "closed-form";
-    if (twoOnly && (lighting.lights != 2 || lighting.shots != 2)) continue;
+    if (!fitsCapture(info, lighting.lights, lighting.shots)) continue;
     progress.update(float(rows.size()) / float(estimators().size()), std::string(info.name));
     SolveOptions options;
     options.solver = std::string(info.name);

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/bench/bench_truth.h"
 #include "core/bench/hard_cases.h"
 #include "core/bench/solution_error.h"
+#include "core/bench/solver_error.h"
 #include "core/bench/timed_solver.h"
 #include "core/plot/plot.h"
 #include "core/solve/model/estimator.h"
@@ -18,13 +20,6 @@ namespace {
 
 constexpr int kWidth = 960, kQuickWidth = 96;
 constexpr double kSeconds = .4;
-
-/// Whether an estimator tells these lights apart at all.
-bool fits(const EstimatorInfo& info, int lights) {
-  if (info.model == Model::Single) return false;
-  const bool twoOnly = info.name == "brute-force" || info.name == "published" || info.name == "closed-form";
-  return !twoOnly || lights == 2;
-}
 
 /// Two by two of each picture: more than caches hold.
 CapturePixels fourTimes(const CapturePixels& pixels) {
@@ -49,7 +44,7 @@ void measureScene(const HardCase& still, bool glossy, double seconds, std::vecto
   const int lights = lighting.lights;
   std::vector<TradeOff> these;
   for (const EstimatorInfo& info : estimators()) {
-    if (!fits(info, lights)) continue;
+    if (info.model == Model::Single || !fitsCapture(info, lights, lighting.shots)) continue;
     SolveOptions options = still.options;
     options.solver = std::string(info.name);
     const SolutionError error = compareSolution(solve(still.capture, still.pixels, options), truth);

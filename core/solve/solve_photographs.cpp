@@ -100,9 +100,8 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
         " The photographs do not surely show another tone curve than the declared one: none was taken off.";
   if (tone && options.correctTone == Remedy::Sure)
     set.report->warnings.emplace_back(
-        "the photographs surely hold a tone curve that was not told: it was taken off (--tone declared "
-        "leaves "
-        "it)");
+        "the photographs surely hold a tone curve that was not told: it was taken off "
+        "(--tone declared leaves it)");
   return set;
 }
 
