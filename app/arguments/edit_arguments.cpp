@@ -35,6 +35,7 @@ SolvedSet EditArguments::edited(const std::shared_ptr<const SolvedSet>& set, con
       ShadowMarks& all = stack.shadowMarks[light];
       all.insert(all.end(), marks.begin(), marks.end());
     }
+    for (const auto& [light, place] : added.lampPlaces) stack.lampPlaces[light] = place;
   }
   try {
     return withEdits(set, stack);

@@ -12,7 +12,9 @@
 #include "core/capture/no_such_light.h"
 #include "core/file/same_file.h"
 #include "core/image/io/image_io.h"
+#include "core/normals/lamp_place_json.h"
 #include "core/normals/normal_fit.h"
+#include "core/normals/placed_lights.h"
 #include "core/normals/relief.h"
 #include "core/normals/surface_normals.h"
 #include "core/ocio/chosen_config.h"
@@ -21,9 +23,6 @@
 
 namespace swaplight {
 namespace {
-
-constexpr float kFarthest = 1000;  // widths: farther is far
-constexpr float kMostStops = 20;
 
 struct NormalsCommand {
   std::string source;
@@ -58,7 +57,7 @@ std::vector<std::string> partsOf(const std::string& text) {
 
 /// LIGHT=AZIMUTH,ELEVATION,DISTANCE[,STOPS].
 NamedPlace placeFromOption(const std::string& text) {
-  const auto number = [&](const std::string& part, float least, float most) {
+  const auto number = [&](const std::string& part, double least, double most) {
     const std::optional<float> value = numberFromText(part);
     if (!value || *value < least || *value > most) throw notAPlace(text);
     return *value;
@@ -70,20 +69,19 @@ NamedPlace placeFromOption(const std::string& text) {
   NamedPlace named{text.substr(0, sign), {}};
   named.place.azimuth = number(parts[0], -180, 180);
   named.place.elevation = number(parts[1], -90, 90);
-  if (parts[2] != "far") named.place.distance = number(parts[2], 0, kFarthest);
-  if (parts.size() == 4) named.place.stops = number(parts[3], -kMostStops, kMostStops);
+  if (parts[2] != "far") named.place.distance = number(parts[2], 0, kFarthestLamp);
+  if (parts.size() == 4) named.place.stops = number(parts[3], -kMostLampStops, kMostLampStops);
   return named;
 }
 
-std::vector<NamedPlace> placesOf(const NormalsCommand& arguments) {
-  std::vector<NamedPlace> places;
+LampPlaces placesOf(const NormalsCommand& arguments) {
+  LampPlaces places;
   for (const std::string& text : arguments.lamps) {
-    places.push_back(placeFromOption(text));
-    if (places.back().place.stops.has_value() != places.front().place.stops.has_value())
+    const NamedPlace named = placeFromOption(text);
+    if (!places.emplace(named.light, named.place).second)
+      throw InputError("--lamp {}: {} was given a place already", text, named.light);
+    if (named.place.stops.has_value() != places.begin()->second.stops.has_value())
       throw InputError("--lamp {}: say the stops of all lamps, or of none", text);
-    for (size_t i = 0; i + 1 < places.size(); ++i)
-      if (places[i].light == places.back().light)
-        throw InputError("--lamp {}: {} was given a place already", text, places[i].light);
   }
   if (places.size() < kFewestLamps)
     throw InputError("--lamp: normals need {} lamps or more, {} given", kFewestLamps, places.size());
@@ -91,34 +89,29 @@ std::vector<NamedPlace> placesOf(const NormalsCommand& arguments) {
 }
 
 /// Those lamps of the set that can be used; says which cannot.
-std::vector<PlacedLight> placedLights(const std::vector<NamedPlace>& places, const Capture& capture,
-                                      const std::string& source, Terminal& terminal) {
-  std::vector<PlacedLight> placed;
-  std::vector<std::string> near;
-  for (const NamedPlace& named : places) {
-    const size_t light = placeOfLight(capture, named.light, source);
-    if (named.place.isTooNear())
-      near.push_back(named.light);
-    else
-      placed.push_back({light, named.place});
-  }
-  if (placed.size() < kFewestLamps)
-    throw InputError(
-        "{}: normals cannot be told: {} nearer than {} widths of the picture, where light comes from another "
-        "direction in every place; {} lamps farther off are needed",
-        source, fmt::join(near, ", "), LampPlace::kNearest, kFewestLamps);
-  if (!near.empty())
+std::vector<PlacedLight> usedLamps(const LampPlaces& places, const Capture& capture,
+                                   const std::string& source, Terminal& terminal) {
+  PlacedLights placed = placedLights(places, capture, source);
+  if (!placed.tooNear.empty())
     terminal.say("warning: {}: not used, nearer than {} widths of the picture: {}", source,
-                 LampPlace::kNearest, fmt::join(near, ", "));
-  return placed;
+                 LampPlace::kNearest, fmt::join(placed.tooNear, ", "));
+  return std::move(placed.lamps);
 }
 
-/// Both layers in one picture.
-Image layersOf(const Image& normals, const Image& depth) {
-  Image layers(
-      ImageSpec{normals.width(), normals.height(), {"normal.X", "normal.Y", "normal.Z", "depth.Z"}, "data"});
-  for (int c = 0; c < 3; ++c) std::copy_n(normals.plane(c), normals.pixelCount(), layers.plane(c));
-  std::copy_n(depth.plane(0), depth.pixelCount(), layers.plane(3));
+/// All layers in one picture.
+Image layersOf(const SurfaceNormals& found) {
+  const Image depth = reliefOf(found.normals);
+  Image layers(ImageSpec{
+      found.normals.width(),
+      found.normals.height(),
+      {"normal.X", "normal.Y", "normal.Z", "depth.Z", "reflectance.R", "reflectance.G", "reflectance.B"},
+      "data"});
+  const size_t pixels = found.normals.pixelCount();
+  for (int c = 0; c < 3; ++c) {
+    std::copy_n(found.normals.plane(c), pixels, layers.plane(c));
+    std::copy_n(found.reflectance.plane(c), pixels, layers.plane(4 + c));
+  }
+  std::copy_n(depth.plane(0), pixels, layers.plane(3));
   return layers;
 }
 
@@ -156,7 +149,7 @@ void sayResult(const NormalsCommand& arguments, const SurfaceNormals& found, Ter
 }
 
 int run(const NormalsCommand& arguments, Terminal& terminal) {
-  const std::vector<NamedPlace> places = placesOf(arguments);
+  const LampPlaces places = placesOf(arguments);
   SolveOptions solving = arguments.solve.resolve();
   solving.highlights = false;  // nothing here looks at them
   if (std::filesystem::path(arguments.file).extension() != ".exr")
@@ -167,12 +160,17 @@ int run(const NormalsCommand& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
   const SolvedSet set = openSource(*programConfig(), arguments.source, solving, progress.part(0, 0.4F));
   sayWarnings(set.capture.warnings, terminal);
-  const std::vector<PlacedLight> lamps = placedLights(places, set.capture, arguments.source, terminal);
-  const std::vector<LightShadows> shadows = detectShadows(set, {}, progress.part(0.4F, 0.9F));
-  const SurfaceNormals found = surfaceNormals(set, shadows, lamps, progress.part(0.9F, 1));
+  const std::vector<PlacedLight> lamps = usedLamps(places, set.capture, arguments.source, terminal);
+  std::vector<std::shared_ptr<const LightShadows>> shadows;
+  for (LightShadows& light : detectShadows(set, {}, progress.part(0.4F, 0.9F)))
+    shadows.push_back(std::make_shared<const LightShadows>(std::move(light)));
+  const auto shadowsOf = [&](const std::string& light) {
+    return shadows[placeOfLight(set.capture, light, arguments.source)];
+  };
+  const SurfaceNormals found = surfaceNormals(set, shadowsOf, lamps, progress.part(0.9F, 1));
   WriteOptions output;
   output.pixelType = "float";
-  writeImage(layersOf(found.normals, reliefOf(found.normals)), arguments.file, output);
+  writeImage(layersOf(found), arguments.file, output);
   sayResult(arguments, found, terminal);
   return 0;
 }
@@ -193,7 +191,8 @@ void addNormalsVerb(Program& program) {
       ->required()
       ->allow_extra_args(false)
       ->type_name("LIGHT=AZIMUTH,ELEVATION,DISTANCE[,STOPS]");
-  verb.add_option("-o,--output", a->file, "EXR: normal.X right, normal.Y up, normal.Z to the camera; depth.Z")
+  verb.add_option("-o,--output", a->file,
+                  "EXR: normal.X right, normal.Y up, normal.Z to the camera; depth.Z; reflectance.R, G, B")
       ->required()
       ->type_name("FILE.exr");
   a->solve.addTo(verb);

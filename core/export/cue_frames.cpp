@@ -58,11 +58,13 @@ std::shared_ptr<const SolvedSet> CueFrames::edited(const EditStack& edits) const
       std::find_if(m_kept.begin(), m_kept.end(), [&](const Edited& k) { return k.edits == edits; });
   if (kept != m_kept.end()) return kept->set;
   const ShadowOptions finding = shadowOptionsOf(edits);
-  if (!m_shadows || m_finding != finding) {
-    m_shadows = shadowSource(m_set, finding);
+  if (!m_shadows || m_finding != finding || m_places != edits.lampPlaces) {
+    if (!m_shadows || m_finding != finding) m_shadows = shadowSource(m_set, finding);
+    m_surfaces = surfaceSource(m_set, m_shadows, edits.lampPlaces);
     m_finding = finding;
+    m_places = edits.lampPlaces;
   }
-  auto made = std::make_shared<const SolvedSet>(withEdits(m_set, edits, m_shadows));
+  auto made = std::make_shared<const SolvedSet>(withEdits(m_set, edits, m_shadows, m_surfaces));
   if (m_timeline.stands(edits)) {
     m_kept.insert(m_kept.begin(), Edited{edits, made});
     if (m_kept.size() > kSetsKept) m_kept.pop_back();

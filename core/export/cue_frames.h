@@ -48,6 +48,8 @@ class CueFrames {
   mutable std::vector<Edited> m_kept;  ///< the newest first
   mutable ShadowSource m_shadows;      ///< of the set, found so
   mutable ShadowOptions m_finding;
+  mutable SurfaceSource m_surfaces;  ///< the same
+  mutable LampPlaces m_places;
 };
 
 }  // namespace swaplight

@@ -1,5 +1,6 @@
 #include "core/normals/lamp_place.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,7 +16,7 @@ LampRays::LampRays(const LampPlace& place) : m_distance(place.distance) {
 LampRay LampRays::at(double x, double y) const {
   if (!m_distance) return {m_direction};
   const cv::Vec3d way = m_direction * *m_distance - cv::Vec3d(x, y, 0);
-  const double length = cv::norm(way);
+  const double length = std::max(cv::norm(way), kNearest);
   return {way / length, std::pow(*m_distance / length, 2)};
 }
 

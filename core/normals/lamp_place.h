@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <string>
 
 namespace swaplight {
 
@@ -19,7 +21,11 @@ struct LampPlace {
   /// quarter of a width before or behind the middle sees a lamp at the side 7 degrees off.
   static constexpr double kNearest = 2;
   [[nodiscard]] bool isTooNear() const { return distance && *distance < kNearest; }
+  bool operator==(const LampPlace&) const = default;
 };
+
+/// Of lamps, by their lights' names.
+using LampPlaces = std::map<std::string, LampPlace>;
 
 /// What a lamp sends to a place of an upright plane through the middle of the set, which stands for it.
 struct LampRay {
@@ -27,11 +33,15 @@ struct LampRay {
   double level = 1;     ///< of the light from there, over that in the middle
 };
 
-/// Of places x, y: widths of the picture from its middle, to the right and up.
+/// Of places x, y: widths of the picture from its middle, to the right and up. No place is nearer to the lamp
+/// than kNearest, so that the level stays finite.
 class LampRays {
  public:
   explicit LampRays(const LampPlace& place);
   [[nodiscard]] LampRay at(double x, double y) const;
+  [[nodiscard]] bool isParallel() const { return !m_distance; }
+
+  static constexpr double kNearest = 0.05;  ///< widths of the picture
 
  private:
   cv::Vec3d m_direction;

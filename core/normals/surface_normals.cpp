@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 #include "core/base/parallel.h"
 #include "core/base/quantile.h"
+#include "core/color/rgb.h"
 #include "core/normals/lamp_refinement.h"
 #include "core/normals/normal_fit.h"
 #include "core/set/measured_pixels.h"
@@ -26,8 +28,10 @@ constexpr double kBrightError = 0.5;
 
 /// A lamp, and what makes its light comparable with the others'.
 struct Lamp {
+  size_t light;
+  LampPlace place;
   const Image* picture;
-  const LightShadows* shadows;
+  std::shared_ptr<const LightShadows> shadows;
   LampRays rays;
   double level = 1;
 
@@ -78,14 +82,15 @@ std::vector<PixelSights> somePixels(const SolvedSet& set, const std::vector<Lamp
 }
 
 /// Those that light anything, refined.
-std::vector<Lamp> lampsOf(const SolvedSet& set, const std::vector<LightShadows>& shadows,
+std::vector<Lamp> lampsOf(const SolvedSet& set, const ShadowSource& shadows,
                           const std::vector<PlacedLight>& placed, const Grid& grid) {
   const bool metered = std::all_of(placed.begin(), placed.end(),
                                    [](const PlacedLight& light) { return light.place.stops.has_value(); });
   std::vector<Lamp> lamps;
   std::vector<TunedLamp> told;
   for (const PlacedLight& light : placed) {
-    Lamp lamp{&set.contributions[light.light], &shadows[light.light], LampRays(light.place)};
+    Lamp lamp{light.light, light.place, &set.contributions[light.light],
+              shadows(set.capture.lights[light.light].name), LampRays(light.place)};
     lamp.level = metered ? std::exp2(*light.place.stops) : brightLevel(lamp, grid);
     if (lamp.level <= 0) continue;
     lamps.push_back(lamp);
@@ -94,6 +99,7 @@ std::vector<Lamp> lampsOf(const SolvedSet& set, const std::vector<LightShadows>&
   const auto refined =
       refinedLamps(told, somePixels(set, lamps, grid), metered ? kMeteredError : kBrightError);
   for (size_t i = 0; i < lamps.size(); ++i) {
+    lamps[i].place = refined[i].place;
     lamps[i].rays = LampRays(refined[i].place);
     lamps[i].level = refined[i].level;
   }
@@ -106,62 +112,77 @@ struct Tally {
   size_t checked = 0;
 };
 
-void write(const std::vector<LampSight>& sights, size_t pixel, Image& normals, Tally& tally) {
+/// True where there is one.
+std::optional<NormalFit> fitted(const std::vector<LampSight>& sights, Tally& tally) {
   if (sights.size() < kFewestLamps) {
     ++tally.refused.fewLamps;
-    return;
+    return std::nullopt;
   }
-  const NormalFit found = fitNormal(sights, kRounds);
-  if (!found.known()) {
+  const NormalFit fit = fitNormal(sights, kRounds);
+  if (!fit.known())
     ++tally.refused.alike;
-  } else if (found.residual > kMostResidual) {
+  else if (fit.residual > kMostResidual)
     ++tally.refused.disagreed;
-  } else if (found.scaled.z() <= 0) {
+  else if (fit.scaled.z() <= 0)
     ++tally.refused.away;
-  } else {
-    const Eigen::Vector3d normal = found.scaled.normalized();
-    for (int c = 0; c < 3; ++c) normals.plane(c)[pixel] = static_cast<float>(normal[c]);
-    tally.checked += sights.size() > kFewestLamps ? 1 : 0;
+  else
+    return fit;
+  return std::nullopt;
+}
+
+void write(const NormalFit& fit, const Rgb& color, size_t pixel, SurfaceNormals& found) {
+  const double length = fit.scaled.norm();
+  for (int c = 0; c < 3; ++c) {
+    found.normals.plane(c)[pixel] = static_cast<float>(fit.scaled[c] / length);
+    found.reflectance.plane(c)[pixel] = static_cast<float>(length) * color[c];
   }
 }
 
 Tally writeRow(const SolvedSet& set, const std::vector<Lamp>& lamps, const Grid& grid, int y,
-               Image& normals) {
+               SurfaceNormals& found) {
   Tally tally;
   std::vector<LampSight> sights;
   for (int x = 0; x < grid.width; ++x) {
     const size_t pixel = pixelAt(grid, x, y);
-    for (int c = 0; c < 3; ++c) normals.plane(c)[pixel] = 0;
     if (!isMeasured(set, x, y)) {
       ++tally.refused.flagged;
       continue;
     }
     sights.clear();
+    Rgb light(0);
     for (const Lamp& lamp : lamps) {
       if (!lamp.lights(pixel)) continue;
       const LampRay ray = lamp.rays.at(grid.x(x), grid.y(y));
       sights.push_back({{ray.direction[0], ray.direction[1], ray.direction[2]},
                         lamp.grey(pixel) / (ray.level * lamp.level)});
+      for (int c = 0; c < 3; ++c) light[c] += lamp.picture->plane(c)[pixel];
     }
-    write(sights, pixel, normals, tally);
+    const std::optional<NormalFit> fit = fitted(sights, tally);
+    if (!fit) continue;
+    const float grey = (light[0] + light[1] + light[2]) / 3;
+    write(*fit, grey > 0 ? light / grey : Rgb(1), pixel, found);
+    tally.checked += sights.size() > kFewestLamps ? 1 : 0;
   }
   return tally;
 }
 
 }  // namespace
 
-SurfaceNormals surfaceNormals(const SolvedSet& set, const std::vector<LightShadows>& shadows,
+SurfaceNormals surfaceNormals(const SolvedSet& set, const ShadowSource& shadows,
                               const std::vector<PlacedLight>& lamps, const Progress& progress) {
   progress.update(0, "finding normals");
   const Grid grid{set.width(), set.height()};
   const std::vector<Lamp> known = lampsOf(set, shadows, lamps, grid);
   SurfaceNormals found;
-  found.normals = Image(ImageSpec{grid.width, grid.height, {"normal.X", "normal.Y", "normal.Z"}, "data"});
+  found.normals =
+      Image(ImageSpec{grid.width, grid.height, {"normal.X", "normal.Y", "normal.Z"}, "data"}, 0.F);
+  found.reflectance = Image(ImageSpec::rgb(grid.width, grid.height), 0.F);
+  for (const Lamp& lamp : known) found.lamps.push_back({lamp.light, lamp.place, lamp.level});
   std::mutex adding;
   parallelRows(grid.height, kRows, [&](int begin, int end) {
     progress.update(0.2F, "finding normals");
     for (int y = begin; y < end; ++y) {
-      const Tally tally = writeRow(set, known, grid, y, found.normals);
+      const Tally tally = writeRow(set, known, grid, y, found);
       const std::lock_guard lock(adding);
       found.refused.flagged += tally.refused.flagged;
       found.refused.fewLamps += tally.refused.fewLamps;

@@ -20,21 +20,33 @@ struct RefusedPixels {
   [[nodiscard]] size_t count() const { return flagged + fewLamps + alike + disagreed + away; }
 };
 
+/// A light of the set, by its index, and where its lamp stood.
+struct PlacedLight {
+  size_t light = 0;
+  LampPlace place;
+};
+
+/// The same after refinement, with its level: what the middle of the set would show of a surface of
+/// reflectance 1 that faces it.
+struct LeveledLight {
+  size_t light = 0;
+  LampPlace place;
+  double level = 1;
+};
+
 struct SurfaceNormals {
   /// normal.X to the right, .Y up, .Z towards the camera, of length 1; 0 where refused.
   Image normals;
+  /// R, G, B: what a surface that faces a lamp of level 1 shows; 0 where refused. Levels that were not
+  /// metered are those of bright pixels: then white is about 1.
+  Image reflectance;
+  std::vector<LeveledLight> lamps;  ///< those that light anything
   RefusedPixels refused;
   size_t checked = 0;  ///< pixels with a normal that four lamps or more agree on
 
   /// Lamps disagree so often that a place is likely to be told wrong: then the others may agree by chance.
   /// A quarter: chosen by judgement, not measured.
   [[nodiscard]] bool isContradictory() const { return refused.disagreed * 4 > refused.disagreed + checked; }
-};
-
-/// A light of the set, by its index, and where its lamp stood.
-struct PlacedLight {
-  size_t light = 0;
-  LampPlace place;
 };
 
 /// How the surfaces of a set are turned, by photometric stereo.
@@ -51,8 +63,8 @@ struct PlacedLight {
 /// Kriegman and Yuille 1999), is as right as what was said. (A search for levels by the normals' curl,
 /// almost free of them, drew them away in a prototype; with a firm prior it was not tried.)
 ///
-/// `shadows`: of all lights in the set's order. Throws Stopped.
-[[nodiscard]] SurfaceNormals surfaceNormals(const SolvedSet& set, const std::vector<LightShadows>& shadows,
+/// Throws Stopped.
+[[nodiscard]] SurfaceNormals surfaceNormals(const SolvedSet& set, const ShadowSource& shadows,
                                             const std::vector<PlacedLight>& lamps,
                                             const Progress& progress = {});
 

@@ -105,13 +105,13 @@ SolvedSet openSource(const ColorConfig& config, const fs::path& path, const Solv
 }
 
 SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits) {
-  const EditStack fitted = fitEdits(edits, set->width(), set->height());
-  return applyEdits(*set, fitted, shadowSource(set, shadowOptionsOf(fitted)));
+  const ShadowSource shadows = shadowSource(set, shadowOptionsOf(edits));
+  return withEdits(set, edits, shadows, surfaceSource(set, shadows, edits.lampPlaces));
 }
 
 SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits,
-                    const ShadowSource& shadows) {
-  return applyEdits(*set, fitEdits(edits, set->width(), set->height()), shadows);
+                    const ShadowSource& shadows, const SurfaceSource& surfaces) {
+  return applyEdits(*set, fitEdits(edits, set->width(), set->height()), shadows, surfaces);
 }
 
 }  // namespace swaplight

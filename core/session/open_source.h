@@ -35,8 +35,9 @@ enum class SourceKind { Capture, SolvedSet, Session, Folder, Other };
 /// A set with a session's edits: the one way in which frames with edits are made. Throws InputError as the
 /// edits say.
 [[nodiscard]] SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits);
-/// The same with shadows that were found before, as shadowOptionsOf() the stack says.
+/// The same with shadows that were found before, as shadowOptionsOf() the stack says, and surfaces, as its
+/// lampPlaces do.
 [[nodiscard]] SolvedSet withEdits(const std::shared_ptr<const SolvedSet>& set, const EditStack& edits,
-                                  const ShadowSource& shadows);
+                                  const ShadowSource& shadows, const SurfaceSource& surfaces);
 
 }  // namespace swaplight

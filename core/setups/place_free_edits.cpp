@@ -35,7 +35,7 @@ template <typename Operation>
 constexpr bool kOfItsPicture =
     std::is_same_v<Operation, BetaMapOperation> || std::is_same_v<Operation, UnknownGelOperation> ||
     std::is_same_v<Operation, MoveOperation> || std::is_same_v<Operation, TurnOperation> ||
-    std::is_same_v<Operation, SpreadOperation>;
+    std::is_same_v<Operation, SpreadOperation> || std::is_same_v<Operation, PlaceOperation>;
 
 bool holdsElsewhere(const Edit& edit, const std::vector<std::string>& lights) {
   const bool bound = std::visit([]<typename T>(const T&) { return kOfItsPicture<T>; }, edit.operation);
@@ -74,6 +74,7 @@ PlaceFreeEdits placeFreeEdits(const EditStack& stack, const std::vector<std::str
     else
       result.edits.append(std::move(edit));
   }
+  if (!stack.lampPlaces.empty()) result.leftOut.emplace_back("where its lamps stood");
   if (!stack.shadowMarks.empty()) result.leftOut.emplace_back("what is said of single shadows");
   for (const auto& [light, threshold] : stack.shadowThresholds)
     if (contains(known, light)) result.edits.shadowThresholds[light] = threshold;

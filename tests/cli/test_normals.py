@@ -1,4 +1,5 @@
 """swaplight normals: how surfaces are turned, from lamps whose places are told"""
+import json
 import unittest
 
 import numpy as np
@@ -56,6 +57,8 @@ class NormalsTest(cli.CliTest):
         depth = cli.read_image(out)['depth.Z']
         self.assertLess(depth[48, 48], depth[48, 76], 'the middle of the ball is nearer')
         self.assertLess(depth[48, 48], depth[20, 48])
+        paint = np.stack([cli.read_image(out)['reflectance.' + c] for c in 'RGB'], -1)[48, 48]
+        np.testing.assert_allclose(paint, [.6, .5, .4], rtol=.03)
         self.assertIn('refused', self.succeed('normals', self.path('solved.exr'), *self.lamps(), '-o', out).stdout)
 
     def test_places_told_ten_degrees_off_serve(self):
@@ -73,6 +76,48 @@ class NormalsTest(cli.CliTest):
         said = self.succeed('normals', solved, *lamps[:7], 'low=-20,-10,.8,0', '-o', out)
         self.assertIn('low', said.stdout + said.stderr)
         self.deny('normals', solved, *self.lamps(distance='1.2'), '-o', out, naming=['nearer than 2 widths', 'left'])
+
+    def edits(self, light, place, told=tuple(LAMPS), **more):
+        """A file of one edit that places a lamp."""
+        places = {name: {'azimuth': LAMPS[name][0], 'elevation': LAMPS[name][1], 'stops': 0} for name in told}
+        edit = {'name': 'placed', 'lights': [light], 'operation': 'place', 'azimuth': place[0], 'elevation': place[1]}
+        file = {'format': 'swaplight-edits', 'version': 1, 'lamp_places': places, 'edits': [edit], **more}
+        path = self.path('place.json')
+        with open(path, 'w') as out:
+            json.dump(file, out)
+        return path
+
+    def alone(self, light, edits):
+        """The picture lit by one light, edited."""
+        dark = [text for name in LAMPS if name != light for text in ('--light', f'{name}=off')]
+        self.succeed('relight', self.path('solved.exr'), '--edits', edits, *dark, '-o', self.path('frame.exr'))
+        return np.stack([cli.read_image(self.path('frame.exr'))[c] for c in 'RGB'], -1)
+
+    def misfit(self, frame, place):
+        """Of what four lamps light: the rest is a guess."""
+        seen = np.min([ball() @ direction(*lamp) for lamp in LAMPS.values()], 0) > .1
+        truth = np.maximum(ball() @ direction(*place), 0)[..., None] * np.array([.6, .5, .4])
+        return np.sqrt(((frame - truth)[seen] ** 2).mean() / (truth[seen] ** 2).mean())
+
+    def test_a_lamp_is_placed_elsewhere_and_a_new_one_lights_the_ball(self):
+        self.solved()
+        place = (-20, 50)
+        self.assertGreater(self.misfit(self.alone('right', self.edits('right', LAMPS['right'])), place), .2)
+        self.assertLess(self.misfit(self.alone('right', self.edits('right', place)), place), .03)
+        new = self.edits('sun', place, new_lights=['sun'])
+        self.assertLess(self.misfit(self.alone('sun', new), place), .03)
+
+    def test_what_is_missing_for_a_placed_lamp_is_said(self):
+        solved, out = self.solved(), self.path('frame.png')
+        say = lambda edits: self.deny('relight', solved, '--edits', edits, '-o', out, naming=['place.json', *self.naming])
+        self.naming = ['right', 'where its lamp stood']
+        say(self.edits('right', (0, 0), told=('left', 'top', 'low')))
+        self.naming = ['3 lamps or more', '2 given']
+        say(self.edits('right', (0, 0), told=('left', 'right')))
+        self.naming = ['lamp_places', 'azimuth']
+        say(self.edits('right', (0, 0), lamp_places={'left': {'azimuth': 700, 'elevation': 0}}))
+        self.naming = ['azimuth']
+        say(self.edits('right', (400, 0)))
 
     def test_bad_places_are_one_line_and_exit_2(self):
         solved, out = self.solved(), self.path('normals.exr')

@@ -141,7 +141,7 @@ inline MaskShape anyShape(int deep = 1) {
 }
 
 inline Operation anyOperation() {
-  switch (anyInt(0, 9)) {
+  switch (anyInt(0, 10)) {
     case 0:
       return FillOperation{anyFloat(0, 100)};
     case 1:
@@ -154,6 +154,8 @@ inline Operation anyOperation() {
       return BlurOperation{anyInt(1, 256)};
     case 5:
       return SharpenOperation{anyInt(1, 256), anyFloat(0, 100)};
+    case 9:
+      return PlaceOperation{anyFloat(-180, 180), anyFloat(-90, 90), anyFloat(0, 1000), anyFloat(0, 4)};
     case 8:
       return ShineOperation{anyFloat(0, 3)};
     case 7:
@@ -191,6 +193,11 @@ inline EditStack anyEditStack() {
   for (int i = anyInt(0, 3); i > 0; --i)
     stack.shadowMarks[anyText()].push_back(
         {ShadowMark::Kind(anyInt(0, 1)), anyInt(0, 9000), anyInt(0, 9000)});
+  for (int i = anyInt(0, 3); i > 0; --i) {
+    LampPlace& place = stack.lampPlaces[anyText()] = {anyFloat(-180, 180), anyFloat(-90, 90), {}, {}};
+    if (anyBool()) place.distance = anyFloat(0, 1000);
+    if (anyBool()) place.stops = anyFloat(-20, 20);
+  }
   return stack;
 }
 

@@ -154,6 +154,8 @@ const char* formatOf(Scale::Unit unit) {
       return "%.0f";
     case Scale::Unit::Degrees:
       return "%.0f\u00b0";
+    case Scale::Unit::Widths:
+      return "%.1f widths";
   }
   return "";
 }

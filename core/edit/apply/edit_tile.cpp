@@ -206,6 +206,18 @@ void EditTile::applyOperation(const ShadowOperation& operation, const PreparedEd
   });
 }
 
+void EditTile::applyOperation(const PlaceOperation& /*operation*/, const PreparedEdit& edit,
+                              const PixelRect& area) {
+  forEachSpan(edit, area, [&](const Span& span) {
+    for (size_t k = 0; k < edit.lights.size(); ++k) {
+      if (!has(edit.lights[k]) || edit.placed[k].isNeutral()) continue;
+      float* light[3];
+      for (int c = 0; c < 3; ++c) light[c] = writableRow(edit.lights[k], c, span.y) + (span.x - m_area.x);
+      edit.placed[k].changeRow(span.x, span.y, span.count, span.mask, light);
+    }
+  });
+}
+
 template <LampOperation T>
 void EditTile::applyOperation(const T& /*operation*/, const PreparedEdit& edit, const PixelRect& area) {
   for (size_t k = 0; k < edit.lights.size(); ++k)

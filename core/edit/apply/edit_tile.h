@@ -83,6 +83,7 @@ class EditTile {
   void swapLights(const PreparedEdit& edit, const PixelRect& area);
   void applyOperation(const ShadowOperation& operation, const PreparedEdit& edit, const PixelRect& area);
   void applyOperation(const UnknownGelOperation& operation, const PreparedEdit& edit, const PixelRect& area);
+  void applyOperation(const PlaceOperation& operation, const PreparedEdit& edit, const PixelRect& area);
   template <LampOperation T>
   void applyOperation(const T& operation, const PreparedEdit& edit, const PixelRect& area);
   template <HighlightOperation T>

@@ -86,7 +86,7 @@ std::string warningOf(const Edit& edit, const std::string& warning) {
 }  // namespace
 
 EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
-  EditedLights lights{{}, set.width(), set.height()};
+  EditedLights lights{{}, set.width(), set.height(), stack.lampPlaces};
   for (const Light& light : set.capture.lights) lights.names.push_back(light.name);
   for (const std::string& name : stack.newLights) {
     if (std::count(lights.names.begin(), lights.names.end(), name))
@@ -97,10 +97,11 @@ EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
   return lights;
 }
 
-SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowSource& shadows) {
+SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowSource& shadows,
+                     const SurfaceSource& surfaces) {
   const EditedLights lights = editedLights(set, stack);
   const PixelRect all{0, 0, set.width(), set.height()};
-  MaskContext context(set, shadows);
+  MaskContext context(set, shadows, surfaces);
   BetaFiles files;
   const int count = static_cast<int>(lights.names.size());
   EditTile picture(set, count, allLights(count), all);
@@ -118,9 +119,9 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
   return result;
 }
 
-EditedSet::EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows)
+EditedSet::EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows, SurfaceSource surfaces)
     : m_set(std::move(set)),
-      m_context(*m_set, std::move(shadows)),
+      m_context(*m_set, std::move(shadows), std::move(surfaces)),
       m_result(emptyResult(*m_set, editedLights(*m_set, {}))),
       m_checkpoint(m_set->width(), m_set->height()) {
   const int rows = (m_set->height() + kTileSize - 1) / kTileSize;
@@ -134,7 +135,10 @@ void EditedSet::setStack(const EditStack& stack) {
 
   // Prepare what is new; what failed to prepare leaves the old stack in force.
   const bool sameShadows = shadowOptionsOf(stack) == shadowOptionsOf(m_stack);
-  const auto stays = [&](const Edit& edit) { return sameShadows || !usesShadows(edit); };
+  const bool samePlaces = stack.lampPlaces == m_stack.lampPlaces;
+  const auto stays = [&](const Edit& edit) {
+    return (sameShadows || !usesShadows(edit)) && (samePlaces || !usesSurfaces(edit));
+  };
   if (!sameShadows) m_context.forgetDrawn();
   std::vector<Prepared> prepared;
   for (const auto& edit : stack.edits) {
@@ -153,10 +157,10 @@ void EditedSet::setStack(const EditStack& stack) {
     prepared.push_back(
         std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, m_context, m_files, earlier)));
   }
-  const bool otherShadows = !sameShadows && std::any_of(stack.edits.begin(), stack.edits.end(),
-                                                        [](const auto& edit) { return usesShadows(*edit); });
+  const bool otherFindings =
+      std::any_of(stack.edits.begin(), stack.edits.end(), [&](const auto& edit) { return !stays(*edit); });
   if (!sameLights) changeLights(*m_set, lights, m_result);
-  if (otherShadows) {
+  if (otherFindings) {
     m_checkpoint.forget();
     markAllStale();
   } else if (!sameLights) {

@@ -23,18 +23,19 @@ inline constexpr const char* kNoHighlights =
 /// caches. New lights follow the set's own; beta is of the result; quality is not filled in. What edits of
 /// lamps cannot know is among the capture's warnings. Throws InputError.
 [[nodiscard]] SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack,
-                                   const ShadowSource& shadows = {});
+                                   const ShadowSource& shadows = {}, const SurfaceSource& surfaces = {});
 
 /// A solved set seen through a stack of edits. Keeps the result, and computes again only what a change of the
 /// stack can have changed, light by light and tile by tile, when it is asked for. Not for use by several
 /// threads at once.
 class EditedSet {
  public:
-  /// Keeps the set: it must not change. Shadows are asked for when an edit needs them.
-  explicit EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows = {});
+  /// Keeps the set: it must not change. Shadows and surfaces are asked for when an edit needs them.
+  explicit EditedSet(std::shared_ptr<const SolvedSet> set, ShadowSource shadows = {},
+                     SurfaceSource surfaces = {});
 
-  /// Takes a new stack. Computes nothing yet; asks for shadows again where their thresholds or marks have
-  /// changed.
+  /// Takes a new stack. Computes nothing yet; asks for shadows and surfaces again where what is said of them
+  /// (thresholds, marks, the lamps' places) has changed.
   /// Where the stack has other new lights, result() has other images; those of lights that stay keep their
   /// pixels where they lie in memory. Throws InputError, and keeps the old stack then.
   void setStack(const EditStack& stack);

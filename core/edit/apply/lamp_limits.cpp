@@ -12,15 +12,16 @@ namespace {
 
 constexpr int kColumns = 96;  // of the grid: cones have no detail
 
-// Of the picture's area, where at least half of what the edit shows is a guess.
-double guessedArea(const PreparedEdit& edit, const LampGain& gain, const EditedLights& lights) {
+// Of the picture's area, where at least half of what the edit shows is a guess: isGuess(x, y).
+template <typename IsGuess>
+double guessedArea(const PreparedEdit& edit, const EditedLights& lights, const IsGuess& isGuess) {
   const int step = std::max(1, lights.width / kColumns);
   int guessed = 0;
   int all = 0;
   for (int y = step / 2; y < lights.height; y += step)
     for (int x = step / 2; x < lights.width; x += step) {
       ++all;
-      if (gain.guessAt(x, y) < .5F) continue;
+      if (!isGuess(x, y)) continue;
       float mask = 0;
       edit.mask->row(x, y, 1, &mask);
       guessed += mask * edit.edit->opacity >= .5F;
@@ -54,7 +55,8 @@ LampLimits lampLimits(const PreparedEdit& edit, size_t k, const EditedLights& li
   LampLimits limits;
   if (k >= edit.lamps.size() || !edit.lamps[k].gain || !edit.isActive()) return limits;
   const LightPool& pool = *edit.lamps[k].pool;
-  limits.guessed = guessedArea(edit, *edit.lamps[k].gain, lights);
+  const LampGain& gain = *edit.lamps[k].gain;
+  limits.guessed = guessedArea(edit, lights, [&](int x, int y) { return gain.guessAt(x, y) >= .5F; });
   const LampChange change = lampChangeOf(edit.edit->operation);
   limits.shift = std::hypot(change.right, change.up) / pool.width;
   if (pool.cone) limits.seen = seenOf(*pool.cone, lights);
@@ -63,6 +65,15 @@ LampLimits lampLimits(const PreparedEdit& edit, size_t k, const EditedLights& li
 
 std::vector<std::string> lampWarnings(const PreparedEdit& edit, const EditedLights& lights) {
   std::vector<std::string> warnings;
+  if (!edit.placed.empty() && edit.isActive()) {
+    const PlacedChange& change = edit.placed.front();
+    const double guessed = guessedArea(edit, lights, [&](int x, int y) { return change.guessAt(x, y); });
+    if (guessed >= LampLimits::kGuessTold)
+      warnings.push_back(fmt::format(
+          "how surfaces are turned is a guess on {:.0f} % of the picture: too few lamps light it, or they "
+          "disagree",
+          100 * guessed));
+  }
   for (size_t k = 0; k < edit.lamps.size(); ++k) {
     const LampLimits limits = lampLimits(edit, k, lights);
     const std::string& light = lights.names[static_cast<size_t>(edit.lights[k])];

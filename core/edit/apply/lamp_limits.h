@@ -27,7 +27,7 @@ struct LampLimits {
 /// `k` is an index of the edit's chosen lights.
 [[nodiscard]] LampLimits lampLimits(const PreparedEdit& edit, size_t k, const EditedLights& lights);
 
-/// In words; nothing where the edit stays within its limits, or is none of lamps.
+/// In words, of edits of lamps and of places; nothing where the edit stays within its limits, or is another.
 [[nodiscard]] std::vector<std::string> lampWarnings(const PreparedEdit& edit, const EditedLights& lights);
 
 }  // namespace swaplight

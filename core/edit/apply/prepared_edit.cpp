@@ -58,6 +58,15 @@ std::vector<LampEdit> lampEdits(const LampChange& change, const std::vector<int>
   return edits;
 }
 
+std::vector<PlacedChange> placedChanges(const PlaceOperation& operation, const std::vector<int>& chosen,
+                                        const EditedLights& lights, const MaskContext& context) {
+  std::vector<PlacedChange> changes;
+  for (const int light : chosen)
+    changes.emplace_back(operation, lights.names[static_cast<size_t>(light)], static_cast<size_t>(light),
+                         context, lights.places);
+  return changes;
+}
+
 }  // namespace
 
 int PreparedEdit::reach() const {
@@ -97,6 +106,8 @@ PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& l
           prepared.shadows = shadowChanges(operation, *edit, prepared.lights, lights, context, earlier);
         if constexpr (LampOperation<T>)
           prepared.lamps = lampEdits(operation.lampChange(), prepared.lights, context, earlier);
+        if constexpr (std::is_same_v<T, PlaceOperation>)
+          prepared.placed = placedChanges(operation, prepared.lights, lights, context);
         if constexpr (std::is_same_v<T, UnknownGelOperation>)
           prepared.gel = gelMixing(context.set(), operation);
         if constexpr (requires { operation.tabulate(); }) prepared.table = operation.tabulate();

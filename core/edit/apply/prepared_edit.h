@@ -9,6 +9,7 @@
 #include "core/edit/apply/lamp_edit.h"
 #include "core/edit/apply/shadow_change.h"
 #include "core/edit/mask/prepared_mask.h"
+#include "core/edit/placing/placed_change.h"
 #include "core/edit/stack/beta_files.h"
 #include "core/edit/stack/edit.h"
 
@@ -19,6 +20,7 @@ struct EditedLights {
   std::vector<std::string> names;  ///< the set's lights, then the new ones
   int width = 0;
   int height = 0;
+  LampPlaces places = {};  ///< where lamps of the set's lights stood
 };
 
 /// An edit ready to run: names are indices, masks and pictures are drawn, curves are tables.
@@ -30,6 +32,7 @@ struct PreparedEdit {
   std::shared_ptr<const BetaMaps> beta;  ///< of the chosen lights, for BetaMapOperation
   std::vector<ShadowChange> shadows;     ///< one a chosen light, for ShadowOperation
   std::vector<LampEdit> lamps;           ///< one a chosen light, for edits of lamps
+  std::vector<PlacedChange> placed;      ///< one a chosen light, for PlaceOperation
   GelMixing gel;                         ///< for UnknownGelOperation
 
   /// Does it do anything?

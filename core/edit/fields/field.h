@@ -13,7 +13,7 @@ using PointList = std::vector<std::array<float, 2>>;
 
 /// How far a number goes, and how the studio shows it.
 struct Scale {
-  enum class Unit { Factor, Percent, Pixels, Count, Degrees };
+  enum class Unit { Factor, Percent, Pixels, Count, Degrees, Widths };
   Unit unit = Unit::Pixels;
   double least = -1e6, most = 1e6;        ///< in files; what lies outside is refused
   float sliderLeast = 0, sliderMost = 1;  ///< of the studio's slider

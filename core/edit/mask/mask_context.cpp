@@ -8,8 +8,8 @@
 
 namespace swaplight {
 
-MaskContext::MaskContext(const SolvedSet& set, ShadowSource shadows)
-    : m_set(set), m_shadows(std::move(shadows)) {}
+MaskContext::MaskContext(const SolvedSet& set, ShadowSource shadows, SurfaceSource surfaces)
+    : m_set(set), m_shadows(std::move(shadows)), m_surfaces(std::move(surfaces)) {}
 
 std::shared_ptr<const MaskRaster> MaskContext::raster(const MaskShape& shape, int shadowZone) {
   if (const auto* paint = std::get_if<PaintShape>(&shape.shape); paint && isPainted(*paint->painting))

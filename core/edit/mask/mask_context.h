@@ -1,30 +1,27 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/edit/mask/mask.h"
+#include "core/normals/set_surfaces.h"
 #include "core/set/solved_set.h"
 #include "core/shadow/result/light_shadows.h"
 
 namespace swaplight {
 
-/// Finds a light's shadows on the set as solved; may take long the first time. Throws InputError for a name
-/// that is not a light of the set.
-using ShadowSource = std::function<std::shared_ptr<const LightShadows>(const std::string& light)>;
-
-/// What masks are drawn on: the set as solved, and its shadows. A shape is drawn once as long as somebody
-/// holds it. Not for use by several threads at once.
+/// What masks are drawn on and edits look at: the set as solved, its shadows, how its surfaces are turned. A
+/// shape is drawn once as long as somebody holds it. Not for use by several threads at once.
 class MaskContext {
  public:
   /// The set must outlive it.
-  explicit MaskContext(const SolvedSet& set, ShadowSource shadows = {});
+  explicit MaskContext(const SolvedSet& set, ShadowSource shadows = {}, SurfaceSource surfaces = {});
 
   [[nodiscard]] int width() const { return m_set.width(); }
   [[nodiscard]] int height() const { return m_set.height(); }
   [[nodiscard]] const SolvedSet& set() const { return m_set; }
   [[nodiscard]] const ShadowSource& shadows() const { return m_shadows; }
+  [[nodiscard]] const SurfaceSource& surfaces() const { return m_surfaces; }
 
   /// A shape as pixels, before it is inverted; nullptr for shapes that are formulas (rectangles, ellipses,
   /// gradients, patterns). Throws InputError: a picture that cannot be read, a light without shadows, a place
@@ -51,6 +48,7 @@ class MaskContext {
 
   const SolvedSet& m_set;
   ShadowSource m_shadows;
+  SurfaceSource m_surfaces;
   std::vector<Drawn> m_drawn;
   std::shared_ptr<const EdgeGuide> m_guide;  ///< of the set; nullptr: not needed yet
 };

@@ -11,6 +11,7 @@
 #include "core/edit/operations/gain_operation.h"
 #include "core/edit/operations/invert_operation.h"
 #include "core/edit/operations/move_operation.h"
+#include "core/edit/operations/place_operation.h"
 #include "core/edit/operations/recolor_operation.h"
 #include "core/edit/operations/shadow_operation.h"
 #include "core/edit/operations/sharpen_operation.h"
@@ -56,10 +57,10 @@ namespace swaplight {
 // and it is listed here. Whatever handles edits visits the list, so that one that is not handled does not
 // compile.
 
-using Operation =
-    std::variant<FillOperation, GainOperation, CurveOperation, InvertOperation, BlurOperation,
-                 SharpenOperation, BetaMapOperation, ShadowOperation, MoveOperation, TurnOperation,
-                 SpreadOperation, SizeOperation, ShineOperation, RecolorOperation, UnknownGelOperation>;
+using Operation = std::variant<FillOperation, GainOperation, CurveOperation, InvertOperation, BlurOperation,
+                               SharpenOperation, BetaMapOperation, ShadowOperation, MoveOperation,
+                               TurnOperation, SpreadOperation, SizeOperation, PlaceOperation, ShineOperation,
+                               RecolorOperation, UnknownGelOperation>;
 
 /// Says what it wants beta to be. All edits but those of shadows, lamps, highlights, surfaces and unknown
 /// gels.

@@ -9,6 +9,7 @@
 #include "core/base/json_fwd.h"
 #include "core/edit/mask/mask.h"
 #include "core/edit/operations/operations.h"
+#include "core/normals/lamp_place.h"
 #include "core/shadow/result/shadow_options.h"
 
 namespace swaplight {
@@ -41,6 +42,8 @@ struct EditStack {
   std::map<std::string, float> shadowThresholds;
   /// What is said of single places of a light's shadows (ShadowOptions::marks).
   ShadowMarksByLight shadowMarks;
+  /// Where the lamps of the set's lights stood: what edits need that go by how surfaces are turned.
+  LampPlaces lampPlaces;
 
   void append(Edit edit) { edits.push_back(std::make_shared<const Edit>(std::move(edit))); }
   void replace(size_t index, Edit edit) { edits[index] = std::make_shared<const Edit>(std::move(edit)); }
@@ -65,5 +68,7 @@ struct EditStack {
 /// Whether something in it needs the lights' shadows.
 [[nodiscard]] bool usesShadows(const Edit& edit);
 [[nodiscard]] bool usesShadows(const Mask& mask);
+/// Whether it needs to know how surfaces are turned (and so the lights' shadows).
+[[nodiscard]] bool usesSurfaces(const Edit& edit);
 
 }  // namespace swaplight

@@ -7,6 +7,7 @@
 #include "core/edit/stack/edit.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
+#include "core/normals/lamp_place_json.h"
 
 namespace swaplight {
 namespace {
@@ -96,6 +97,7 @@ Json jsonFromEditStack(const EditStack& stack) {
   for (const auto& [light, marks] : stack.shadowMarks)
     for (const ShadowMark& mark : marks)
       json["shadow_marks"][light].push_back({{"is", wordFor(mark.is)}, {"at", {mark.x, mark.y}}});
+  if (!stack.lampPlaces.empty()) json["lamp_places"] = jsonFromLampPlaces(stack.lampPlaces);
   return json;
 }
 
@@ -107,6 +109,8 @@ EditStack editStackFromJson(const Json& json, int width, int height, const std::
   stack.newLights = readNames(fields, "new_lights");
   stack.shadowThresholds = readThresholds(fields);
   stack.shadowMarks = readMarks(fields);
+  if (const Json* places = fields.find("lamp_places"))
+    stack.lampPlaces = lampPlacesFromJson(*places, where + ": lamp_places");
   for (const Json& item : fields.list("edits", "a list of edits", kMostEdits)) {
     JsonFields one(item, where + ": edit " + std::to_string(stack.edits.size() + 1));
     Edit edit;

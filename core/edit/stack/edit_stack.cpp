@@ -26,7 +26,7 @@ size_t paintingBytes(const Painting& painting, const Painting* before) {
 
 bool EditStack::operator==(const EditStack& other) const {
   return newLights == other.newLights && shadowThresholds == other.shadowThresholds &&
-         shadowMarks == other.shadowMarks &&
+         shadowMarks == other.shadowMarks && lampPlaces == other.lampPlaces &&
          std::equal(edits.begin(), edits.end(), other.edits.begin(), other.edits.end(),
                     [](const auto& a, const auto& b) { return a == b || *a == *b; });
 }
@@ -44,7 +44,7 @@ size_t editBytes(const EditStack& stack, const EditStack& before) {
     if (painting) bytes += paintingBytes(*painting, earlier);
   }
   for (const auto& [light, marks] : stack.shadowMarks) bytes += marks.size() * sizeof(ShadowMark);
-  return bytes;
+  return bytes + stack.lampPlaces.size() * sizeof(LampPlace);
 }
 
 EditStack withFiles(const EditStack& stack, const std::function<std::string(const std::string&)>& rename) {
@@ -101,6 +101,10 @@ bool usesShadows(const Mask& mask) {
 
 bool usesShadows(const Edit& edit) {
   return usesShadows(edit.operation) || usesShadows(edit.mask);
+}
+
+bool usesSurfaces(const Edit& edit) {
+  return std::holds_alternative<PlaceOperation>(edit.operation);
 }
 
 }  // namespace swaplight

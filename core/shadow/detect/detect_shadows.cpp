@@ -203,8 +203,7 @@ Json jsonFromShadows(const LightShadows& shadows) {
           {"penumbra_pixels", penumbraPixels(shadows)}};
 }
 
-std::function<std::shared_ptr<const LightShadows>(const std::string& light)> shadowSource(
-    std::shared_ptr<const SolvedSet> set, const ShadowOptions& options) {
+ShadowSource shadowSource(std::shared_ptr<const SolvedSet> set, const ShadowOptions& options) {
   auto found = std::make_shared<std::vector<std::shared_ptr<const LightShadows>>>();
   return [set = std::move(set), options, found](const std::string& light) {
     const size_t place = placeOfLight(set->capture, light, "shadows");

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,7 +15,7 @@ namespace swaplight {
 
 /// Finds the shadows of every light of a set, in the set's order. Works on the contributions alone: no
 /// geometry, no direction of light. With one light only, its shadows cannot be told from dark surfaces, and
-/// are guessed from the level alone. Sets of more than 2560 pixels across or down are searched at a half, a
+/// are guessed from the level alone. Sets of more than 1280 pixels across or down are searched at a half, a
 /// third ... of their size; borders and grain are those of the set itself again (enlarged_shadows.h).
 [[nodiscard]] std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOptions& options = {},
                                                       const Progress& progress = {},
@@ -27,7 +26,7 @@ namespace swaplight {
 
 /// Finds shadows on first demand and keeps them, for edits that use shadows. Throws InputError for a light
 /// that the set does not have.
-[[nodiscard]] std::function<std::shared_ptr<const LightShadows>(const std::string& light)> shadowSource(
-    std::shared_ptr<const SolvedSet> set, const ShadowOptions& options = {});
+[[nodiscard]] ShadowSource shadowSource(std::shared_ptr<const SolvedSet> set,
+                                        const ShadowOptions& options = {});
 
 }  // namespace swaplight

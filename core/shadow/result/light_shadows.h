@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "core/image/image.h"
@@ -24,5 +27,9 @@ struct LightShadows {
   Image direct;
   float threshold = 0;  ///< the shading over that of well-lit pixels at which shadow was taken to begin
 };
+
+/// Finds a light's shadows on the set as solved; may take long the first time. Throws InputError for a name
+/// that is not a light of the set.
+using ShadowSource = std::function<std::shared_ptr<const LightShadows>(const std::string& light)>;
 
 }  // namespace swaplight

@@ -40,7 +40,8 @@ EditStack everyKind() {
       BlurOperation{17},
       SharpenOperation{5, .3f},
       BetaMapOperation{"beta.exr", "beta.key"},
-      ShadowOperation{ShadowOperation::Kind::Recolor, .6f, 9, {1, .2f, .1f}}};
+      ShadowOperation{ShadowOperation::Kind::Recolor, .6f, 9, {1, .2f, .1f}},
+      PlaceOperation{-120, 35.5f, 2.5f, .4f}};
   const std::vector<MaskShape> shapes = {{RectangleShape{1, 2, 3, 4, 5}, true},
                                          {EllipseShape{1.5f, 2, 3, 4, 5}, false},
                                          {PolygonShape{{{1, 2}, {30, 4}, {5, 60}}, 2}, false},
@@ -57,6 +58,7 @@ EditStack everyKind() {
   stack.newLights = {"sun"};
   stack.shadowThresholds = {{"key", .125f}};
   stack.shadowMarks = {{"key", {{ShadowMark::Kind::Lit, 5, 6}, {ShadowMark::Kind::Shadow, 7, 8}}}};
+  stack.lampPlaces = {{"key", {-40, 30, 3, 1.5}}, {"sun", {120.5, -10, {}, {}}}};
   for (size_t i = 0; i < shapes.size(); ++i) {
     Edit edit;
     edit.name = "edit " + std::to_string(i);
@@ -114,6 +116,11 @@ TEST(EditJson, SaysWhereSomethingIsWrong) {
               HasSubstr("pixel of the picture"));
   EXPECT_THAT(message(R"({"edits": [], "shadow_marks": {"key": 3}})"), HasSubstr("list of marks"));
   EXPECT_THAT(message(R"({"edits": [], "shadow_marks": 3})"), HasSubstr("by light"));
+  EXPECT_THAT(message(R"({"edits": [], "lamp_places": 3})"), HasSubstr("places by light"));
+  EXPECT_THAT(message(R"({"edits": [], "lamp_places": {"key": {"azimuth": 3}}})"),
+              HasSubstr("\"elevation\""));
+  EXPECT_THAT(message(R"({"edits": [], "lamp_places": {"key": {"azimuth": 300, "elevation": 0}}})"),
+              HasSubstr("lamp_places of \"key\""));
   for (const char* shape : {"similar", "shadow"})
     for (const char* at : {"[1e39, 2]", "[3, -1e9]"})
       EXPECT_THAT(

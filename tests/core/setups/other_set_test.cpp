@@ -44,6 +44,7 @@ TEST(PlaceFreeEdits, WhatHasAPlaceInThePictureStaysThere) {
   stack.append(editOf("selected shadow", {"key"}, FillOperation{1}, selection(oneShadow)));
   stack.append(editOf("beta", {"key"}, BetaMapOperation{"beta.exr", ""}));
   stack.append(editOf("moved", {"key"}, MoveOperation{}));
+  stack.append(editOf("placed", {"key"}, PlaceOperation{}));
   stack.append(editOf("other lamp", {"rim"}, FillOperation{0}));
   stack.append(editOf("both", {"key", "rim"}, FillOperation{0}));
   Edit off = editOf("off", {"rim"}, FillOperation{0});
@@ -51,15 +52,18 @@ TEST(PlaceFreeEdits, WhatHasAPlaceInThePictureStaysThere) {
   stack.append(off);
   stack.shadowThresholds = {{"key", 0.1F}, {"rim", 0.2F}};
   stack.shadowMarks["key"] = {{ShadowMark::Kind::Lit, 3, 4}};
+  stack.lampPlaces["key"] = {};
   const PlaceFreeEdits here = placeFreeEdits(stack, {"key", "fill"});
   EXPECT_THAT(namesOf(here.edits),
               ElementsAre("brighter", "all lights", "shadows", "selected shadows", "both"));
-  EXPECT_THAT(here.leftOut, ElementsAre("rectangle", "one shadow", "selected shadow", "beta", "moved",
-                                        "other lamp", "what is said of single shadows"))
+  EXPECT_THAT(here.leftOut,
+              ElementsAre("rectangle", "one shadow", "selected shadow", "beta", "moved", "placed",
+                          "other lamp", "where its lamps stood", "what is said of single shadows"))
       << "what was off is not missed";
   EXPECT_THAT(here.edits.edits.back()->lights, ElementsAre("key"));
   EXPECT_EQ(here.edits.shadowThresholds.size(), 1u);
   EXPECT_TRUE(here.edits.shadowMarks.empty());
+  EXPECT_TRUE(here.edits.lampPlaces.empty());
 }
 
 TEST(PlaceFreeEdits, ANewLightStaysWhereAnEditOfItDoes) {

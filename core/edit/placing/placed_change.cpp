@@ -1,0 +1,106 @@
+#include "core/edit/placing/placed_change.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/simd/simd.h"
+
+namespace swaplight {
+namespace {
+
+constexpr float kLitWell = 0.15F;  // of the shade: below, the surface was nearly turned away
+constexpr float kMostGain = 16;    // 4 stops
+constexpr float kLeastLight = 1e-9F;
+
+SWAPLIGHT_SIMD(void, addShade,
+               (const float* paint, const float* after, const float* mask, float level, int count,
+                float* light),
+               (paint, after, mask, level, count, light)) {
+  for (int i = 0; i < count; ++i) light[i] += mask[i] * level * paint[i] * after[i];
+}
+
+// Where the lamp lit the surface well the gain, where it hardly did the difference. What shows as much light
+// as a surface so turned has of the lamp sees it, whatever the search for shadows says of dim light.
+SWAPLIGHT_SIMD(void, reshade,
+               (const float* paint, const float* before, const float* after, const float* seen,
+                const float* mask, float level, float nearer, int count, float* light),
+               (paint, before, after, seen, mask, level, nearer, count, light)) {
+  for (int i = 0; i < count; ++i) {
+    const float then = nearer * after[i];
+    const float lit = std::min(before[i] / kLitWell, 1.F);
+    const float weight = lit * lit * (3 - 2 * lit);
+    const float gain = std::min(then / std::max(before[i], kLitWell / kMostGain), kMostGain);
+    const float shown = std::min(light[i] / std::max(level * paint[i] * before[i], kLeastLight), 1.F);
+    const float kept = light[i] * (1 + std::max(seen[i], shown) * (gain - 1));
+    const float added = std::max(light[i] + level * paint[i] * (then - before[i]), 0.F);
+    light[i] = std::max(light[i] + mask[i] * (added + weight * (kept - added) - light[i]), 0.F);
+  }
+}
+
+/// Where the lamp stands, as refined, after what the operation changes of what was told.
+LampPlace placeAfter(const PlaceOperation& operation, const LampPlace& told, const LampPlace& refined) {
+  LampPlace after = operation.place();
+  after.azimuth += refined.azimuth - told.azimuth;
+  after.elevation += refined.elevation - told.elevation;
+  return after;
+}
+
+float nearerBy(const LampPlace& before, const LampPlace& after) {
+  if (!before.distance || !after.distance) return 1;
+  return static_cast<float>(std::pow(*before.distance / std::max(*after.distance, LampRays::kNearest), 2));
+}
+
+}  // namespace
+
+PlacedChange::PlacedChange(const PlaceOperation& operation, const std::string& name, size_t light,
+                           const MaskContext& context, const LampPlaces& told)
+    : m_after(operation.place(), operation.diameter) {
+  if (!context.surfaces()) throw InputError("how surfaces are turned is not available here.");
+  m_surfaces = context.surfaces()();
+  m_level = static_cast<float>(m_surfaces->level);
+  if (light >= context.set().contributions.size()) return;
+  const LeveledLight* lamp = m_surfaces->lampOf(light);
+  const auto place = told.find(name);
+  if (!lamp || place == told.end())
+    throw InputError(
+        "\"{}\" cannot be placed: nobody has said where its lamp stood, or it is nearer than {} widths of "
+        "the "
+        "picture. Say so in \"lamp_places\", or place a new light.",
+        name, LampPlace::kNearest);
+  m_shadows = context.shadows()(name);
+  m_level = static_cast<float>(lamp->level);
+  m_before.emplace(lamp->place, 0);
+  m_after = PlacedLamp(placeAfter(operation, place->second, lamp->place), operation.diameter);
+  m_nearer = nearerBy(place->second, operation.place());
+  m_neutral = operation == PlaceOperation::at(place->second);
+}
+
+void PlacedChange::changeRow(int x, int y, int count, const float* mask, float* const light[3]) const {
+  const Image& normals = m_surfaces->normals;
+  const auto width = static_cast<float>(normals.width());
+  NormalRow row;
+  for (int c = 0; c < 3; ++c) row.normal[c] = normals.view().row(c, y) + x;
+  row.x = (static_cast<float>(x) + .5F) / width - .5F;
+  row.step = 1 / width;
+  row.y = (.5F * static_cast<float>(normals.height()) - static_cast<float>(y) - .5F) / width;
+  std::vector<float> after(static_cast<size_t>(count));
+  m_after.shadeRow(row, count, after.data());
+  std::vector<float> before(m_before ? after.size() : 0);
+  if (m_before) m_before->shadeRow(row, count, before.data());
+  for (int c = 0; c < 3; ++c) {
+    const float* paint = m_surfaces->reflectance.view().row(c, y) + x;
+    if (!m_before)
+      addShade(paint, after.data(), mask, m_level, count, light[c]);
+    else
+      reshade(paint, before.data(), after.data(), m_shadows->visibility.view().row(0, y) + x, mask, m_level,
+              m_nearer, count, light[c]);
+  }
+}
+
+bool PlacedChange::guessAt(int x, int y) const {
+  return m_surfaces->guessed[static_cast<size_t>(y) * static_cast<size_t>(m_surfaces->normals.width()) +
+                             static_cast<size_t>(x)] != 0;
+}
+
+}  // namespace swaplight

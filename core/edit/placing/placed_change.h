@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/edit/mask/mask_context.h"
+#include "core/edit/operations/place_operation.h"
+#include "core/edit/placing/placed_lamp.h"
+#include "core/normals/set_surfaces.h"
+
+namespace swaplight {
+
+/// What the light of a lamp becomes that stands elsewhere. With s the shade (placed_lamp.h) before and s'
+/// after, r the reflectance, L the lamp's level and v how much of it is seen (shadows; at least T / r L s):
+///
+///   T' = T (1 + v (s'/s - 1))     where the lamp lit the surface: all of the picture's own detail stays
+///   T' = T + r L (s' - s)         where it did not, since the surface was turned away from it
+///
+/// and in between where s is small. A light that the edits add, and so has no T, gets r L s', L that of the
+/// strongest lamp. No shadow is thrown from the new place; those that were thrown stay. A lamp that comes
+/// nearer keeps its power: the level goes with the inverse square of its distance. s'/s <= 16 (4 stops).
+///
+/// Woodham 1980 backwards; the surfaces: core/normals/set_surfaces.h.
+class PlacedChange {
+ public:
+  /// `light`: an index of the set's lights or, beyond, of those that edits add. Throws InputError: surfaces
+  /// cannot be told, or nobody has said where this light's lamp stood.
+  PlacedChange(const PlaceOperation& operation, const std::string& name, size_t light,
+               const MaskContext& context, const LampPlaces& told);
+
+  /// Nothing changes: the lamp stands where it stood.
+  [[nodiscard]] bool isNeutral() const { return m_neutral; }
+  /// Changes a row by `mask` (0..1) times what the change asks for. `light`: R, G, B.
+  void changeRow(int x, int y, int count, const float* mask, float* const light[3]) const;
+  [[nodiscard]] const SetSurfaces& surfaces() const { return *m_surfaces; }
+  /// Whether the pixel's surface is a guess.
+  [[nodiscard]] bool guessAt(int x, int y) const;
+
+ private:
+  std::shared_ptr<const SetSurfaces> m_surfaces;
+  std::shared_ptr<const LightShadows> m_shadows;  ///< of a light that was photographed
+  std::optional<PlacedLamp> m_before;             ///< nothing: a light that edits add
+  PlacedLamp m_after;
+  float m_level = 1;   ///< of the lamp, which reflectances are times
+  float m_nearer = 1;  ///< times the level, where the lamp comes nearer
+  bool m_neutral = false;
+};
+
+}  // namespace swaplight
