@@ -133,6 +133,28 @@ bool bothLiftShadows(const CauseEvidence& best, const CauseEvidence& other) {
   return tone && (best.cause == Cause::Ambient || other.cause == Cause::Ambient);
 }
 
+const CauseEvidence* evidenceOf(Cause cause, const std::vector<CauseEvidence>& all) {
+  const auto found = std::ranges::find(all, cause, &CauseEvidence::cause);
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// Light behind the reflectance cannot be negative. What looks so is shadows that are darker than the lamps
+/// leave them: a curve of more contrast, which explains nearly as much.
+bool isDarkenedByACurve(const CauseEvidence& ambient, const CauseEvidence& tone) {
+  return ambient.cause == Cause::Ambient && ambient.size < 0 && tone.cause == Cause::Tone && tone.size > 0;
+}
+
+/// Such a curve, where nothing is surely better than negative light. Wrong colours look like that, too: then
+/// they explain far more than a curve does.
+const CauseEvidence* darkeningCurve(const std::vector<CauseEvidence>& all, const CauseTuning& tuning) {
+  const CauseEvidence* ambient = evidenceOf(Cause::Ambient, all);
+  const CauseEvidence* tone = evidenceOf(Cause::Tone, all);
+  const CauseEvidence* colors = evidenceOf(Cause::Colors, all);
+  if (!ambient || !tone || !colors || !isDarkenedByACurve(*ambient, *tone)) return nullptr;
+  const bool near = tone->behind < tuning.farApart || tone->gain > colors->gain;
+  return near && ambient->behind < tuning.apart && isNamed(*tone, tuning) ? tone : nullptr;
+}
+
 /// What bounces goes over the picture less smoothly, hardly at all, or by more than lamps drift.
 bool isDriftOfLamps(const CauseEvidence& field, const CauseTuning& tuning) {
   return field.explained >= tuning.beyondBounce ||
@@ -161,14 +183,14 @@ bool mayBeAmbient(const CauseEvidence& one, const CauseEvidence& best, const Cau
          one.behind < tuning.farApart;
 }
 
-/// The best, if it is worth naming; else ambient light that it may be as well.
+/// The best, if it is worth naming; else a curve or ambient light that it may be as well.
 const CauseEvidence* worthNaming(const std::vector<CauseEvidence>& all, const EstimatorContext& context,
                                  const ShotSignal& signal, const CauseTuning& tuning) {
   const CauseEvidence& best = all.front();
   if (isNamed(best, tuning) && !mayBeBouncedLight(best, context, signal, tuning)) return &best;
   for (const CauseEvidence& one : all)
     if (mayBeAmbient(one, best, tuning)) return &one;
-  return nullptr;
+  return darkeningCurve(all, tuning);
 }
 
 /// That which is worth naming, and what is not surely worse. `all`: the best first.
@@ -177,8 +199,9 @@ std::vector<Cause> likelyCauses(const std::vector<CauseEvidence>& all, const Est
   const CauseEvidence* named = worthNaming(all, context, signal, tuning);
   if (!named) return {};
   std::vector<Cause> likely = {named->cause};
+  const CauseEvidence* curve = darkeningCurve(all, tuning);
   for (const CauseEvidence& one : all) {
-    const bool rival = one.behind < tuning.apart || bothLiftShadows(*named, one);
+    const bool rival = one.behind < tuning.apart || bothLiftShadows(*named, one) || &one == curve;
     if (&one == named || !rival) continue;
     // What is named is no bounced light: then wrong colours that explain as much are none either.
     const bool colors = one.cause == Cause::Colors && named->cause == Cause::Ambient;
@@ -260,9 +283,10 @@ MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& sig
 }
 
 bool isSurelyTone(const MisfitCauses& causes, const CauseTuning& tuning) {
-  return causes.is(Cause::Tone) &&
-         std::all_of(causes.all.begin(), causes.all.end(), [&](const CauseEvidence& one) {
-           return one.cause == Cause::Tone ? one.certainty > tuning.surelyTone : one.behind > tuning.apart;
+  const CauseEvidence* tone = evidenceOf(Cause::Tone, causes.all);
+  return causes.is(Cause::Tone) && tone && tone->certainty > tuning.surelyTone &&
+         std::ranges::all_of(causes.all, [&](const CauseEvidence& one) {
+           return &one == tone || one.behind > tuning.apart || isDarkenedByACurve(one, *tone);
          });
 }
 

@@ -133,6 +133,18 @@ TEST(CauseEvidence, NamesAToneCurve) {
   EXPECT_NEAR(sizeOf(gamma, Cause::Tone), -.15, .06);
 }
 
+TEST(CauseEvidence, NamesTheCurveWhereShadowsAreDarkerThanLampsLeaveThem) {
+  // As crushed as this it is no small change any more: light that is negative behind the surfaces fits as
+  // well.
+  const auto crushed = [](double y) {
+    const double v = std::pow(std::max(y, 0.0), 1 / 2.2);
+    return std::pow(v + (3 * v * v - 2 * v * v * v - v), 2.2);
+  };
+  const MisfitCauses causes = causesIn(photographed({.curve = crushed}));
+  ASSERT_FALSE(causes.likely.empty()) << told(causes);
+  EXPECT_EQ(causes.likely.front(), Cause::Tone) << told(causes);
+}
+
 TEST(CauseEvidence, NamesAMovedCamera) {
   const MisfitCauses causes = causesIn(photographed({.shift = .5}));
   EXPECT_TRUE(causes.is(Cause::Moved)) << told(causes);
@@ -249,6 +261,9 @@ TEST(CauseEvidence, ACurveIsSureWhereNothingElseIsNearlyAsLikely) {
   EXPECT_TRUE(isSurelyTone(causes));
   causes.all.back().behind = 1;
   EXPECT_FALSE(isSurelyTone(causes)) << "ambient light explains it as well";
+  causes.all.back().size = -.1;
+  EXPECT_TRUE(isSurelyTone(causes)) << "there is no negative light";
+  causes.all.back().size = .1;
   causes.all.back().behind = 3, causes.all.front().certainty = 4.9;
   EXPECT_FALSE(isSurelyTone(causes));
   causes.all.front().certainty = 8, causes.likely = {Cause::Tone, Cause::Ambient};
