@@ -6,6 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/edit/mask/surface_color.h"
+#include "core/edit/placing/placed_change.h"
+#include "core/normals/placed_lights.h"
 #include "core/shadow/detect/detect_shadows.h"
 #include "ui/jobs/take_or_report.h"
 
@@ -35,8 +37,10 @@ void EditController::beginFrame() {
     m_set = set->original;
     m_room = {};
     m_found = std::make_shared<FoundShadows>();
+    m_surfaces = std::make_shared<FoundSurfaces>();
     m_making.cancel();
     m_finding.cancel();
+    m_surfacing.cancel();
     m_files.forget();
     m_filesStale = false;
     m_drawingStale = true;
@@ -44,6 +48,7 @@ void EditController::beginFrame() {
     m_followed = false;
     m_complaint.clear();
     m_foundFor = {};
+    m_surfacesBy = m_surfacingBy = {};
     m_needsShadows = m_stopped = false;
   }
   takeJobs();
@@ -53,6 +58,7 @@ void EditController::show(const PixelRect& visible) {
   if (!m_set) return;
   follow();
   seekShadows();
+  seekSurfaces();
   if (m_room.edited) update(visible);
 }
 
@@ -71,6 +77,15 @@ void EditController::takeJobs() {
     m_drawn.clear();
   });
   if (search == Taken::Failed) m_stopped = true;  // or it would fail again in every frame
+  const Taken surfaces = takeOrReport(m_surfacing, m_parts.messages, "finding how surfaces are turned",
+                                      [this](SurfacesOf found) {
+                                        if (found.set != m_set) return;
+                                        m_surfaces->replace(std::move(found.found));
+                                        m_surfacesBy = std::move(found.by);
+                                        if (m_room.edited) m_room.edited->surfacesChanged();
+                                        m_followed = false;
+                                      });
+  if (surfaces == Taken::Stopped) m_surfacingBy = {};  // those places may be asked for again
 }
 
 void EditController::takeDrawn() {
@@ -148,15 +163,19 @@ void EditController::readFilesAgain() {
 
 void EditController::prepare() {
   if (m_room.edited || m_making.running() || !m_parts.session.set()) return;
-  m_making.start([set = m_set, found = m_found](const Progress&) { return makeRoom(set, found); }, m_wake);
+  m_making.start([set = m_set, found = m_found,
+                  surfaces = m_surfaces](const Progress&) { return makeRoom(set, found, surfaces); },
+                 m_wake);
 }
 
 EditController::Room EditController::makeRoom(std::shared_ptr<const SolvedSet> set,
-                                              std::shared_ptr<FoundShadows> found) {
+                                              std::shared_ptr<FoundShadows> found,
+                                              std::shared_ptr<FoundSurfaces> surfaces) {
   Room room;
   room.edited = std::make_shared<EditedSet>(
       std::move(set),
-      [found = std::move(found)](const std::string& light) { return shadowsOf(*found->all(), light); });
+      [found = std::move(found)](const std::string& light) { return shadowsOf(*found->all(), light); },
+      [surfaces = std::move(surfaces)] { return surfaces->last(); });
   room.edited->update();
   room.live =
       std::make_shared<LiveSet>(std::shared_ptr<const SolvedSet>(room.edited, &room.edited->result()));
@@ -175,11 +194,15 @@ EditStack EditController::usable(const EditStack& wanted) {
   EditStack stack = fitEdits(wanted, m_set->width(), m_set->height());
   stack.shadowThresholds = m_foundFor.thresholds;
   stack.shadowMarks = m_foundFor.marks;
+  stack.lampPlaces = m_surfacesBy.places;
   for (auto& edit : stack.edits)  // an edit that is another object is prepared anew
     if (m_filesStale && std::holds_alternative<BetaMapOperation>(edit->operation))
       edit = std::make_shared<const Edit>(*edit);
   const auto needs = [](const auto& edit) { return usesShadows(*edit); };
   if (std::any_of(stack.edits.begin(), stack.edits.end(), needs)) m_needsShadows = true;
+  std::erase_if(stack.edits, [&](const auto& edit) {
+    return usesSurfaces(*edit) && (!m_surfaces->last() || !isPlaced(*edit));
+  });
   if (!m_found->all()->empty()) return stack;
   const size_t all = stack.edits.size();
   stack.edits.erase(std::remove_if(stack.edits.begin(), stack.edits.end(), needs), stack.edits.end());
@@ -323,6 +346,40 @@ void EditController::seekShadows() {
           all.found[set->capture.lights[i].name] =
               std::make_shared<const LightShadows>(std::move(shadows[i]));
         return all;
+      },
+      m_wake);
+}
+
+bool EditController::isPlaced(const Edit& edit) const {
+  std::vector<std::string> lights = edit.lights;
+  if (lights.empty())
+    for (const Light& light : m_set->capture.lights) lights.push_back(light.name);
+  const LampPlaces& told = m_parts.editor.document().edits.lampPlaces;
+  return std::none_of(lights.begin(), lights.end(), [&](const std::string& light) {
+    return whyNotPlaced(light, told, m_set->capture) ||
+           whyNotPlaced(light, m_surfacesBy.places, m_set->capture);
+  });
+}
+
+void EditController::seekSurfaces() {
+  const EditStack& edits = m_parts.editor.document().edits;
+  const auto needs = [](const auto& edit) { return edit->on && usesSurfaces(*edit); };
+  if (std::none_of(edits.edits.begin(), edits.edits.end(), needs)) return;
+  if (!shadowsCurrent() || m_parts.editor.inGesture()) return;
+  const SurfacesFor by{edits.lampPlaces, m_foundFor};
+  if (m_surfacing.running()) {
+    if (by != m_surfacingBy) m_surfacing.cancel();
+    return;
+  }
+  if (by == m_surfacingBy || whyNotPlaced("", by.places, m_set->capture)) return;
+  m_surfacingBy = by;
+  m_surfacing.start(
+      [set = m_set, found = m_found->all(), by](const Progress& progress) {
+        const auto shadows = [&](const std::string& light) { return shadowsOf(*found, light); };
+        const PlacedLights placed = placedLights(by.places, set->capture, "the lamps' places");
+        return SurfacesOf{set, by,
+                          std::make_shared<const SetSurfaces>(
+                              setSurfaces(*set, surfaceNormals(*set, shadows, placed.lamps, progress)))};
       },
       m_wake);
 }

@@ -62,6 +62,9 @@ class EditController {
   [[nodiscard]] bool shadowsCurrent() const;
   [[nodiscard]] bool findingShadows() const { return m_finding.running(); }
   [[nodiscard]] float findingFraction() const { return m_finding.fraction(); }
+  /// How surfaces are turned is being found, for the document's edits that go by it.
+  [[nodiscard]] bool findingSurfaces() const { return m_surfacing.running(); }
+  [[nodiscard]] float surfacesFraction() const { return m_surfacing.fraction(); }
   /// Stops looking for shadows until somebody asks again.
   void stopFindingShadows();
   [[nodiscard]] bool stoppedFindingShadows() const { return m_stopped && !m_finding.running(); }
@@ -73,7 +76,8 @@ class EditController {
   void readFilesAgain();
   /// Something goes on after which the picture changes.
   [[nodiscard]] bool busy() const {
-    return m_making.running() || m_finding.running() || m_drawing.running() || m_files.reading();
+    return m_making.running() || m_finding.running() || m_surfacing.running() || m_drawing.running() ||
+           m_files.reading();
   }
   /// Counts up whenever pixels have changed.
   [[nodiscard]] uint64_t revision() const { return m_revision; }
@@ -90,15 +94,32 @@ class EditController {
     ShadowsByLight found;
   };
 
+  /// What surfaces are found by.
+  struct SurfacesFor {
+    LampPlaces places;
+    ShadowOptions shadows;
+    bool operator==(const SurfacesFor&) const = default;
+  };
+  struct SurfacesOf {
+    std::shared_ptr<const SolvedSet> set;
+    SurfacesFor by;
+    FoundSurfaces::Surfaces found;
+  };
+
   void follow();
   void takeJobs();
   void takeDrawn();
   void keepDrawn(std::shared_ptr<const MaskRaster> raster);
   [[nodiscard]] static Room makeRoom(std::shared_ptr<const SolvedSet> set,
-                                     std::shared_ptr<FoundShadows> found);
+                                     std::shared_ptr<FoundShadows> found,
+                                     std::shared_ptr<FoundSurfaces> surfaces);
   void adopt(Room room);
   /// Looks for shadows where somebody needs them and there are none for what the document says now.
   void seekShadows();
+  /// Looks for how surfaces are turned, where an edit of the document goes by it and enough is told.
+  void seekSurfaces();
+  /// Whether all that is told of the lamps' places is enough for the edit.
+  [[nodiscard]] bool isPlaced(const Edit& edit) const;
   /// What of the document can be shown now.
   [[nodiscard]] EditStack usable(const EditStack& wanted);
   /// Whether the shape is drawn, or is drawn at once where it is asked for; else begins to draw it.
@@ -126,10 +147,12 @@ class EditController {
   std::shared_ptr<FoundShadows> m_found = std::make_shared<FoundShadows>();  ///< of m_set
   ShadowOptions m_foundFor;                                                  ///< what they were found for
   ShadowOptions m_findingFor;                                                ///< what they are looked for
-  bool m_needsShadows = false;                                               ///< somebody has asked for them
-  bool m_stopped = false;     ///< the person has stopped the search
-  bool m_filesStale = false;  ///< files of edits have to be read again
-  std::string m_complaint;    ///< about the edits, said already
+  std::shared_ptr<FoundSurfaces> m_surfaces = std::make_shared<FoundSurfaces>();  ///< of m_set
+  SurfacesFor m_surfacesBy, m_surfacingBy;  ///< what they were, are found by
+  bool m_needsShadows = false;              ///< somebody has asked for them
+  bool m_stopped = false;                   ///< the person has stopped the search
+  bool m_filesStale = false;                ///< files of edits have to be read again
+  std::string m_complaint;                  ///< about the edits, said already
   uint64_t m_revision = 0;
   int m_part = 0;             ///< of the picture that is computed next
   std::deque<Drawn> m_drawn;  ///< the last ones: kept until somebody uses them
@@ -138,6 +161,7 @@ class EditController {
   Job<std::shared_ptr<const MaskRaster>> m_drawing;
   Job<Room> m_making;
   Job<FoundOf> m_finding;
+  Job<SurfacesOf> m_surfacing;
   BetaReader m_files;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/capture/no_such_light.h"
+#include "core/normals/set_surfaces.h"
 #include "core/shadow/result/light_shadows.h"
 
 namespace swaplight {
@@ -43,6 +44,25 @@ class FoundShadows {
  private:
   mutable std::mutex m_mutex;
   All m_all = std::make_shared<const ShadowsByLight>();
+};
+
+/// How the surfaces are turned that were found last, likewise.
+class FoundSurfaces {
+ public:
+  using Surfaces = std::shared_ptr<const SetSurfaces>;
+
+  [[nodiscard]] Surfaces last() const {
+    const std::lock_guard lock(m_mutex);
+    return m_last;
+  }
+  void replace(Surfaces found) {
+    const std::lock_guard lock(m_mutex);
+    m_last = std::move(found);
+  }
+
+ private:
+  mutable std::mutex m_mutex;
+  Surfaces m_last;
 };
 
 }  // namespace swaplight

@@ -9,6 +9,7 @@
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
+#include "ui/tools/new_light.h"
 
 namespace swaplight {
 namespace {
@@ -34,19 +35,43 @@ Edit newEdit(const EditingContext& studio, const std::string& what, const Operat
     edit.mask.clear();  // a gel has one colour
     *gel = solvedGel(*studio.set()->original).value_or(*gel);
   }
+  if (auto* placed = std::get_if<PlaceOperation>(&edit.operation)) {
+    const LampPlaces& told = studio.document().edits.lampPlaces;
+    if (const auto place = told.find(light.light); place != told.end())
+      *placed = PlaceOperation::at(place->second);
+  }
   // With three lights somebody has to say which two change places.
   if (swapsTwoLights(operation) && studio.document().rig.lights.size() == 2) edit.lights.clear();
   return edit;
 }
 
-void append(EditingContext& studio, const std::string& what, Edit edit) {
-  EditStack edits = studio.document().edits;
-  edits.append(std::move(edit));
+/// The list will show all of the last edit.
+void openLast(EditingContext& studio, const EditStack& edits) {
   studio.editing.chosen = static_cast<int>(edits.edits.size()) - 1;
   studio.editing.open = true;
   studio.editing.settling = true;
   studio.editing.closesAt = 0;
+}
+
+void append(EditingContext& studio, const std::string& what, Edit edit) {
+  EditStack edits = studio.document().edits;
+  edits.append(std::move(edit));
+  openLast(studio, edits);
   editEdits(studio, "Add: " + what, std::move(edits));
+}
+
+/// A light that the set never had, and the edit that says where its lamp stands.
+void appendNewLamp(EditingContext& studio) {
+  Document next = studio.document();
+  Edit edit;
+  edit.lights = {addNewLight(studio, "lamp", next)};
+  edit.name = "New lamp, " + edit.lights.front();
+  edit.energy = EnergyMode::Add;
+  edit.operation = PlaceOperation::initial();
+  edit.mask = maskWithin({}, studio.document().selection);
+  next.edits.append(std::move(edit));
+  openLast(studio, next.edits);
+  studio.editor.edit("Add: New lamp", std::move(next));
 }
 
 EditedLights lightsOf(const EditingContext& studio) {
@@ -76,6 +101,12 @@ void drawAddEdit(EditingContext& studio, float width) {
     markItem({"add.", T::info.name});
     tooltip(T::info.tip);
   });
+  if (ImGui::MenuItem("New lamp")) appendNewLamp(studio);
+  markItem("add.new_lamp");
+  tooltip(
+      "Adds a light that the set never had, from any side, by how the surfaces are turned. Say first where "
+      "the "
+      "lamps of three lights stood. It throws no shadows.");
   ImGui::Separator();
   if (ImGui::MenuItem("Beta map from a file \u2026")) studio.actions.run("edits.add_picture");
   markItem("add.picture");

@@ -21,6 +21,7 @@
 #include "ui/edits/edit_list.h"
 #include "ui/edits/edit_menu.h"
 #include "ui/edits/edit_place.h"
+#include "ui/edits/lamp_places.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/panel_controls.h"
@@ -160,6 +161,11 @@ const char* formatOf(Scale::Unit unit) {
   return "";
 }
 
+/// A lamp's distance is 0 where it is too far away for its light to fall off.
+bool isFar(const Scale& scale, float value) {
+  return scale.unit == Scale::Unit::Widths && value == 0;
+}
+
 template <typename Owner>
 bool control(const Parameters& /*of*/, const Field<Owner, float>& field, float& value) {
   const Scale& scale = field.scale;
@@ -168,7 +174,7 @@ bool control(const Parameters& /*of*/, const Field<Owner, float>& field, float& 
   const bool changed =
       percents ? percent(field.label, mark.c_str(), &value, scale.sliderLeast, scale.sliderMost, field.tip)
                : labelledSlider(field.label, mark.c_str(), &value, scale.sliderLeast, scale.sliderMost,
-                                formatOf(scale.unit), field.tip, 0);
+                                isFar(scale, value) ? "far" : formatOf(scale.unit), field.tip, 0);
   value = std::clamp(value, static_cast<float>(scale.least), static_cast<float>(scale.most));
   return changed;
 }
@@ -250,6 +256,26 @@ bool control(const Parameters& of, const Field<Owner, Choice>& field, Choice& ch
   return false;
 }
 
+/// What nobody can know of what an edit of lamps makes.
+void warnings(const Parameters& of, const PreparedEdit& prepared) {
+  const EditedLights all = editedLights(*of.studio.set()->original, of.studio.document().edits);
+  for (const std::string& warning : lampWarnings(prepared, all)) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
+    ImGui::TextWrapped("%s", warning.c_str());
+    ImGui::PopStyleColor();
+    markItem("parameters.lamp.warning");
+  }
+}
+
+/// Of a lamp that is placed: where the others stood, and what is missing.
+void placeHints(const Parameters& of) {
+  if (const auto prepared = of.studio.edits.prepared(of.edit)) {
+    hint("Or drag the lamp in the picture.");
+    warnings(of, *prepared);
+  }
+  drawLampPlaces(of.studio, of.edit);
+}
+
 /// Of edits of lamps: what the hand can do in the picture, and what nobody can know.
 template <LampOperation T>
 void lampHints(const Parameters& of) {
@@ -261,13 +287,7 @@ void lampHints(const Parameters& of) {
   else if constexpr (DraggedOperation<T>)
     hint(prepared->lamps.size() == 1 ? "Or drag the lamp in the picture."
                                      : "One light's lamp can be dragged in the picture, too.");
-  const EditedLights all = editedLights(*of.studio.set()->original, of.studio.document().edits);
-  for (const std::string& warning : lampWarnings(*prepared, all)) {
-    ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
-    ImGui::TextWrapped("%s", warning.c_str());
-    ImGui::PopStyleColor();
-    markItem("parameters.lamp.warning");
-  }
+  warnings(of, *prepared);
 }
 
 template <LightOperation T>
@@ -279,6 +299,7 @@ void fields(const Parameters& of, T operation) {
   });
   if (changed) of.preview(changed, operation);
   if constexpr (LampOperation<T>) lampHints<T>(of);
+  if constexpr (std::is_same_v<T, PlaceOperation>) placeHints(of);
   if (!swapsTwoLights(operation)) return;
   const size_t all = of.studio.document().rig.lights.size();
   hint(of.edit.lights.size() == 2 || (of.edit.lights.empty() && all == 2) ? "The two lights change places."

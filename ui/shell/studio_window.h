@@ -124,6 +124,7 @@ class StudioWindow {
   Swatches m_swatches;
   std::unique_ptr<ViewportRenderer> m_pictures;
   uint64_t m_setShown = 0;
+  std::weak_ptr<const SolvedSet> m_originalShown;  ///< as solved
   ExportController m_exports;
   ActionTable m_actions;
   ShownPicture m_shown;

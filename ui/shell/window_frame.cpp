@@ -73,8 +73,11 @@ void StudioWindow::resetForNewSet() {
   m_editing.brush.last.reset();
   m_editing.brush.guide.reset();
   m_editing.selection.outlineKnown = false;
-  m_editing.chosen = -1;
   m_editing.histograms.clear();
+  // A light that an edit has added makes no other set: the edit stays chosen.
+  const auto original = m_session.set() ? m_session.set()->original : nullptr;
+  if (m_originalShown.lock() != original) m_editing.chosen = -1;
+  m_originalShown = original;
 }
 
 // What fills the window: menus, viewer and panels.

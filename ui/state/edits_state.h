@@ -30,7 +30,8 @@ struct EditsState {
   bool focused = false;   ///< the list was clicked last: keys are for its chosen edit
   int renaming = -1;      ///< the edit whose name is being typed
   bool nameFocused = false;
-  std::string name;  ///< what has been typed
+  std::string name;        ///< what has been typed
+  std::string placedLamp;  ///< the light whose lamp's place is told
   CurveGrab curve;
   std::map<int, std::vector<float>> histograms;  ///< of beta, by light; -1: all
 

@@ -7,6 +7,7 @@
 #include "core/edit/mask/selection.h"
 #include "ui/control/light_edit.h"
 #include "ui/kit/theme.h"
+#include "ui/tools/new_light.h"
 #include "ui/tools/pointer.h"
 
 namespace swaplight {
@@ -154,16 +155,7 @@ void setBrushRadius(EditingContext& studio, float radius) {
 
 void addPaintedLight(EditingContext& studio) {
   Document next = studio.document();
-  std::string name = "painted";
-  const auto taken = [&] {
-    const auto& lights = next.rig.lights;
-    return std::any_of(lights.begin(), lights.end(), [&](const auto& light) { return light.light == name; });
-  };
-  for (int number = 2; taken(); ++number) name = "painted" + std::to_string(number);
-  next.edits.newLights.push_back(name);
-  next.rig = fitRig(next.rig, withNewLights(studio.set()->original->capture, next.edits));
-  studio.view.selectedLight = static_cast<int>(next.rig.lights.size()) - 1;
-  studio.view.selectedLights.clear();
+  const std::string name = addNewLight(studio, "painted", next);
   studio.editing.brush.mode = BrushState::Mode::Add;
   studio.editing.brush.energy = EnergyMode::Add;
   studio.editing.brush.light = 1;  // as much as all others together: to be seen on a dark wall, too

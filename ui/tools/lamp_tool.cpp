@@ -30,7 +30,9 @@ bool isHeldByRing(const Operation& operation) {
   return std::visit([]<typename T>(const T&) { return RingOperation<T>; }, operation);
 }
 
+/// Of a lamp that is placed nothing is held but its direction.
 LampInHand heldLamp(const PreparedEdit& prepared) {
+  if (prepared.lamps.empty()) return {};
   return {prepared.lamps[0].pool->lamp, prepared.lamps[0].pool->width};
 }
 
@@ -43,7 +45,8 @@ const PreparedEdit* lampInHand(EditingContext& studio) {
   if (auto now = studio.edits.prepared(*edit)) shown = std::move(now);
   const bool same = shown && shown->edit->lights == edit->lights &&
                     shown->edit->operation.index() == edit->operation.index();
-  return same && shown->lamps.size() == 1 && shown->lamps[0].pool ? shown.get() : nullptr;
+  const bool one = same && (shown->placed.size() == 1 || (shown->lamps.size() == 1 && shown->lamps[0].pool));
+  return one ? shown.get() : nullptr;
 }
 
 /// Places of the plane that stands for the set, as points of the picture, and back.
@@ -144,12 +147,15 @@ bool dragLamp(EditingContext& studio, const ToolInput& input) {
 
 void hatchGuesses(const PreparedEdit& prepared, const LampView& view, const ViewWindow& window,
                   ImVec2 origin) {
-  const LampGain* gain = prepared.lamps[0].gain.get();
-  if (!gain) return;
+  const LampGain* gain = prepared.lamps.empty() ? nullptr : prepared.lamps[0].gain.get();
+  if (!gain && prepared.placed.empty()) return;
+  const auto isGuess = [&](int column, int row) {
+    return gain ? gain->guessAt(column, row) >= .5F : prepared.placed[0].guessAt(column, row);
+  };
   const auto guessed = [&](float x, float y) {
     const int column = view.column(x);
     const int row = view.row(y);
-    if (!view.inPicture(column, row) || gain->guessAt(column, row) < .5F) return false;
+    if (!view.inPicture(column, row) || !isGuess(column, row)) return false;
     float mask = 0;
     prepared.mask->row(column, row, 1, &mask);
     return mask >= .5F;
@@ -166,7 +172,7 @@ void drawLamp(EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
   hatchGuesses(*prepared, view, window, origin);
   const std::optional<PlanePoint> held = handleNow(studio, *prepared);
   if (!held) return;
-  const LampModel& lamp = prepared->lamps[0].pool->lamp;
+  const LampModel lamp = heldLamp(*prepared).lamp;
   const ImVec2 from = view.onScreen({lamp.aim[0], lamp.aim[1]});
   const ImVec2 to = view.onScreen(*held);
   ImDrawList* draw = ImGui::GetWindowDrawList();

@@ -135,9 +135,9 @@ void EditedSet::setStack(const EditStack& stack) {
 
   // Prepare what is new; what failed to prepare leaves the old stack in force.
   const bool sameShadows = shadowOptionsOf(stack) == shadowOptionsOf(m_stack);
-  const bool samePlaces = stack.lampPlaces == m_stack.lampPlaces;
+  const bool sameSurfaces = stack.lampPlaces == m_stack.lampPlaces && !m_surfacesChanged;
   const auto stays = [&](const Edit& edit) {
-    return (sameShadows || !usesShadows(edit)) && (samePlaces || !usesSurfaces(edit));
+    return (sameShadows || !usesShadows(edit)) && (sameSurfaces || !usesSurfaces(edit));
   };
   if (!sameShadows) m_context.forgetDrawn();
   std::vector<Prepared> prepared;
@@ -177,6 +177,7 @@ void EditedSet::setStack(const EditStack& stack) {
   m_staleLights = withTiedLights(std::move(m_staleLights), prepared, m_result.lightCount());
   m_prepared = std::move(prepared);
   m_stack = stack;
+  m_surfacesChanged = false;
 }
 
 std::shared_ptr<const PreparedEdit> EditedSet::prepared(const Edit* edit) const {

@@ -39,6 +39,8 @@ class EditedSet {
   /// Where the stack has other new lights, result() has other images; those of lights that stay keep their
   /// pixels where they lie in memory. Throws InputError, and keeps the old stack then.
   void setStack(const EditStack& stack);
+  /// The next stack's edits ask for surfaces again: others have been found by the same places.
+  void surfacesChanged() { m_surfacesChanged = true; }
   [[nodiscard]] const EditStack& stack() const { return m_stack; }
   /// One of the stack's edits (this very object) as it runs; nullptr: there is none.
   [[nodiscard]] std::shared_ptr<const PreparedEdit> prepared(const Edit* edit) const;
@@ -76,6 +78,7 @@ class EditedSet {
   EditStack m_stack;
   std::vector<Prepared> m_prepared;
   SolvedSet m_result;
+  bool m_surfacesChanged = false;
   EditCheckpoint m_checkpoint;
   std::vector<PixelRect> m_stale;       // a rectangle a tile, empty where the tile is up to date
   LightIndices m_staleLights;           // in any of them

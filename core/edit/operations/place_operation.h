@@ -2,10 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <string>
 
 #include "core/edit/fields/field.h"
 #include "core/edit/operations/operation_info.h"
+#include "core/edit/pool/lamp_handle.h"
 #include "core/normals/lamp_place.h"
 
 namespace swaplight {
@@ -48,6 +53,23 @@ struct PlaceOperation {
     if (distance > 0) place.distance = distance;
     return place;
   }
+  /// The direction to the lamp as a place on a ball of kBall before the middle of the set; where it is behind
+  /// the set, on the ball's far side.
+  [[nodiscard]] std::optional<PlanePoint> handle(const LampInHand& /*held*/) const {
+    const cv::Vec3d to = LampRays(place()).at(0, 0).direction;
+    return PlanePoint{kBall * to[0], kBall * to[1]};
+  }
+  void dragTo(const LampInHand& /*held*/, const PlanePoint& to) {
+    const bool behind = std::abs(azimuth) > 90;
+    const double reach = std::max(std::hypot(to.x, to.y) / kBall, 1.);
+    const double x = to.x / kBall / reach;
+    const double y = to.y / kBall / reach;
+    const double z = std::sqrt(std::max(1 - x * x - y * y, 0.)) * (behind ? -1 : 1);
+    const double degrees = 180 / std::numbers::pi;
+    azimuth = static_cast<float>(std::round(degrees * std::atan2(x, z)));
+    elevation = static_cast<float>(std::round(degrees * std::asin(std::clamp(y, -1., 1.))));
+  }
+  static constexpr double kBall = 0.22;  ///< widths of the picture
   /// Of a lamp that stood there.
   [[nodiscard]] static PlaceOperation at(const LampPlace& place) {
     return {static_cast<float>(place.azimuth), static_cast<float>(place.elevation),

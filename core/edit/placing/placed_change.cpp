@@ -1,9 +1,12 @@
 #include "core/edit/placing/placed_change.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/normals/placed_lights.h"
 #include "core/simd/simd.h"
 
 namespace swaplight {
@@ -53,27 +56,43 @@ float nearerBy(const LampPlace& before, const LampPlace& after) {
 
 }  // namespace
 
+std::optional<std::string> whyNotPlaced(const std::string& light, const LampPlaces& told,
+                                        const Capture& capture) {
+  try {
+    static_cast<void>(placedLights(told, capture, "the lamps' places"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  if (capture.lightIndex(light) < 0) return std::nullopt;
+  const auto place = told.find(light);
+  if (place != told.end() && !place->second.isTooNear()) return std::nullopt;
+  return fmt::format("\"{}\" cannot be placed: {}. Say so in \"lamp_places\", or place a new light.", light,
+                     place == told.end() ? "nobody has said where its lamp stood"
+                                         : fmt::format("its lamp is nearer than {} widths of the picture",
+                                                       LampPlace::kNearest));
+}
+
 PlacedChange::PlacedChange(const PlaceOperation& operation, const std::string& name, size_t light,
                            const MaskContext& context, const LampPlaces& told)
     : m_after(operation.place(), operation.diameter) {
   if (!context.surfaces()) throw InputError("how surfaces are turned is not available here.");
+  if (const auto problem = whyNotPlaced(name, told, context.set().capture)) throw InputError(*problem);
   m_surfaces = context.surfaces()();
+  if (!m_surfaces) throw InputError("how surfaces are turned has not been found yet.");
   m_level = static_cast<float>(m_surfaces->level);
   if (light >= context.set().contributions.size()) return;
   const LeveledLight* lamp = m_surfaces->lampOf(light);
-  const auto place = told.find(name);
-  if (!lamp || place == told.end())
-    throw InputError(
-        "\"{}\" cannot be placed: nobody has said where its lamp stood, or it is nearer than {} widths of "
-        "the "
-        "picture. Say so in \"lamp_places\", or place a new light.",
-        name, LampPlace::kNearest);
+  if (!lamp) {  // it lights nothing
+    m_neutral = true;
+    return;
+  }
+  const LampPlace& place = told.at(name);
   m_shadows = context.shadows()(name);
   m_level = static_cast<float>(lamp->level);
   m_before.emplace(lamp->place, 0);
-  m_after = PlacedLamp(placeAfter(operation, place->second, lamp->place), operation.diameter);
-  m_nearer = nearerBy(place->second, operation.place());
-  m_neutral = operation == PlaceOperation::at(place->second);
+  m_after = PlacedLamp(placeAfter(operation, place, lamp->place), operation.diameter);
+  m_nearer = nearerBy(place, operation.place());
+  m_neutral = operation == PlaceOperation::at(place);
 }
 
 void PlacedChange::changeRow(int x, int y, int count, const float* mask, float* const light[3]) const {

@@ -11,6 +11,11 @@
 
 namespace swaplight {
 
+/// Why a light cannot be placed, in words; nothing where it can. `told`: where the lamps of the set's lights
+/// stood: of three or more, the light's own among them unless the edits have added it.
+[[nodiscard]] std::optional<std::string> whyNotPlaced(const std::string& light, const LampPlaces& told,
+                                                      const Capture& capture);
+
 /// What the light of a lamp becomes that stands elsewhere. With s the shade (placed_lamp.h) before and s'
 /// after, r the reflectance, L the lamp's level and v how much of it is seen (shadows; at least T / r L s):
 ///

@@ -216,5 +216,24 @@ TEST(Place, AnotherPlaceThatIsToldChangesTheResult) {
   EXPECT_NE(tiles.result().contributions[1].view().at(0, 30, 30), before);
 }
 
+TEST(Place, OtherSurfacesThatWereFoundChangeTheResult) {
+  const LitBall ball = test::ballUnder(kFive, kLevels);
+  const EditStack stack = placed(PlaceOperation{10, 40, 0, 0}, "lamp1", placesOf(ball));
+  const std::shared_ptr<const SolvedSet> set(std::shared_ptr<void>(), &ball.set);
+  LampPlaces by = stack.lampPlaces;
+  EditedSet tiles(set, ball.source(), [&] { return surfaceSource(set, ball.source(), by)(); });
+  tiles.setStack(stack);
+  tiles.update();
+  const float before = tiles.result().contributions[1].view().at(0, 30, 30);
+  by["lamp2"].azimuth += 15;
+  tiles.setStack(stack);
+  tiles.update();
+  EXPECT_EQ(tiles.result().contributions[1].view().at(0, 30, 30), before);
+  tiles.surfacesChanged();
+  tiles.setStack(stack);
+  tiles.update();
+  EXPECT_NE(tiles.result().contributions[1].view().at(0, 30, 30), before);
+}
+
 }  // namespace
 }  // namespace swaplight
