@@ -34,16 +34,18 @@ bool showsHighlights(const SolvedSet& set) {
 
 /// The curve of photographs that are moved onto one another as they lie. Highlights fit no matte model: where
 /// some photographs are without, those say what it is.
-std::optional<ToneCorrection> toneOf(const Capture& capture, CapturePixels& photographs,
-                                     const std::vector<ShotShift>& shifts, const SolveOptions& options,
-                                     const Progress& progress) {
+std::optional<FoundTone> toneOf(const Capture& capture, CapturePixels& photographs,
+                                const std::vector<ShotShift>& shifts, const SolveOptions& options,
+                                const Progress& progress) {
+  const auto found = [&](const Capture& of, const CapturePixels& pixels) {
+    return findToneCorrection(of, pixels, options.noise, progress);
+  };
   if (isPartlyCrossed(capture)) {
     BorrowedShots crossed(capture, true, photographs);
-    return findToneCorrection(shotsOf(capture, true), crossed.pixels(), options.noise, progress);
+    return found(shotsOf(capture, true), crossed.pixels());
   }
-  if (std::none_of(shifts.begin(), shifts.end(), worthMoving))
-    return findToneCorrection(capture, photographs, options.noise, progress);
-  return findToneCorrection(capture, movedShots(photographs, shifts), options.noise, progress);
+  const bool moved = std::any_of(shifts.begin(), shifts.end(), worthMoving);
+  return moved ? found(capture, movedShots(photographs, shifts)) : found(capture, photographs);
 }
 
 }  // namespace
@@ -60,12 +62,13 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
     set.report->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return set;
   };
-  std::optional<ToneCorrection> tone;
+  std::optional<FoundTone> tone;
   const auto takeOff = [&](const std::vector<ShotShift>& shifts) {
-    const std::optional<ToneCorrection> seen = toneOf(capture, photographs, shifts, options, progress);
-    if (!seen) return false;
-    correctTone(*seen, photographs);
-    tone = tone ? tone->followedBy(*seen) : *seen;
+    const std::optional<FoundTone> seen = toneOf(capture, photographs, shifts, options, progress);
+    if (!seen || (!seen->steady && options.correctTone == Remedy::Sure)) return false;
+    correctTone(seen->correction, photographs);
+    tone =
+        tone ? FoundTone{tone->correction.followedBy(seen->correction), tone->steady && seen->steady} : *seen;
     return true;
   };
   if (options.correctTone == Remedy::On) {

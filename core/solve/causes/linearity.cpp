@@ -296,9 +296,9 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
   const MisfitCauses& causes = evidence.causes;
   if (causes.is(Cause::Tone)) {
     const auto tone = findToneCorrection(capture, photographs, {}, {}, tuning);
-    if (tone) evidence.curve = tone->curve();
+    if (tone) evidence.curve = tone->correction.curve();
     return answerCurved(evidence, "matte surfaces would look otherwise under these colours",
-                        tone ? tone->exponent() : evidence.matte->exponent);
+                        tone ? tone->correction.exponent() : evidence.matte->exponent);
   }
   if (!causes.likely.empty())
     return answer(evidence, Answer::Unknown, "it cannot be told: " + wordsFor(causes));

@@ -34,32 +34,58 @@ void correctImage(const ToneCorrection& tone, Image& image) {
     });
 }
 
-/// One more fit to the photographs as corrected so far; returns the change that it made, 0 where none was
-/// wanted.
-double improve(const Capture& capture, const CapturePixels& photographs,
-               const std::optional<SensorNoise>& told, bool first, const CauseTuning& tuning,
-               ToneCorrection& tone) {
-  CapturePixels pixels = withoutShots(photographs);
-  for (const Image& shot : photographs.shots) pixels.shots.push_back(shot.clone());
-  correctTone(tone, pixels);
-  const auto [context, signal] = causeContext(capture, pixels, told);
-  if (first) {
-    const std::vector<Cause> likely = misfitCauses(context, signal, tuning).likely;
-    // Ambient light taken for a curve doubles the error; colours that fit nearly as well are no such rival.
-    const bool ambient = std::find(likely.begin(), likely.end(), Cause::Ambient) != likely.end();
-    if (likely.empty() || likely.front() != Cause::Tone || ambient) return 0;
+/// The photographs as corrected so far, ready to be fitted to.
+struct Corrected {
+  CapturePixels pixels;
+  CauseContext context;
+
+  Corrected(const Capture& capture, const CapturePixels& photographs, const std::optional<SensorNoise>& told,
+            const ToneCorrection& tone)
+      : pixels(corrected(photographs, tone)), context(causeContext(capture, pixels, told)) {}
+  Corrected(const Corrected&) = delete;  // the context refers to the pixels
+  Corrected& operator=(const Corrected&) = delete;
+
+ private:
+  static CapturePixels corrected(const CapturePixels& photographs, const ToneCorrection& tone) {
+    CapturePixels pixels = withoutShots(photographs);
+    for (const Image& shot : photographs.shots) pixels.shots.push_back(shot.clone());
+    correctTone(tone, pixels);
+    return pixels;
   }
-  const std::vector<PixelMisfit> sample = misfitSample(context, signal, tuning.pixels, tuning);
+};
+
+/// Ambient light taken for a curve doubles the error; colours that fit nearly as well are no such rival.
+bool isLikelyTone(const Corrected& now, const CauseTuning& tuning) {
+  const std::vector<Cause> likely = misfitCauses(now.context.estimator, now.context.signal, tuning).likely;
+  const bool ambient = std::find(likely.begin(), likely.end(), Cause::Ambient) != likely.end();
+  return !likely.empty() && likely.front() == Cause::Tone && !ambient;
+}
+
+/// One more fit; returns the change that it made. `bounced`: how large the ambient light is taken to be that
+/// is fitted along with the curve; 0: none is.
+double improve(const Corrected& now, double bounced, const CauseTuning& tuning, ToneCorrection& tone) {
+  const std::vector<PixelMisfit> sample =
+      misfitSample(now.context.estimator, now.context.signal, tuning.pixels, tuning);
   const MisfitRows rows = misfitRows(sample);
-  for (const CauseModel& model : causeModels(context, signal, sample)) {
-    if (model.cause != Cause::Tone) continue;
-    const CauseFit fit =
-        fitCause(rows, visibleSlopes(model, sample, rows), {0, int(sample.size())}, model.prior, tuning);
-    std::vector<double> gain;
-    for (const double light : tone.lights()) gain.push_back(toneGain(fit.unknowns, light));
-    return tone.takeOff(gain);
+  const std::vector<CauseModel> models = causeModels(now.context.estimator, now.context.signal, sample);
+  const auto modelOf = [&](Cause cause) -> const CauseModel& {
+    return *std::ranges::find(models, cause, &CauseModel::cause);
+  };
+  const CauseModel& curve = modelOf(Cause::Tone);
+  Eigen::MatrixXd slopes = visibleSlopes(curve, sample, rows);
+  const Eigen::Index terms = slopes.cols();
+  if (bounced > 0) {
+    // All unknowns of a fit have one prior: so those of a smaller one have smaller slopes.
+    const Eigen::MatrixXd light =
+        visibleSlopes(modelOf(Cause::Ambient), sample, rows) * (bounced / curve.prior);
+    slopes.conservativeResize(Eigen::NoChange, terms + light.cols());
+    slopes.rightCols(light.cols()) = light;
   }
-  return 0;
+  const CauseFit fit = fitCause(rows, slopes, {0, int(sample.size())}, curve.prior, tuning);
+  const Eigen::VectorXd unknowns = fit.unknowns.head(terms);
+  std::vector<double> gain;
+  for (const double light : tone.lights()) gain.push_back(toneGain(unknowns, light));
+  return tone.takeOff(gain);
 }
 
 }  // namespace
@@ -119,9 +145,9 @@ std::vector<std::array<float, 2>> ToneCorrection::curve() const {
   return curve;
 }
 
-std::optional<ToneCorrection> findToneCorrection(const Capture& capture, const CapturePixels& photographs,
-                                                 const std::optional<SensorNoise>& noise,
-                                                 const Progress& progress, const CauseTuning& tuning) {
+std::optional<FoundTone> findToneCorrection(const Capture& capture, const CapturePixels& photographs,
+                                            const std::optional<SensorNoise>& noise, const Progress& progress,
+                                            const CauseTuning& tuning) {
   for (const Shot& shot : capture.shots)
     for (const auto& color : shot.lightColors)
       if (!color)
@@ -130,14 +156,18 @@ std::optional<ToneCorrection> findToneCorrection(const Capture& capture, const C
             "colour, or leave out --tone auto",
             capture.calledName());
   const std::optional<SensorNoise> told = toldNoise(capture, noise);
-  ToneCorrection tone;
-  for (int round = 0; round < ToneCorrection::kMostRounds; ++round) {
-    progress.stopIfAsked();
-    const double change = improve(capture, photographs, told, round == 0, tuning, tone);
-    if (change == 0 && round == 0) return std::nullopt;
-    if (change < ToneCorrection::kSettled) break;
-  }
-  return tone;
+  if (!isLikelyTone(Corrected(capture, photographs, told, {}), tuning)) return std::nullopt;
+  const auto fitted = [&](double bounced) {
+    ToneCorrection tone;
+    for (int round = 0; round < ToneCorrection::kMostRounds; ++round) {
+      progress.stopIfAsked();
+      const Corrected now(capture, photographs, told, tone);
+      if (improve(now, bounced, tuning, tone) < ToneCorrection::kSettled) break;
+    }
+    return tone;
+  };
+  const ToneCorrection tone = fitted(tuning.bounced);
+  return FoundTone{tone, std::abs(tone.exponent() - fitted(0).exponent()) < tuning.steadyExponent};
 }
 
 void correctTone(const ToneCorrection& tone, CapturePixels& photographs) {
@@ -146,12 +176,18 @@ void correctTone(const ToneCorrection& tone, CapturePixels& photographs) {
   for (float& clip : photographs.clipLevel) clip = tone(clip);
 }
 
-void reportTone(const ToneCorrection& tone, SolveReport& report) {
-  report.tone = TakenTone{tone.exponent(), tone.curve()};
+void reportTone(const FoundTone& tone, SolveReport& report) {
+  const ToneCorrection& curve = tone.correction;
+  report.tone = TakenTone{curve.exponent(), curve.curve()};
   report.message += fmt::format(
       " A tone curve that was not told has been taken off the photographs: light to the power of about "
       "{:.2f}.",
-      tone.exponent());
+      curve.exponent());
+  if (!tone.steady)
+    report.warnings.emplace_back(
+        "the tone curve that was taken off is not sure: bounced or ambient light may have been taken for a "
+        "part "
+        "of it; compare with a solve that leaves it (--tone declared)");
 }
 
 }  // namespace swaplight

@@ -40,20 +40,29 @@ class ToneCorrection {
   std::array<double, kLevels> m_logLight;
 };
 
+/// A curve, and whether it is the same whether bounced light is allowed for or not
+/// (CauseTuning::steadyExponent): else something else may have been taken for it.
+struct FoundTone {
+  ToneCorrection correction;
+  bool steady = true;
+};
+
 /// Finds the tone curve by Gauss-Newton: the Tone cause of misfitCauses() is fitted, taken off, and fitted
-/// again. Nothing where that cause is not the likeliest, or ambient light may be it. Throws InputError where
-/// a light colour is unknown: the curve and the colour could not be told apart; Stopped. `noise`: the
-/// sensor's, if it is told otherwise than by the capture.
-[[nodiscard]] std::optional<ToneCorrection> findToneCorrection(const Capture& capture,
-                                                               const CapturePixels& photographs,
-                                                               const std::optional<SensorNoise>& noise = {},
-                                                               const Progress& progress = {},
-                                                               const CauseTuning& tuning = {});
+/// again. With it goes a little of the Ambient cause, as much as bounced light looks like
+/// (CauseTuning::bounced): without it, the curve would explain that, too. Nothing where Tone is not the
+/// likeliest cause, or ambient light may be it. Throws InputError where a light colour is unknown: the curve
+/// and the colour could not be told apart; Stopped. `noise`: the sensor's, if it is told otherwise than by
+/// the capture.
+[[nodiscard]] std::optional<FoundTone> findToneCorrection(const Capture& capture,
+                                                          const CapturePixels& photographs,
+                                                          const std::optional<SensorNoise>& noise = {},
+                                                          const Progress& progress = {},
+                                                          const CauseTuning& tuning = {});
 
 /// The photographs, and the ambient one, with the curve taken off.
 void correctTone(const ToneCorrection& tone, CapturePixels& photographs);
 
-/// Says so in the report: SolveReport::tone and the message.
-void reportTone(const ToneCorrection& tone, SolveReport& report);
+/// Says so in the report: SolveReport::tone and the message; a warning where it is not steady.
+void reportTone(const FoundTone& tone, SolveReport& report);
 
 }  // namespace swaplight
