@@ -152,7 +152,8 @@ const CauseEvidence* darkeningCurve(const std::vector<CauseEvidence>& all, const
   const CauseEvidence* colors = evidenceOf(Cause::Colors, all);
   if (!ambient || !tone || !colors || !isDarkenedByACurve(*ambient, *tone)) return nullptr;
   const bool near = tone->behind < tuning.farApart || tone->gain > colors->gain;
-  return near && ambient->behind < tuning.apart && isNamed(*tone, tuning) ? tone : nullptr;
+  const bool enough = isNamed(*tone, tuning) && tone->explained > tuning.darkened;
+  return near && enough && ambient->behind < tuning.apart ? tone : nullptr;
 }
 
 /// What bounces goes over the picture less smoothly, hardly at all, or by more than lamps drift.
