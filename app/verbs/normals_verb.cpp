@@ -131,7 +131,7 @@ void sayResult(const NormalsCommand& arguments, const SurfaceNormals& found, Ter
         "warning: {}: the lamps disagree on {:.0f} % of the pixels that four or more light: check their "
         "places",
         arguments.source,
-        100. * static_cast<double>(refused.disagreed) /
+        100. * static_cast<double>(refused.disagreed + found.shadowed) /
             static_cast<double>(refused.disagreed + found.checked));
   terminal.result(
       fmt::format("refused {:.1f} % of the pixels: not measured {:.1f} %, fewer than three lamps {:.1f} %, "
@@ -145,7 +145,8 @@ void sayResult(const NormalsCommand& arguments, const SurfaceNormals& found, Ter
        {"alike", share(refused.alike)},
        {"disagree", share(refused.disagreed)},
        {"away", share(refused.away)},
-       {"checked", share(found.checked)}});
+       {"checked", share(found.checked)},
+       {"shadowed", share(found.shadowed)}});
 }
 
 int run(const NormalsCommand& arguments, Terminal& terminal) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <optional>
 
@@ -21,6 +22,7 @@ constexpr int kRows = 16;
 constexpr double kBright = 0.98;
 constexpr int kRounds = 6;
 constexpr double kMostResidual = 0.15;  // of the reflectance
+constexpr double kShadowed = 0.5;       // of what a surface shows of a lamp that it sees: half a penumbra
 constexpr int kRefinedPixels = 2500;    // that the lamps' places are refined by: a second, at most
 // Standard errors, stops: of a meter, and of the level of a light's bright pixels.
 constexpr double kMeteredError = 0.15;
@@ -110,15 +112,38 @@ std::vector<Lamp> lampsOf(const SolvedSet& set, const ShadowSource& shadows,
 struct Tally {
   RefusedPixels refused;
   size_t checked = 0;
+  size_t shadowed = 0;
 };
 
 /// True where there is one.
-std::optional<NormalFit> fitted(const std::vector<LampSight>& sights, Tally& tally) {
+/// Whether what a lamp gives is so much less than the surface would show of it that it is in shadow.
+bool isShadowed(const LampSight& sight, const NormalFit& fit) {
+  return sight.light < kShadowed * std::max(sight.direction.dot(fit.scaled), 0.);
+}
+
+/// A shadow that was not found only darkens: where the lamps contradict each other, those that give least are
+/// left out one by one, as long as they turn out to be in shadow. `sights`: the brightest first.
+NormalFit agreedFit(std::span<const LampSight> sights, Tally& tally) {
+  const NormalFit all = fitNormal(sights, kRounds);
+  if (all.residual <= kMostResidual) return all;
+  for (size_t count = sights.size() - 1; count >= kFewestLamps; --count) {
+    const NormalFit fit = fitNormal(sights.first(count), kRounds);
+    if (!fit.known() || fit.residual > kMostResidual) continue;
+    const auto left = sights.subspan(count);
+    if (!std::ranges::all_of(left, [&](const LampSight& sight) { return isShadowed(sight, fit); })) continue;
+    ++tally.shadowed;
+    return fit;
+  }
+  return all;
+}
+
+std::optional<NormalFit> fitted(std::vector<LampSight>& sights, Tally& tally) {
   if (sights.size() < kFewestLamps) {
     ++tally.refused.fewLamps;
     return std::nullopt;
   }
-  const NormalFit fit = fitNormal(sights, kRounds);
+  std::ranges::sort(sights, std::greater<>(), &LampSight::light);
+  const NormalFit fit = agreedFit(sights, tally);
   if (!fit.known())
     ++tally.refused.alike;
   else if (fit.residual > kMostResidual)
@@ -190,6 +215,7 @@ SurfaceNormals surfaceNormals(const SolvedSet& set, const ShadowSource& shadows,
       found.refused.disagreed += tally.refused.disagreed;
       found.refused.away += tally.refused.away;
       found.checked += tally.checked;
+      found.shadowed += tally.shadowed;
     }
   });
   return found;

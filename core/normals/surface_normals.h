@@ -42,20 +42,25 @@ struct SurfaceNormals {
   Image reflectance;
   std::vector<LeveledLight> lamps;  ///< those that light anything
   RefusedPixels refused;
-  size_t checked = 0;  ///< pixels with a normal that four lamps or more agree on
+  size_t checked = 0;  ///< pixels with a normal that was fitted to four lamps or more
+  /// Pixels on which lamps contradict the others that are in shadow there, though none was found: left out.
+  size_t shadowed = 0;
 
   /// Lamps disagree so often that a place is likely to be told wrong: then the others may agree by chance.
   /// A quarter: chosen by judgement, not measured.
-  [[nodiscard]] bool isContradictory() const { return refused.disagreed * 4 > refused.disagreed + checked; }
+  [[nodiscard]] bool isContradictory() const {
+    return (refused.disagreed + shadowed) * 4 > refused.disagreed + checked;
+  }
 };
 
 /// How the surfaces of a set are turned, by photometric stereo.
 ///
 /// A matte surface of reflectance r and normal n shows T_i = r s_i f_i(x) (n . l_i(x)) of lamp i, where s_i
 /// is the lamp's level, l_i the direction to it and f_i its falloff (lamp_place.h). Three lamps or more that
-/// shine there give r n (normal_fit.h). T is the mean of the channels of a contribution; a lamp shines where
-/// `shadows` calls it lit. Light that bounces around is not modelled: it bends normals towards where it comes
-/// from.
+/// shine there give r n (normal_fit.h); where more disagree, those are left out that give least and so much
+/// less than the surface would show that they must be in a shadow that was not found. T is the mean of the
+/// channels of a contribution; a lamp shines where `shadows` calls it lit. Light that bounces around is not
+/// modelled: it bends normals towards where it comes from.
 ///
 /// Levels: those that were metered, if all have `stops`. Otherwise each light is held against its own bright
 /// pixels, as if some bright surface faced each lamp. Where four lamps or more shine, their directions and

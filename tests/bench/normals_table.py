@@ -49,11 +49,11 @@ def direction(azimuth, elevation):
     return np.array([np.cos(e) * np.sin(a), np.sin(e), np.cos(e) * np.cos(a)])
 
 
-def told(azimuth, elevation, random):
+def told(azimuth, elevation, random, degrees=WRONG_DEGREES):
     """The place as somebody says it who is wrong by that much."""
     right = direction(azimuth, elevation)
     aside = np.cross(right, random.normal(size=3))
-    angle = np.radians(WRONG_DEGREES)
+    angle = np.radians(degrees)
     x, y, z = np.cos(angle) * right + np.sin(angle) * unit(aside)
     return np.degrees(np.arctan2(x, z)), np.degrees(np.arcsin(y))
 

@@ -13,7 +13,6 @@ namespace swaplight {
 namespace {
 
 constexpr float kLitWell = 0.15F;  // of the shade: below, the surface was nearly turned away
-constexpr float kMostGain = 16;    // 4 stops
 constexpr float kLeastLight = 1e-9F;
 
 SWAPLIGHT_SIMD(void, addShade,
@@ -23,21 +22,23 @@ SWAPLIGHT_SIMD(void, addShade,
   for (int i = 0; i < count; ++i) light[i] += mask[i] * level * paint[i] * after[i];
 }
 
-// Where the lamp lit the surface well the gain, where it hardly did the difference. What shows as much light
-// as a surface so turned has of the lamp sees it, whatever the search for shadows says of dim light.
+// What comes is added, as the surface reflects it; what goes is taken off in proportion, so that none is left
+// over. What shows as much light as a surface so turned has of the lamp sees it, whatever the search for
+// shadows says of dim light; and what was turned away from the lamp is taken to see it once it is turned
+// there.
 SWAPLIGHT_SIMD(void, reshade,
                (const float* paint, const float* before, const float* after, const float* seen,
                 const float* mask, float level, float nearer, int count, float* light),
                (paint, before, after, seen, mask, level, nearer, count, light)) {
   for (int i = 0; i < count; ++i) {
     const float then = nearer * after[i];
-    const float lit = std::min(before[i] / kLitWell, 1.F);
-    const float weight = lit * lit * (3 - 2 * lit);
-    const float gain = std::min(then / std::max(before[i], kLitWell / kMostGain), kMostGain);
     const float shown = std::min(light[i] / std::max(level * paint[i] * before[i], kLeastLight), 1.F);
-    const float kept = light[i] * (1 + std::max(seen[i], shown) * (gain - 1));
-    const float added = std::max(light[i] + level * paint[i] * (then - before[i]), 0.F);
-    light[i] = std::max(light[i] + mask[i] * (added + weight * (kept - added) - light[i]), 0.F);
+    const float lit = std::min(before[i] / kLitWell, 1.F);
+    const float sees = 1 + lit * lit * (3 - 2 * lit) * (std::max(seen[i], shown) - 1);
+    const float more = light[i] + sees * level * paint[i] * (then - before[i]);
+    const float less = light[i] * (1 + sees * (then / std::max(before[i], kLeastLight) - 1));
+    const float changed = then < before[i] ? less : more;
+    light[i] = std::max(light[i] + mask[i] * (changed - light[i]), 0.F);
   }
 }
 

@@ -86,6 +86,19 @@ TEST(SurfaceNormals, AreRefusedWhereFewerThanThreeLampsShine) {
   EXPECT_EQ(found.normals.view().at(2, 48, 5), 0);
 }
 
+TEST(SurfaceNormals, ALampInAShadowThatWasNotFoundIsLeftOut) {
+  const auto places = metered(kFive, {0, 0, 0, 0, 0});
+  LitBall lit = ballUnder(places, {1, 1, 1, 1, 1});
+  for (int y = 30; y < 66; ++y)
+    for (int x = 30; x < 66; ++x)
+      for (int c = 0; c < 3; ++c) lit.set.contributions[1].span().at(c, x, y) *= .1F;
+  const SurfaceNormals found = normalsOf(lit);
+  EXPECT_LT(meanError(found.normals), 2);  // the places are refined by those pixels, too
+  EXPECT_GT(found.normals.view().at(2, 48, 48), .5);
+  EXPECT_GT(found.shadowed, size_t{30 * 30});
+  EXPECT_FALSE(found.isContradictory());
+}
+
 TEST(SurfaceNormals, AreRefusedWhereLampsStandInOneLine) {
   const std::vector<LampPlace> row = {{-50, 0, {}, {}}, {0, 0, {}, {}}, {50, 0, {}, {}}};
   const SurfaceNormals found = normalsOf(ballUnder(row, {1, 1, 1}));
@@ -99,7 +112,7 @@ TEST(SurfaceNormals, AreRefusedWhereLampsContradictEachOther) {
   lit.lamps[0].place.azimuth = 60;
   lit.lamps[2].place.elevation = -60;
   const SurfaceNormals found = normalsOf(lit);
-  EXPECT_GT(static_cast<double>(found.refused.disagreed), .2 * kWidth * kHeight);
+  EXPECT_GT(static_cast<double>(found.refused.disagreed + found.shadowed), .2 * kWidth * kHeight);
   EXPECT_TRUE(found.isContradictory());
 }
 
