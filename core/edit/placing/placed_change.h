@@ -30,7 +30,7 @@ namespace swaplight {
 class PlacedChange {
  public:
   /// `light`: an index of the set's lights or, beyond, of those that edits add. Throws InputError: surfaces
-  /// cannot be told, or nobody has said where this light's lamp stood.
+  /// cannot be told, or on too little of the picture, or nobody has said where this light's lamp stood.
   PlacedChange(const PlaceOperation& operation, const std::string& name, size_t light,
                const MaskContext& context, const LampPlaces& told);
 

@@ -145,15 +145,16 @@ bool isDarkenedByACurve(const CauseEvidence& ambient, const CauseEvidence& tone)
 }
 
 /// Such a curve, where nothing is surely better than negative light. Wrong colours look like that, too: then
-/// they explain far more than a curve does.
-const CauseEvidence* darkeningCurve(const std::vector<CauseEvidence>& all, const CauseTuning& tuning) {
+/// they explain far more than a curve does. Bounced light as well: but it makes no light of a lamp negative.
+const CauseEvidence* darkeningCurve(const std::vector<CauseEvidence>& all, const EstimatorContext& context,
+                                    const ShotSignal& signal, const CauseTuning& tuning) {
   const CauseEvidence* ambient = evidenceOf(Cause::Ambient, all);
   const CauseEvidence* tone = evidenceOf(Cause::Tone, all);
   const CauseEvidence* colors = evidenceOf(Cause::Colors, all);
   if (!ambient || !tone || !colors || !isDarkenedByACurve(*ambient, *tone)) return nullptr;
   const bool near = tone->behind < tuning.farApart || tone->gain > colors->gain;
-  const bool enough = isNamed(*tone, tuning) && tone->explained > tuning.darkened;
-  return near && enough && ambient->behind < tuning.apart ? tone : nullptr;
+  const bool may = near && ambient->behind < tuning.apart && isNamed(*tone, tuning);
+  return may && colorsMakeNegativeLight(context, signal, colors->size, tuning) ? tone : nullptr;
 }
 
 /// What bounces goes over the picture less smoothly, hardly at all, or by more than lamps drift.
@@ -191,7 +192,7 @@ const CauseEvidence* worthNaming(const std::vector<CauseEvidence>& all, const Es
   if (isNamed(best, tuning) && !mayBeBouncedLight(best, context, signal, tuning)) return &best;
   for (const CauseEvidence& one : all)
     if (mayBeAmbient(one, best, tuning)) return &one;
-  return darkeningCurve(all, tuning);
+  return darkeningCurve(all, context, signal, tuning);
 }
 
 /// That which is worth naming, and what is not surely worse. `all`: the best first.
@@ -200,7 +201,7 @@ std::vector<Cause> likelyCauses(const std::vector<CauseEvidence>& all, const Est
   const CauseEvidence* named = worthNaming(all, context, signal, tuning);
   if (!named) return {};
   std::vector<Cause> likely = {named->cause};
-  const CauseEvidence* curve = darkeningCurve(all, tuning);
+  const CauseEvidence* curve = darkeningCurve(all, context, signal, tuning);
   for (const CauseEvidence& one : all) {
     const bool rival = one.behind < tuning.apart || bothLiftShadows(*named, one) || &one == curve;
     if (&one == named || !rival) continue;

@@ -37,21 +37,18 @@ struct CauseTuning {
   /// the third. Chosen with those sets in sight (cause_table.py); the rendered seeds 3101 to 3112 check it.
   double surelyAmbient = .05, muchAmbient = .1, mostAmbient = .6;
   /// A curve is named in place of negative ambient light where it is at most `farApart` behind, or before
-  /// wrong colours, and explains more than `darkened` (chosen with seeds 7001 to 7024 in sight, of which
-  /// clean ones have .11 at most).
-  double darkened = .15;
+  /// wrong colours (chosen with seeds 7001 to 7024 in sight; 7101 to 7116 check it).
   double leastCertainty = 3, farApart = 5;
   /// Standard errors of Tone's gain with which it is taken off without being asked (isSurelyTone). Of 288
   /// captures of the sets of ../shared/captures the one that was named wrongly (ambient light, gloss/spec1)
   /// had 4.9.
   double surelyTone = 5.5;
   /// Of the ambient light that is fitted along with a curve: the standard deviation of its unknowns. Four
-  /// times as much or a half of it is little worse (41 sets of which 24, seeds 7001 to 7024, served for
-  /// nothing else).
+  /// times as much or a half of it is little worse (41 sets, seeds 7001 to 7024 among them).
   double bounced = .003;
   /// Curves whose exponents lie farther apart with and without that are not taken off unasked: where they
-  /// did, the error was up to 1.7 times what it was; nearer, and with no other likely cause, 1.2 times at
-  /// most.
+  /// did, the error was up to 1.7 times what it was; of 57 sets under four curves one that was nearer became
+  /// worse (1.1 times).
   double steadyExponent = .1;
   /// Of linearity (linearity.h), relative errors of values from dark to bright: a curve of less than the
   /// first is none; photographs hold light where they surely have no curve beyond the others. Bounced light

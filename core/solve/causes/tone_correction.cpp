@@ -128,6 +128,13 @@ ToneCorrection ToneCorrection::followedBy(const ToneCorrection& next) const {
   return both;
 }
 
+ToneCorrection ToneCorrection::halfWayTo(const ToneCorrection& other) const {
+  ToneCorrection middle;
+  for (size_t j = 0; j < size_t(kLevels); ++j)
+    middle.m_logLight[j] = (m_logLight[j] + other.m_logLight[j]) / 2;
+  return middle;
+}
+
 std::vector<double> ToneCorrection::lights() const {
   std::vector<double> lights;
   for (const double log : m_logLight) lights.push_back(std::exp(log));
@@ -166,8 +173,9 @@ std::optional<FoundTone> findToneCorrection(const Capture& capture, const Captur
     }
     return tone;
   };
-  const ToneCorrection tone = fitted(tuning.bounced);
-  return FoundTone{tone, std::abs(tone.exponent() - fitted(0).exponent()) < tuning.steadyExponent};
+  const ToneCorrection with = fitted(tuning.bounced), without = fitted(0);
+  const bool steady = std::abs(with.exponent() - without.exponent()) < tuning.steadyExponent;
+  return FoundTone{steady ? with.halfWayTo(without) : with, steady};
 }
 
 void correctTone(const ToneCorrection& tone, CapturePixels& photographs) {

@@ -24,6 +24,8 @@ class ToneCorrection {
   double takeOff(const std::vector<double>& gain);
   /// Both, this one first.
   [[nodiscard]] ToneCorrection followedBy(const ToneCorrection& next) const;
+  /// The geometric mean of the lights of both.
+  [[nodiscard]] ToneCorrection halfWayTo(const ToneCorrection& other) const;
   /// The lights, as they are now, of the values that the correction is kept at.
   [[nodiscard]] std::vector<double> lights() const;
   /// What the camera did: the power of light, over the middle of the range, that the files hold.
@@ -49,10 +51,10 @@ struct FoundTone {
 
 /// Finds the tone curve by Gauss-Newton: the Tone cause of misfitCauses() is fitted, taken off, and fitted
 /// again. With it goes a little of the Ambient cause, as much as bounced light looks like
-/// (CauseTuning::bounced): without it, the curve would explain that, too. Nothing where Tone is not the
-/// likeliest cause, or ambient light may be it. Throws InputError where a light colour is unknown: the curve
-/// and the colour could not be told apart; Stopped. `noise`: the sensor's, if it is told otherwise than by
-/// the capture.
+/// (CauseTuning::bounced): without it, the curve would explain that, too. Where both curves are nearly the
+/// same it is the one between them. Nothing where Tone is not the likeliest cause, or ambient light may be
+/// it. Throws InputError where a light colour is unknown: the curve and the colour could not be told apart;
+/// Stopped. `noise`: the sensor's, if it is told otherwise than by the capture.
 [[nodiscard]] std::optional<FoundTone> findToneCorrection(const Capture& capture,
                                                           const CapturePixels& photographs,
                                                           const std::optional<SensorNoise>& noise = {},

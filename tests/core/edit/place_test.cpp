@@ -183,6 +183,18 @@ TEST(Place, SaysWhatIsMissing) {
   EXPECT_THAT(refusal(places), testing::HasSubstr("nearer than 2 widths"));
 }
 
+TEST(Place, IsRefusedWhereHardlyAnySurfaceIsKnown) {
+  LitBall ball = test::ballUnder(kFive, kLevels);
+  for (size_t lamp = 0; lamp < 3; ++lamp)
+    std::fill_n(ball.shadows[lamp].labels.begin(), 80 * kBallWidth, ShadowLabel::Umbra);
+  try {
+    static_cast<void>(edited(ball, placed(PlaceOperation{}, "lamp1", placesOf(ball))));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("can be told on 1"));
+  }
+}
+
 TEST(Place, TilesAreTheWholePicture) {
   const LitBall ball = test::ballUnder(kFive, kLevels);
   EditStack stack = placed(PlaceOperation{10, 40, 3, .5F}, "lamp1", placesOf(ball));
