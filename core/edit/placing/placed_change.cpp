@@ -14,9 +14,9 @@ namespace {
 
 constexpr float kLitWell = 0.15F;  // of the shade: below, the surface was nearly turned away
 constexpr float kLeastLight = 1e-9F;
-// Of the picture: where less is known it is all a guess (of ten rendered sets the two that were below were no
-// better placed, or worse, than left alone).
-constexpr double kLeastKnown = 0.25;
+// Of the picture: where less is known it is all a guess (of ten rendered sets the three that were below were
+// no better placed, or worse, than left alone).
+constexpr double kLeastKnown = 0.4;
 
 SWAPLIGHT_SIMD(void, addShade,
                (const float* paint, const float* after, const float* mask, float level, int count,

@@ -154,7 +154,9 @@ const CauseEvidence* darkeningCurve(const std::vector<CauseEvidence>& all, const
   if (!ambient || !tone || !colors || !isDarkenedByACurve(*ambient, *tone)) return nullptr;
   const bool near = tone->behind < tuning.farApart || tone->gain > colors->gain;
   const bool may = near && ambient->behind < tuning.apart && isNamed(*tone, tuning);
-  return may && colorsMakeNegativeLight(context, signal, colors->size, tuning) ? tone : nullptr;
+  if (!may) return nullptr;
+  const auto seen = colorUncertaintyByEvidence(context, signal, float(ColorEvidenceTuning{}.largest));
+  return seen && double(*seen) > tuning.unnamedColors ? tone : nullptr;
 }
 
 /// What bounces goes over the picture less smoothly, hardly at all, or by more than lamps drift.
