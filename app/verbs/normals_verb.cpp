@@ -76,11 +76,13 @@ NamedPlace placeFromOption(const std::string& text) {
 
 LampPlaces placesOf(const NormalsCommand& arguments) {
   LampPlaces places;
+  std::optional<bool> metered;
   for (const std::string& text : arguments.lamps) {
     const NamedPlace named = placeFromOption(text);
     if (!places.emplace(named.light, named.place).second)
       throw InputError("--lamp {}: {} was given a place already", text, named.light);
-    if (named.place.stops.has_value() != places.begin()->second.stops.has_value())
+    if (!metered) metered = named.place.stops.has_value();
+    if (named.place.stops.has_value() != *metered)
       throw InputError("--lamp {}: say the stops of all lamps, or of none", text);
   }
   if (places.size() < kFewestLamps)

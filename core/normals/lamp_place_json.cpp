@@ -35,6 +35,7 @@ LampPlaces lampPlacesFromJson(const Json& json, const std::string& where) {
     place.azimuth = angle(fields, "azimuth", 180);
     place.elevation = angle(fields, "elevation", 90);
     place.distance = fields.number("distance", 0, kFarthestLamp);
+    if (place.distance == 0) place.distance.reset();
     place.stops = fields.number("stops", -kMostLampStops, kMostLampStops);
   }
   return places;

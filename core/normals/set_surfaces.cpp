@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/parallel.h"
 #include "core/normals/placed_lights.h"
@@ -80,11 +79,6 @@ const LeveledLight* SetSurfaces::lampOf(size_t light) const {
   return found == lamps.end() ? nullptr : &*found;
 }
 
-double SetSurfaces::guessedShare() const {
-  const auto count = std::accumulate(guessed.begin(), guessed.end(), size_t{0});
-  return guessed.empty() ? 0 : static_cast<double>(count) / static_cast<double>(guessed.size());
-}
-
 SetSurfaces setSurfaces(const SolvedSet& set, const SurfaceNormals& found) {
   SetSurfaces surfaces;
   surfaces.normals = found.normals.clone();
@@ -98,9 +92,11 @@ SetSurfaces setSurfaces(const SolvedSet& set, const SurfaceNormals& found) {
   const auto isKnown = [&](size_t p) { return found.normals.plane(2)[p] > 0; };
   for (size_t p = 0; p < pixels; ++p) {
     surfaces.guessed[p] = isKnown(p) ? 0 : 1;
+    surfaces.guessedShare += surfaces.guessed[p];
     known.ptr<float>()[p] = isKnown(p) ? 1.F : 0.F;
   }
-  if (surfaces.guessedShare() > 0) {
+  surfaces.guessedShare /= static_cast<double>(pixels);
+  if (surfaces.guessedShare > 0) {
     const cv::Mat white = sumAtWhite(set);
     fillRefused(continuedFrom(found, white, known), white, surfaces);
   }

@@ -15,12 +15,12 @@ struct SetSurfaces {
   Image normals;                       ///< X to the right, Y up, Z towards the camera, of length 1
   Image reflectance;                   ///< R, G, B: what a surface that faces a lamp of level 1 shows
   std::vector<unsigned char> guessed;  ///< a pixel each: 1 where the normal was refused
+  double guessedShare = 0;             ///< of the pixels, 0..1
   std::vector<LeveledLight> lamps;     ///< those whose places were told
   double level = 1;                    ///< of the strongest of them
 
   /// Of one of the set's lights; nullptr: nobody has told where its lamp stood, or it lights nothing.
   [[nodiscard]] const LeveledLight* lampOf(size_t light) const;
-  [[nodiscard]] double guessedShare() const;
 };
 
 /// Finds them when they are asked for; may take long the first time. Throws InputError where they cannot be

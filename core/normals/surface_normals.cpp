@@ -115,7 +115,6 @@ struct Tally {
   size_t shadowed = 0;
 };
 
-/// True where there is one.
 /// Whether what a lamp gives is so much less than the surface would show of it that it is in shadow.
 bool isShadowed(const LampSight& sight, const NormalFit& fit) {
   return sight.light < kShadowed * std::max(sight.direction.dot(fit.scaled), 0.);
@@ -123,7 +122,7 @@ bool isShadowed(const LampSight& sight, const NormalFit& fit) {
 
 /// A shadow that was not found only darkens: where the lamps contradict each other, those that give least are
 /// left out one by one, as long as they turn out to be in shadow. `sights`: the brightest first.
-NormalFit agreedFit(std::span<const LampSight> sights, Tally& tally) {
+NormalFit agreedFit(std::span<const LampSight> sights, bool& leftOut) {
   const NormalFit all = fitNormal(sights, kRounds);
   if (all.residual <= kMostResidual) return all;
   for (size_t count = sights.size() - 1; count >= kFewestLamps; --count) {
@@ -131,7 +130,7 @@ NormalFit agreedFit(std::span<const LampSight> sights, Tally& tally) {
     if (!fit.known() || fit.residual > kMostResidual) continue;
     const auto left = sights.subspan(count);
     if (!std::ranges::all_of(left, [&](const LampSight& sight) { return isShadowed(sight, fit); })) continue;
-    ++tally.shadowed;
+    leftOut = true;
     return fit;
   }
   return all;
@@ -143,15 +142,18 @@ std::optional<NormalFit> fitted(std::vector<LampSight>& sights, Tally& tally) {
     return std::nullopt;
   }
   std::ranges::sort(sights, std::greater<>(), &LampSight::light);
-  const NormalFit fit = agreedFit(sights, tally);
-  if (!fit.known())
+  bool leftOut = false;
+  const NormalFit fit = agreedFit(sights, leftOut);
+  if (!fit.known()) {
     ++tally.refused.alike;
-  else if (fit.residual > kMostResidual)
+  } else if (fit.residual > kMostResidual) {
     ++tally.refused.disagreed;
-  else if (fit.scaled.z() <= 0)
+  } else if (fit.scaled.z() <= 0) {
     ++tally.refused.away;
-  else
+  } else {
+    tally.shadowed += leftOut ? 1 : 0;
     return fit;
+  }
   return std::nullopt;
 }
 

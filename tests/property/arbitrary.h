@@ -195,7 +195,7 @@ inline EditStack anyEditStack() {
         {ShadowMark::Kind(anyInt(0, 1)), anyInt(0, 9000), anyInt(0, 9000)});
   for (int i = anyInt(0, 3); i > 0; --i) {
     LampPlace& place = stack.lampPlaces[anyText()] = {anyFloat(-180, 180), anyFloat(-90, 90), {}, {}};
-    if (anyBool()) place.distance = anyFloat(0, 1000);
+    if (anyBool()) place.distance = anyFloat(.1F, 1000);
     if (anyBool()) place.stops = anyFloat(-20, 20);
   }
   return stack;

@@ -200,10 +200,10 @@ EditStack EditController::usable(const EditStack& wanted) {
       edit = std::make_shared<const Edit>(*edit);
   const auto needs = [](const auto& edit) { return usesShadows(*edit); };
   if (std::any_of(stack.edits.begin(), stack.edits.end(), needs)) m_needsShadows = true;
-  std::erase_if(stack.edits, [&](const auto& edit) {
-    return usesSurfaces(*edit) && (!m_surfaces->last() || !isPlaced(*edit));
-  });
-  if (!m_found->all()->empty()) return stack;
+  if (!m_found->all()->empty()) {
+    std::erase_if(stack.edits, [&](const auto& edit) { return usesSurfaces(*edit) && !isPlaced(*edit); });
+    return stack;
+  }
   const size_t all = stack.edits.size();
   stack.edits.erase(std::remove_if(stack.edits.begin(), stack.edits.end(), needs), stack.edits.end());
   if (stack.edits.size() < all) m_stopped = false;  // they are needed now
@@ -350,14 +350,23 @@ void EditController::seekShadows() {
       m_wake);
 }
 
-bool EditController::isPlaced(const Edit& edit) const {
+std::optional<std::string> EditController::whyNotPlaced(const Edit& edit) const {
   std::vector<std::string> lights = edit.lights;
   if (lights.empty())
     for (const Light& light : m_set->capture.lights) lights.push_back(light.name);
   const LampPlaces& told = m_parts.editor.document().edits.lampPlaces;
-  return std::none_of(lights.begin(), lights.end(), [&](const std::string& light) {
-    return whyNotPlaced(light, told, m_set->capture) ||
-           whyNotPlaced(light, m_surfacesBy.places, m_set->capture);
+  for (const std::string& light : lights)
+    if (auto problem = swaplight::whyNotPlaced(light, told, m_set->capture)) return problem;
+  const FoundSurfaces::Surfaces found = m_surfaces->last();
+  return found && m_surfacesBy.places == told ? swaplight::whyNotPlaced(*found) : std::nullopt;
+}
+
+bool EditController::isPlaced(const Edit& edit) const {
+  const FoundSurfaces::Surfaces found = m_surfaces->last();
+  if (!found || swaplight::whyNotPlaced(*found) || whyNotPlaced(edit)) return false;
+  // Until they are found by what is told now, those that were found before have to do.
+  return std::none_of(edit.lights.begin(), edit.lights.end(), [&](const std::string& light) {
+    return swaplight::whyNotPlaced(light, m_surfacesBy.places, m_set->capture);
   });
 }
 
@@ -371,7 +380,7 @@ void EditController::seekSurfaces() {
     if (by != m_surfacingBy) m_surfacing.cancel();
     return;
   }
-  if (by == m_surfacingBy || whyNotPlaced("", by.places, m_set->capture)) return;
+  if (by == m_surfacingBy || swaplight::whyNotPlaced("", by.places, m_set->capture)) return;
   m_surfacingBy = by;
   m_surfacing.start(
       [set = m_set, found = m_found->all(), by](const Progress& progress) {

@@ -3,6 +3,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,9 @@ class EditController {
   [[nodiscard]] bool shadowsCurrent() const;
   [[nodiscard]] bool findingShadows() const { return m_finding.running(); }
   [[nodiscard]] float findingFraction() const { return m_finding.fraction(); }
+  /// What of the document keeps an edit from placing its lamps, in words; nothing where all is told. A set is
+  /// open.
+  [[nodiscard]] std::optional<std::string> whyNotPlaced(const Edit& edit) const;
   /// How surfaces are turned is being found, for the document's edits that go by it.
   [[nodiscard]] bool findingSurfaces() const { return m_surfacing.running(); }
   [[nodiscard]] float surfacesFraction() const { return m_surfacing.fraction(); }
@@ -118,7 +122,7 @@ class EditController {
   void seekShadows();
   /// Looks for how surfaces are turned, where an edit of the document goes by it and enough is told.
   void seekSurfaces();
-  /// Whether all that is told of the lamps' places is enough for the edit.
+  /// Whether the edit can place its lamps by the surfaces that were found.
   [[nodiscard]] bool isPlaced(const Edit& edit) const;
   /// What of the document can be shown now.
   [[nodiscard]] EditStack usable(const EditStack& wanted);

@@ -270,7 +270,7 @@ void warnings(const Parameters& of, const PreparedEdit& prepared) {
 /// Of a lamp that is placed: where the others stood, and what is missing.
 void placeHints(const Parameters& of) {
   if (const auto prepared = of.studio.edits.prepared(of.edit)) {
-    hint("Or drag the lamp in the picture.");
+    if (prepared->placed.size() == 1) hint("Or drag the lamp in the picture.");
     warnings(of, *prepared);
   }
   drawLampPlaces(of.studio, of.edit);

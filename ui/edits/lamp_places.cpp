@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/edit/placing/placed_change.h"
 #include "ui/edits/edit_list.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/panel_controls.h"
@@ -47,7 +46,7 @@ struct Telling {
   }
 };
 
-/// Which light's lamp, with a tick where its place has been told.
+/// Which light's lamp, and whether its place has been told.
 void chooseLamp(EditingContext& studio, std::string& chosen) {
   const LampPlaces& told = studio.document().edits.lampPlaces;
   const auto words = [&](const std::string& light) {
@@ -115,7 +114,7 @@ void placeSliders(const Telling& telling) {
   place.azimuth = shown(side, 1);
   place.elevation = shown(height, 1);
   place.distance.reset();
-  if (distance > 0) place.distance = shown(distance, 10);
+  if (const double widths = shown(distance, 10); widths > 0) place.distance = widths;
   telling.preview(changed, place);
 }
 
@@ -134,13 +133,8 @@ void meterToggle(const Telling& telling) {
 
 /// What is missing, or goes on.
 void drawProgress(const EditingContext& studio, const Edit& edit) {
-  const Capture& capture = studio.set()->original->capture;
-  const std::string light = edit.lights.empty() ? capture.lights.front().name : edit.lights.front();
-  if (whyNotPlaced("", studio.document().edits.lampPlaces, capture)) {
-    ImGui::TextWrapped("Say where the lamps of three lights stood, two widths of the picture away or more.");
-    markItem("places.missing");
-  } else if (whyNotPlaced(light, studio.document().edits.lampPlaces, capture)) {
-    ImGui::TextWrapped("Say where the lamp of %s stood, too.", light.c_str());
+  if (const auto missing = studio.edits.whyNotPlaced(edit)) {
+    ImGui::TextWrapped("%s", missing->c_str());
     markItem("places.missing");
   } else if (studio.edits.findingShadows() || studio.edits.findingSurfaces()) {
     hint(studio.edits.findingSurfaces() ? "finding how surfaces are turned \u2026"

@@ -76,7 +76,10 @@ void StudioWindow::resetForNewSet() {
   m_editing.histograms.clear();
   // A light that an edit has added makes no other set: the edit stays chosen.
   const auto original = m_session.set() ? m_session.set()->original : nullptr;
-  if (m_originalShown.lock() != original) m_editing.chosen = -1;
+  if (m_originalShown.lock() != original) {
+    m_editing.chosen = -1;
+    m_editing.lamp = {};
+  }
   m_originalShown = original;
 }
 

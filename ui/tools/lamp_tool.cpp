@@ -42,7 +42,10 @@ const PreparedEdit* lampInHand(EditingContext& studio) {
   const Edit* edit = chosenEdit(studio);
   if (!handlesAreFree(studio) || !edit || !edit->on || !isDragged(edit->operation)) return nullptr;
   std::shared_ptr<const PreparedEdit>& shown = studio.editing.lamp.shown;
-  if (auto now = studio.edits.prepared(*edit)) shown = std::move(now);
+  if (auto now = studio.edits.prepared(*edit))
+    shown = std::move(now);
+  else if (!studio.editing.lamp.going && !studio.edits.busy())
+    shown.reset();  // it cannot run
   const bool same = shown && shown->edit->lights == edit->lights &&
                     shown->edit->operation.index() == edit->operation.index();
   const bool one = same && (shown->placed.size() == 1 || (shown->lamps.size() == 1 && shown->lamps[0].pool));

@@ -65,8 +65,9 @@ LampLimits lampLimits(const PreparedEdit& edit, size_t k, const EditedLights& li
 
 std::vector<std::string> lampWarnings(const PreparedEdit& edit, const EditedLights& lights) {
   std::vector<std::string> warnings;
-  if (!edit.placed.empty() && edit.isActive()) {
-    const PlacedChange& change = edit.placed.front();
+  const auto placed = std::ranges::find_if_not(edit.placed, &PlacedChange::isNeutral);
+  if (placed != edit.placed.end() && edit.isActive()) {
+    const PlacedChange& change = *placed;
     const double guessed = guessedArea(edit, lights, [&](int x, int y) { return change.guessAt(x, y); });
     if (guessed >= LampLimits::kGuessTold)
       warnings.push_back(fmt::format(

@@ -107,7 +107,8 @@ PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& l
         if constexpr (LampOperation<T>)
           prepared.lamps = lampEdits(operation.lampChange(), prepared.lights, context, earlier);
         if constexpr (std::is_same_v<T, PlaceOperation>)
-          prepared.placed = placedChanges(operation, prepared.lights, lights, context);
+          if (edit->on && edit->opacity > 0)
+            prepared.placed = placedChanges(operation, prepared.lights, lights, context);
         if constexpr (std::is_same_v<T, UnknownGelOperation>)
           prepared.gel = gelMixing(context.set(), operation);
         if constexpr (requires { operation.tabulate(); }) prepared.table = operation.tabulate();

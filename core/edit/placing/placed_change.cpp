@@ -76,6 +76,16 @@ std::optional<std::string> whyNotPlaced(const std::string& light, const LampPlac
                                                        LampPlace::kNearest));
 }
 
+std::optional<std::string> whyNotPlaced(const SetSurfaces& surfaces) {
+  const double known = 1 - surfaces.guessedShare;
+  if (known >= kLeastKnown) return std::nullopt;
+  return fmt::format(
+      "how surfaces are turned can be told on {:.0f} % of the picture only: no lamp can be placed. Check the "
+      "lamps' "
+      "places, or light the set with more lamps.",
+      100 * known);
+}
+
 PlacedChange::PlacedChange(const PlaceOperation& operation, const std::string& name, size_t light,
                            const MaskContext& context, const LampPlaces& told)
     : m_after(operation.place(), operation.diameter) {
@@ -83,12 +93,7 @@ PlacedChange::PlacedChange(const PlaceOperation& operation, const std::string& n
   if (const auto problem = whyNotPlaced(name, told, context.set().capture)) throw InputError(*problem);
   m_surfaces = context.surfaces()();
   if (!m_surfaces) throw InputError("how surfaces are turned has not been found yet.");
-  if (const double known = 1 - m_surfaces->guessedShare(); known < kLeastKnown)
-    throw InputError(
-        "\"{}\" cannot be placed: how surfaces are turned can be told on {:.0f} % of the picture only. Check "
-        "the "
-        "lamps' places, or place more lamps.",
-        name, 100 * known);
+  if (const auto problem = whyNotPlaced(*m_surfaces)) throw InputError(*problem);
   m_level = static_cast<float>(m_surfaces->level);
   if (light >= context.set().contributions.size()) return;
   const LeveledLight* lamp = m_surfaces->lampOf(light);

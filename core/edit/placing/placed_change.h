@@ -16,15 +16,20 @@ namespace swaplight {
 [[nodiscard]] std::optional<std::string> whyNotPlaced(const std::string& light, const LampPlaces& told,
                                                       const Capture& capture);
 
+/// The same of surfaces that were found: where most of them are a guess nothing can be placed.
+[[nodiscard]] std::optional<std::string> whyNotPlaced(const SetSurfaces& surfaces);
+
 /// What the light of a lamp becomes that stands elsewhere. With s the shade (placed_lamp.h) before and s'
-/// after, r the reflectance, L the lamp's level and v how much of it is seen (shadows; at least T / r L s):
+/// after, r the reflectance, L the lamp's level:
 ///
-///   T' = T (1 + v (s'/s - 1))     where the lamp lit the surface: all of the picture's own detail stays
-///   T' = T + r L (s' - s)         where it did not, since the surface was turned away from it
+///   T' = T + v r L (s' - s)         where it gets brighter
+///   T' = T (1 + v (s'/s - 1))       where it gets darker: none is left over, and all of the detail stays
 ///
-/// and in between where s is small. A light that the edits add, and so has no T, gets r L s', L that of the
-/// strongest lamp. No shadow is thrown from the new place; those that were thrown stay. A lamp that comes
-/// nearer keeps its power: the level goes with the inverse square of its distance. s'/s <= 16 (4 stops).
+/// v is how much of the lamp is seen: as the search for shadows says, at least T / r L s, and all of it where
+/// s was small, since then the surface was turned away from the lamp. A light that the edits add, and so has
+/// no T, gets r L s', L that of the strongest lamp. No shadow is thrown from the new place; those that were
+/// thrown stay. A lamp that comes nearer keeps its power: its level goes with the inverse square of its
+/// distance.
 ///
 /// Woodham 1980 backwards; the surfaces: core/normals/set_surfaces.h.
 class PlacedChange {

@@ -70,7 +70,8 @@ EditStack EditFade::at(float amount) const {
   for (const std::string& light : m_to.newLights)
     if (std::find(stack.newLights.begin(), stack.newLights.end(), light) == stack.newLights.end())
       stack.newLights.push_back(light);
-  stack.lampPlaces.insert(m_to.lampPlaces.begin(), m_to.lampPlaces.end());
+  // Those of one side as they are: places of two would be metered, or not, by halves.
+  if (stack.lampPlaces.empty()) stack.lampPlaces = m_to.lampPlaces;
   if (stack.width == 0) {
     stack.width = m_to.width;
     stack.height = m_to.height;

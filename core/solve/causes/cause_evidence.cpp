@@ -290,7 +290,8 @@ bool isSurelyTone(const MisfitCauses& causes, const CauseTuning& tuning) {
   const CauseEvidence* tone = evidenceOf(Cause::Tone, causes.all);
   return causes.is(Cause::Tone) && tone && tone->certainty > tuning.surelyTone &&
          std::ranges::all_of(causes.all, [&](const CauseEvidence& one) {
-           return &one == tone || one.behind > tuning.apart || isDarkenedByACurve(one, *tone);
+           const bool worse = one.behind > tuning.apart && one.gain < tone->gain;
+           return &one == tone || worse || isDarkenedByACurve(one, *tone);
          });
 }
 

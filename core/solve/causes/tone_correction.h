@@ -52,9 +52,10 @@ struct FoundTone {
 /// Finds the tone curve by Gauss-Newton: the Tone cause of misfitCauses() is fitted, taken off, and fitted
 /// again. With it goes a little of the Ambient cause, as much as bounced light looks like
 /// (CauseTuning::bounced): without it, the curve would explain that, too. Where both curves are nearly the
-/// same it is the one between them. Nothing where Tone is not the likeliest cause, or ambient light may be
-/// it. Throws InputError where a light colour is unknown: the curve and the colour could not be told apart;
-/// Stopped. `noise`: the sensor's, if it is told otherwise than by the capture.
+/// same it is the one between them, else (FoundTone::steady) the one with it. Nothing where Tone is not the
+/// likeliest cause, or ambient light may be it. Throws InputError where a light colour is unknown: the curve
+/// and the colour could not be told apart; Stopped. `noise`: the sensor's, if it is told otherwise than by
+/// the capture.
 [[nodiscard]] std::optional<FoundTone> findToneCorrection(const Capture& capture,
                                                           const CapturePixels& photographs,
                                                           const std::optional<SensorNoise>& noise = {},

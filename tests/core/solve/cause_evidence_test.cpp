@@ -263,6 +263,9 @@ TEST(CauseEvidence, ACurveIsSureWhereNothingElseIsNearlyAsLikely) {
   EXPECT_FALSE(isSurelyTone(causes)) << "ambient light explains it as well";
   causes.all.back().size = -.1;
   EXPECT_TRUE(isSurelyTone(causes)) << "there is no negative light";
+  causes.all.push_back({Cause::Colors, .45, .45, 8, 2.3, .1});
+  EXPECT_FALSE(isSurelyTone(causes)) << "colours explain more";
+  causes.all.pop_back();
   causes.all.back().size = .1;
   causes.all.back().behind = 3, causes.all.front().certainty = 4.9;
   EXPECT_FALSE(isSurelyTone(causes));
@@ -296,6 +299,16 @@ TEST(ToneCorrection, TakesOffACurve) {
   const SolvedSet corrected = solve(swappedCapture(), pixels, {});
   EXPECT_LT(relativeError(corrected, truth), .3 * before) << tone->correction.exponent();
   EXPECT_TRUE(corrected.report->causes.likely.empty()) << told(corrected.report->causes);
+}
+
+TEST(ToneCorrection, ThatIsNotSteadyIsReportedWithAWarning) {
+  SolveReport steady, unsteady;
+  reportTone({}, steady);
+  reportTone({{}, false}, unsteady);
+  EXPECT_TRUE(steady.warnings.empty());
+  ASSERT_EQ(unsteady.warnings.size(), 1U);
+  EXPECT_NE(unsteady.warnings[0].find("not sure"), std::string::npos);
+  EXPECT_TRUE(unsteady.tone.has_value());
 }
 
 TEST(ToneCorrection, IsAnOptionOfEverySolveOfPhotographs) {
