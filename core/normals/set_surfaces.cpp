@@ -16,14 +16,11 @@ constexpr int kContinuedSize = 480;  // pixels of the longer side: what is conti
 constexpr float kPictureEdge = .3F;  // of the logarithm: by a third brighter is another surface
 constexpr float kLeastLight = 1e-4F;
 
-cv::Mat sumAtWhite(const SolvedSet& set) {
-  cv::Mat sum(set.height(), set.width(), CV_32FC3, cv::Scalar::all(0));
-  for (const Image& light : set.contributions) {
-    cv::Mat rgb;
-    cv::merge(std::vector<cv::Mat>{planeOf(light, 0), planeOf(light, 1), planeOf(light, 2)}, rgb);
-    sum += rgb;
-  }
-  return sum;
+cv::Mat rgbAtUnitWhite(const SolvedSet& set) {
+  const Image sum = sumAtUnitWhite(set);
+  cv::Mat rgb;
+  cv::merge(std::vector<cv::Mat>{planeOf(sum, 0), planeOf(sum, 1), planeOf(sum, 2)}, rgb);
+  return rgb;
 }
 
 /// What is smooth in the surfaces, known in most places, continued into the others; small.
@@ -97,7 +94,7 @@ SetSurfaces setSurfaces(const SolvedSet& set, const SurfaceNormals& found) {
   }
   surfaces.guessedShare /= static_cast<double>(pixels);
   if (surfaces.guessedShare > 0) {
-    const cv::Mat white = sumAtWhite(set);
+    const cv::Mat white = rgbAtUnitWhite(set);
     fillRefused(continuedFrom(found, white, known), white, surfaces);
   }
   return surfaces;

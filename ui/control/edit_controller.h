@@ -68,7 +68,6 @@ class EditController {
   [[nodiscard]] std::optional<std::string> whyNotPlaced(const Edit& edit) const;
   /// How surfaces are turned is being found, for the document's edits that go by it.
   [[nodiscard]] bool findingSurfaces() const { return m_surfacing.running(); }
-  [[nodiscard]] float surfacesFraction() const { return m_surfacing.fraction(); }
   /// Stops looking for shadows until somebody asks again.
   void stopFindingShadows();
   [[nodiscard]] bool stoppedFindingShadows() const { return m_stopped && !m_finding.running(); }

@@ -105,8 +105,7 @@ void drawAddEdit(EditingContext& studio, float width) {
   markItem("add.new_lamp");
   tooltip(
       "Adds a light that the set never had, from any side, by how the surfaces are turned. Say first where "
-      "the "
-      "lamps of three lights stood. It throws no shadows.");
+      "the lamps of three lights stood. It throws no shadows.");
   ImGui::Separator();
   if (ImGui::MenuItem("Beta map from a file \u2026")) studio.actions.run("edits.add_picture");
   markItem("add.picture");

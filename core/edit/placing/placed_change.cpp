@@ -80,9 +80,9 @@ std::optional<std::string> whyNotPlaced(const SetSurfaces& surfaces) {
   const double known = 1 - surfaces.guessedShare;
   if (known >= kLeastKnown) return std::nullopt;
   return fmt::format(
-      "how surfaces are turned can be told on {:.0f} % of the picture only: no lamp can be placed. Check the "
-      "lamps' "
-      "places, or light the set with more lamps.",
+      "how surfaces are turned can be told on {:.0f} % of the picture only: no lamp can be placed. Check "
+      "where "
+      "the lamps stood, or light the set with more of them.",
       100 * known);
 }
 

