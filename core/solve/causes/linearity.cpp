@@ -297,8 +297,16 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
   if (causes.is(Cause::Tone)) {
     const auto tone = findToneCorrection(capture, photographs, {}, {}, tuning);
     if (tone) evidence.curve = tone->correction.curve();
-    return answerCurved(evidence, "matte surfaces would look otherwise under these colours",
-                        tone ? tone->correction.exponent() : evidence.matte->exponent);
+    const double exponent = tone ? tone->correction.exponent() : evidence.matte->exponent;
+    if (tone && !tone->steady)
+      return answer(
+          evidence, Answer::Unknown,
+          fmt::format(
+              "it cannot be told: a curve is likeliest, light to the power of about {:.2f} in the middle of "
+              "the range, but some of it may be bounced or ambient light. Photograph brackets, or each lamp "
+              "alone and all together",
+              exponent));
+    return answerCurved(evidence, "matte surfaces would look otherwise under these colours", exponent);
   }
   if (!causes.likely.empty())
     return answer(evidence, Answer::Unknown, "it cannot be told: " + wordsFor(causes));
