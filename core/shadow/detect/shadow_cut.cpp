@@ -87,7 +87,7 @@ ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowS
   const LightOdds odds = withWord(unmarked, word, all);
   const cv::Mat byOdds = cutShadow(odds, sides.apart, tuning);
   const auto wide = [&](cv::Mat parts) {
-    cv::morphologyEx(parts, parts, cv::MORPH_OPEN, disk(tuning.border * referenceUnit(parts)));
+    cv::morphologyEx(parts, parts, cv::MORPH_OPEN, disk(std::max(tuning.border * referenceUnit(parts), 1.F)));
     return parts;
   };
   const cv::Mat unsupported = wide(division.shadow & byOdds & (odds.umbra < tuning.bearingUmbra));

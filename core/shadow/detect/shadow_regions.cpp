@@ -84,7 +84,7 @@ cv::Mat visibilityOf(const ShadowEvidence& light, const cv::Mat& shadow, const c
 
   // Soften.
   cv::Mat visibility;
-  const int radius = std::max(4, static_cast<int>(tuning.softening * referenceUnit(lit)));
+  const int radius = std::max(1, static_cast<int>(std::lround(tuning.softening * referenceUnit(lit))));
   cv::ximgproc::guidedFilter(light.level * tuning.guideScale, lit, visibility, radius, tuning.guideEpsilon);
   cv::min(visibility, 1, visibility);
   cv::max(visibility, 0, visibility);

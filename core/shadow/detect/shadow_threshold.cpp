@@ -34,14 +34,15 @@ struct Contours {
 };
 
 /// The mean log-odds of light that each level leaves below it: all of the picture counts.
-std::array<double, kLevels> litBelow(const cv::Mat& level, const cv::Mat& oddsOfLight, float low, float scale,
-                                     double most) {
+std::array<double, kLevels> oddsBelow(const cv::Mat& level, const cv::Mat& oddsOfLight, float low,
+                                      float scale, const ShadowThresholdTuning& tuning) {
   std::array<double, kLevels> below{};
   const cv::Mat small = shrunk(level, oddsOfLight.size());
   for (int y = 0; y < small.rows; ++y)
-    for (int x = 0; x < small.cols; ++x)
-      below[binOf(small.at<float>(y, x), low, scale)] +=
-          std::clamp(static_cast<double>(oddsOfLight.at<float>(y, x)), 0., most);
+    for (int x = 0; x < small.cols; ++x) {
+      const double odds = oddsOfLight.at<float>(y, x);
+      below[binOf(small.at<float>(y, x), low, scale)] += std::clamp(odds, -tuning.mostUmbra, tuning.mostLit);
+    }
   std::partial_sum(below.begin(), below.end(), below.begin());
   for (double& sum : below) sum /= static_cast<double>(small.total());
   return below;
@@ -109,12 +110,12 @@ float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known, const c
       if (smoothed(j) > smoothed(i)) return false;
     return true;
   };
-  std::array<double, kLevels> leftDark{}, value{};
-  if (!oddsOfLight.empty()) leftDark = litBelow(light.level, oddsOfLight, low, scale, tuning.mostLit);
+  std::array<double, kLevels> litInShadow{}, value{};
+  if (!oddsOfLight.empty()) litInShadow = oddsBelow(light.level, oddsOfLight, low, scale, tuning);
   for (size_t i = 1; i + 1 < kLevels; ++i)
     if (isPeak(i))
       value[i] = smoothed(i) * std::pow(1 - contours.pixels[i] / contours.pixels[kLevels], tuning.areaBonus) *
-                 std::exp(-tuning.litWeight * leftDark[i]);
+                 std::exp(-tuning.oddsWeight * litInShadow[i]);
   // Of levels that divide alike the darkest: the lighter ones run through what is lit.
   const double enough = tuning.alike * *std::max_element(value.begin(), value.end());
   const auto best = std::find_if(value.begin(), value.end(), [&](double v) { return v >= enough; });

@@ -68,8 +68,9 @@ struct ShadowThresholdTuning {
   float outside = 3;         ///< log, beyond nearly all pixels' levels: surely lit, or surely shadow
   double alike = .93;        ///< of the best level's score: the darkest such level is taken
   double leastLit = .03;     ///< share of the pixels above, against contours of highlights
-  double litWeight = 2;      ///< of the mean log-odds of light that a level leaves in shadow
-  double mostLit = 3;        ///< log-odds of light: a pixel's at most
+  double oddsWeight = 2;     ///< of the mean log-odds of light that a level leaves in shadow
+  double mostLit = 3;        ///< of a pixel for light, at most ...
+  double mostUmbra = .5;     ///< ... and for umbra: it is told less surely
 
   static constexpr auto fields() {
     using T = ShadowThresholdTuning;
@@ -80,8 +81,8 @@ struct ShadowThresholdTuning {
         std::pair{"spread_below", &T::spreadBelow}, std::pair{"spread_above", &T::spreadAbove},
         std::pair{"least_edge", &T::leastEdge},     std::pair{"smallest_unit", &T::smallestUnit},
         std::pair{"outside", &T::outside},          std::pair{"alike", &T::alike},
-        std::pair{"least_lit", &T::leastLit},       std::pair{"lit_weight", &T::litWeight},
-        std::pair{"most_lit", &T::mostLit}};
+        std::pair{"least_lit", &T::leastLit},       std::pair{"odds_weight", &T::oddsWeight},
+        std::pair{"most_lit", &T::mostLit},         std::pair{"most_umbra", &T::mostUmbra}};
   }
 };
 
@@ -131,11 +132,12 @@ struct ShadowCutTuning {
   float partingCost = 4;  ///< of neighbours on either side where there is no border
   float leastParting = .02F;  ///< the same where there is one
   float oddsPartingCost = 2;  ///< log-odds of one pixel: as partingCost, in the cut by odds
-  float border = 3;           ///< units: where two cuts part by less than twice this, they mean one border
-  float strongUmbra = 3;      ///< log-odds of umbra that are believed against the level
-  float weakUmbra = 1.2F;     ///< ... that are not; in between it cannot be told
-  float bearingUmbra = 1;     ///< ... that bear out a shadow of the level's
-  float strongLit = 1;        ///< log-odds of lit that are believed
+  float border = 1;       ///< units, a pixel at least: where two cuts part by less than twice this, they mean
+                          ///< one border
+  float strongUmbra = 2;  ///< log-odds of umbra that are believed against the level
+  float weakUmbra = .5F;  ///< ... that are not; in between it cannot be told
+  float bearingUmbra = 1.25F;  ///< ... that bear out a shadow of the level's
+  float strongLit = 1;         ///< log-odds of lit that are believed
 
   static constexpr auto fields() {
     using T = ShadowCutTuning;
@@ -161,8 +163,8 @@ struct ShadowCutTuning {
 struct ShadowRegionsTuning {
   float guideScale = .2F;      ///< of the level, for the guided filter
   double guideEpsilon = 1e-4;  ///< of the guided filter, on that scale
-  float softening = 5;         ///< units: how far a border is made soft
-  float umbra = .1F;           ///< visibility below which a pixel is umbra
+  float softening = 2;         ///< units: how far a border is made soft
+  float umbra = .15F;          ///< visibility below which a pixel is umbra
   float lit = .9F;             ///< visibility above which it is lit
 
   static constexpr auto fields() {

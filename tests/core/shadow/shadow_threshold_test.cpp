@@ -56,10 +56,17 @@ TEST(ShadowThreshold, LeavesNoFarWallInShadowThatTheOddsCallLit) {
   }
 }
 
-TEST(ShadowThreshold, IsLedByNoOddsOfShadow) {
+TEST(ShadowThreshold, TakesInWhatTheOddsCallShadow) {
   const SetEvidence evidence = farWall();
   const ShadowEvidence& key = evidence.lights[0];
-  EXPECT_EQ(shadowThreshold(key, evidence.known, oddsOf(-3, 1)), shadowThreshold(key, evidence.known));
+  ShadowThresholdTuning tuning;
+  tuning.usualLevel = .03;  // as dark as the shadow on the wall, and not as the wall
+  tuning.spreadAbove = .3;
+  const float level = key.level.at<float>(kWallY, kWallX);
+  EXPECT_GT(level, shadowThreshold(key, evidence.known, {}, tuning));
+  EXPECT_GT(level, shadowThreshold(key, evidence.known, oddsOf(2, 1), tuning));
+  tuning.oddsWeight = 40;  // they speak softly
+  EXPECT_LT(level, shadowThreshold(key, evidence.known, oddsOf(-3, 1), tuning));
 }
 
 }  // namespace
