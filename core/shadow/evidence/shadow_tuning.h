@@ -132,10 +132,10 @@ struct ShadowCutTuning {
   float partingCost = 4;  ///< of neighbours on either side where there is no border
   float leastParting = .02F;  ///< the same where there is one
   float oddsPartingCost = 2;  ///< log-odds of one pixel: as partingCost, in the cut by odds
-  float border = 1;       ///< units, a pixel at least: where two cuts part by less than twice this, they mean
-                          ///< one border
-  float strongUmbra = 2;  ///< log-odds of umbra that are believed against the level
-  float weakUmbra = .5F;  ///< ... that are not; in between it cannot be told
+  float border = 1;  ///< units, a pixel at least: where two cuts part by less than twice this, they mean
+                     ///< one border
+  float strongUmbra = 2.5F;    ///< log-odds of umbra that are believed against the level
+  float weakUmbra = 1.2F;      ///< ... that are not; in between it cannot be told
   float bearingUmbra = 1.25F;  ///< ... that bear out a shadow of the level's
   float strongLit = 1;         ///< log-odds of lit that are believed
 
