@@ -7,7 +7,7 @@ A row a set and light: intersection over union of umbra (truth: visibility below
 error of the visibility, share of unknown pixels (which are left out of the others), and false umbra (share of the
 picture that is called umbra but lit). Umbra in reach leaves out what faces away from the light. The last three columns:
 umbra by the best of 50 plain thresholds on beta (chosen with the truth at hand), by Otsu's threshold on beta, and by
-Otsu's on the luminance of the all-white picture. "All" counts unknown pixels as what their visibility says.
+Otsu's on the luminance of the all-white picture. "All" counts unknown pixels as what their visibility says, umbra below .1.
 
 Below the table, apart for the random sets 6 to 10, which no constant may be chosen on, and all other sets: the means, of
 umbra over the lights whose umbra is at least .2 % of the picture; how many lights have more than 2 % false umbra, and

@@ -10,8 +10,7 @@ namespace swaplight {
 /// all pixels where no contour runs along an edge: a light without shadows; above them for a light that gives
 /// nothing. `known` as in SetEvidence. `oddsOfLight`, where they are known: of evidenceOfLight(), at any
 /// size; a level counts less that leaves in shadow what they call lit, and a little more that holds what
-/// they call shadow. (They find it less surely: counted alike, a face's hair and dim walls were held as
-/// well.)
+/// they call shadow. (They find it less surely: counted alike, more that is lit was held as well.)
 [[nodiscard]] float shadowThreshold(const ShadowEvidence& light, const cv::Mat& known,
                                     const cv::Mat& oddsOfLight = {},
                                     const ShadowThresholdTuning& tuning = {});

@@ -10,8 +10,9 @@
 namespace swaplight {
 
 // The constants that steer the search for shadows. Lengths in units are pixels of a picture whose longer side
-// has 480 (referenceUnit). They were chosen on the rendered sets with truth but for the random ones 6 to 10
-// (tests/bench/shadow_table.py). What changing each costs: scripts/make_ablation shadows.
+// has 480 (referenceUnit). They were chosen on the rendered sets with truth, random ones 6 to 10 in
+// sight at most (tests/bench/shadow_table.py), and on seeds more that docs/shadows.md names. What changing
+// each costs: scripts/make_ablation shadows.
 
 /// Of what the contributions show (shadow_evidence.h).
 struct ShadowEvidenceTuning {

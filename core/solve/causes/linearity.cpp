@@ -19,6 +19,7 @@
 namespace swaplight {
 namespace {
 
+constexpr const char* kWouldTell = "Photograph brackets, or each lamp alone and all together";
 constexpr const char* kWhat = "looking whether the photographs hold light";
 constexpr int kParts = 4;            // across and down, that are left out in turns
 constexpr size_t kFewestParts = 8;   // in fewer a standard error is none
@@ -303,9 +304,8 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
           evidence, Answer::Unknown,
           fmt::format(
               "it cannot be told: a curve is likeliest, light to the power of about {:.2f} in the middle of "
-              "the range, but some of it may be bounced or ambient light. Photograph brackets, or each lamp "
-              "alone and all together",
-              exponent));
+              "the range, but some of it may be bounced or ambient light. {}",
+              exponent, kWouldTell));
     return answerCurved(evidence, "matte surfaces would look otherwise under these colours", exponent);
   }
   if (!causes.likely.empty())
@@ -317,8 +317,8 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
   answer(evidence, Answer::Unknown,
          fmt::format(
              "it cannot be told: matte surfaces show a curve of at most {} from dark to bright, as gloss "
-             "and bounced light do, too. Photograph brackets, or each lamp alone and all together",
-             percent(mostDeparture(*evidence.matte))));
+             "and bounced light do, too. {}",
+             percent(mostDeparture(*evidence.matte)), kWouldTell));
 }
 
 }  // namespace
@@ -359,13 +359,11 @@ LinearityEvidence linearityOf(const Capture& capture, const CapturePixels& photo
   if (evidence.matte)
     answerByMatte(capture, photographs, tuning, evidence);
   else
-    answer(
-        evidence, Answer::Unknown,
-        isUnknown(capture, false)
-            ? "it cannot be told: a light's colour is unknown. Tell it, or photograph brackets, or each "
-              "lamp alone and all together"
-            : "it cannot be told: no photograph follows from the others. Photograph brackets, or each lamp "
-              "alone and all together");
+    answer(evidence, Answer::Unknown,
+           isUnknown(capture, false)
+               ? std::string("it cannot be told: a light's colour is unknown. Tell it, or photograph "
+                             "brackets, or each lamp alone and all together")
+               : fmt::format("it cannot be told: no photograph follows from the others. {}", kWouldTell));
   return evidence;
 }
 

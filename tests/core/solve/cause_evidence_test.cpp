@@ -8,6 +8,7 @@
 
 #include "core/base/json.h"
 #include "core/set/solve_verdict.h"
+#include "core/solve/causes/linearity.h"
 #include "core/solve/causes/tone_correction.h"
 #include "core/solve/even_lamps.h"
 #include "core/solve/solve.h"
@@ -299,6 +300,18 @@ TEST(ToneCorrection, TakesOffACurve) {
   const SolvedSet corrected = solve(swappedCapture(), pixels, {});
   EXPECT_LT(relativeError(corrected, truth), .3 * before) << tone->correction.exponent();
   EXPECT_TRUE(corrected.report->causes.likely.empty()) << told(corrected.report->causes);
+}
+
+TEST(ToneCorrection, ThatIsNotSteadyDoesNotTellWhetherPhotographsHoldLight) {
+  const CapturePixels pixels = photographed({.curve = contrastCurve});
+  CauseTuning tuning;
+  using Answer = LinearityEvidence::Answer;
+  EXPECT_EQ(linearityOf(swappedCapture(), pixels, {}, tuning).answer, Answer::Curved);
+  tuning.steadyExponent = 0;  // no two fits agree to nothing
+  const LinearityEvidence evidence = linearityOf(swappedCapture(), pixels, {}, tuning);
+  EXPECT_EQ(evidence.answer, Answer::Unknown);
+  EXPECT_NE(evidence.words.find("bounced or ambient light"), std::string::npos) << evidence.words;
+  EXPECT_FALSE(evidence.curve.empty());
 }
 
 TEST(ToneCorrection, ThatIsNotSteadyIsReportedWithAWarning) {
