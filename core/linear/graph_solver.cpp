@@ -14,7 +14,8 @@ namespace {
 constexpr int kFewNodes = 64;        // are solved by sweeps alone
 constexpr int kSweeps = 20;          // there, each way
 constexpr float kStrong = .25F;      // of a node's strongest link: weaker ones make no pairs
-constexpr double kStalled = .75;     // of the nodes left by a pairing: no coarser level is worth its work
+constexpr int kPairings = 3;         // one after another: eight nodes or so become one
+constexpr double kStalled = .75;     // of the nodes left by them: no coarser level is worth its work
 constexpr double kGoodEnough = .25;  // of the residual after one inner step: no second one
 constexpr int kMostSteps = 100;
 
@@ -158,14 +159,21 @@ GraphSolver::GraphSolver(LinkedNodes nodes) {
     m_levels.push_back({std::move(nodes), std::move(middle), std::move(inverse), {}});
     Level& level = m_levels.back();
     if (level.nodes.count() <= kFewNodes) return;
-    std::vector<int> pairOf, fourOf;
-    const int pairs = pairUp(level.nodes, pairOf);
-    const LinkedNodes paired = together(level.nodes, pairOf, pairs);
-    const int fours = pairUp(paired, fourOf);
-    if (fours > kStalled * level.nodes.count()) return;
-    nodes = together(paired, fourOf, fours);
-    level.coarse.resize(pairOf.size());
-    for (size_t i = 0; i < pairOf.size(); ++i) level.coarse[i] = fourOf[size_t(pairOf[i])];
+    level.coarse.resize(size_t(level.nodes.count()));
+    std::iota(level.coarse.begin(), level.coarse.end(), 0);
+    LinkedNodes grouped;
+    for (int pairing = 0; pairing < kPairings; ++pairing) {
+      const LinkedNodes& from = pairing ? grouped : level.nodes;
+      std::vector<int> groupOf;
+      const int groups = pairUp(from, groupOf);
+      grouped = together(from, groupOf, groups);
+      for (int& group : level.coarse) group = groupOf[size_t(group)];
+    }
+    if (grouped.count() > kStalled * level.nodes.count()) {
+      level.coarse.clear();
+      return;
+    }
+    nodes = std::move(grouped);
   }
 }
 
