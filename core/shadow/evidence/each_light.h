@@ -12,12 +12,12 @@ namespace swaplight {
 /// how many of them are done.
 template <typename Work>
 void forEachLight(size_t count, const Progress& progress, std::string_view what, const Work& work) {
-  std::atomic<size_t> done = 0;
+  std::atomic<size_t> next = 0, done = 0;
   progress.update(0, what);
-  const int lights = static_cast<int>(count);
-  parallelRows(lights, (lights + 1) / 2, [&](int begin, int end) {
-    for (int light = begin; light < end; ++light) {
-      work(static_cast<size_t>(light));
+  // Whoever is done takes the next light: some have few shadows, and are done soon.
+  parallelRows(2, 1, [&](int, int) {
+    for (size_t light = next++; light < count; light = next++) {
+      work(light);
       progress.update(static_cast<float>(++done) / static_cast<float>(count), what);
     }
   });
