@@ -14,20 +14,25 @@ namespace swaplight {
 namespace {
 
 constexpr float kDimming = .75f;
-constexpr int kGrain = 64;  // rows at a time
+constexpr int kGrain = 64;       // rows at a time
+constexpr int kTones = 1 << 14;  // of light, each of which has its code: less than a sixth of one apart
 const std::array<cv::Scalar, 6> kColors = {cv::Scalar(255, 200, 40),  cv::Scalar(70, 200, 255),
                                            cv::Scalar(255, 90, 160),  cv::Scalar(120, 240, 120),
                                            cv::Scalar(190, 140, 255), cv::Scalar(255, 140, 60)};
 
 cv::Mat displayed(const Image& linear) {
-  const float scale = displayScale(linear.view());
+  const float scale = displayScale(linear.view()) * (kTones - 1);
+  std::vector<uchar> codes(kTones);
+  for (int tone = 0; tone < kTones; ++tone)
+    codes[static_cast<size_t>(tone)] =
+        cv::saturate_cast<uchar>(kDimming * srgbFromLinear(static_cast<float>(tone) / (kTones - 1)) * 255);
   cv::Mat picture(linear.height(), linear.width(), CV_8UC3);
   parallelRows(picture.rows, kGrain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < picture.cols; ++x)
         for (int c = 0; c < 3; ++c) {
-          const float light = std::clamp(scale * linear.view().at(c, x, y), 0.f, 1.f);
-          picture.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uchar>(kDimming * srgbFromLinear(light) * 255);
+          const float tone = std::clamp(scale * linear.view().at(c, x, y) + .5f, 0.f, kTones - 1.f);
+          picture.at<cv::Vec3b>(y, x)[c] = codes[static_cast<size_t>(tone)];
         }
   });
   return picture;
@@ -69,13 +74,16 @@ void hatchUntold(cv::Mat& picture, const LightShadows& shadows, const cv::Scalar
   const int shift = apart * static_cast<int>(light) / static_cast<int>(count);
   const cv::Vec3f ink(static_cast<float>(color[0]), static_cast<float>(color[1]),
                       static_cast<float>(color[2]));
-  for (int y = 0; y < picture.rows; ++y)
-    for (int x = 0; x < picture.cols; ++x) {
-      const auto pixel = static_cast<size_t>(y) * static_cast<size_t>(picture.cols) + static_cast<size_t>(x);
-      if (shadows.labels[pixel] != ShadowLabel::Unknown || (x + y + shift) % apart >= thick) continue;
-      auto& here = picture.at<cv::Vec3b>(y, x);
-      here = cv::Vec3f(here) * .4F + ink * .6F;
+  parallelRows(picture.rows, kGrain, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const ShadowLabel* labels = &shadows.labels[static_cast<size_t>(y) * static_cast<size_t>(picture.cols)];
+      for (int x = 0; x < picture.cols; ++x) {
+        if (labels[x] != ShadowLabel::Unknown || (x + y + shift) % apart >= thick) continue;
+        auto& here = picture.at<cv::Vec3b>(y, x);
+        here = cv::Vec3f(here) * .4F + ink * .6F;
+      }
     }
+  });
 }
 
 }  // namespace
