@@ -7,9 +7,12 @@ namespace swaplight {
 cv::Mat guidedMean(const cv::Mat& x, const cv::Mat& where, const cv::Mat& guide, double radius,
                    const OtherLightsTuning& tuning, const Otherwise& otherwise) {
   const double range = tuning.meanEdge * tuning.ratioEdge;
-  cv::Mat sum, weight;
-  cv::ximgproc::dtFilter(guide, x.mul(where), sum, radius, range);
-  cv::ximgproc::dtFilter(guide, where, weight, radius, range);
+  const cv::Mat plain[2] = {x.mul(where), where};
+  cv::Mat both, filtered[2];
+  cv::merge(plain, 2, both);
+  cv::ximgproc::dtFilter(guide, both, both, radius, range);
+  cv::split(both, filtered);
+  const auto& [sum, weight] = filtered;
   return (sum + otherwise.weight * otherwise.value) / (weight + otherwise.weight);
 }
 

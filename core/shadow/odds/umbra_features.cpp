@@ -17,6 +17,7 @@ constexpr float kFine = .9f, kCoarse = 2.5f, kStepBlur = 1.8f;  // reference uni
 constexpr float kLeastStep = 1e-3f;                             // log, a reference unit: less is none
 constexpr double kLit = .95;       // share of the pixels that are not above well-lit ones
 constexpr int kWindowPixels = 12;  // radii beyond are looked at in a smaller picture
+constexpr double kWidePixels = 8;  // of a blur: wider ones are made in a smaller picture
 constexpr std::array kWindows = {5.f, 12.f, 30.f, 75.f};   // reference units
 constexpr std::array kSurroundings = {12.f, 35.f, 100.f};  // the same
 constexpr std::array kSurfaceReaches = {30.f, 120.f};      // the same
@@ -26,6 +27,13 @@ cv::Mat blurred(const cv::Mat& x, double sigma) {
   cv::Mat out;
   cv::GaussianBlur(x, out, {}, sigma, sigma, cv::BORDER_REPLICATE);
   return out;
+}
+
+// The mean of the surroundings as far as `sigma`: as exact in a smaller picture, where it is wide.
+cv::Mat surroundings(const cv::Mat& x, double sigma) {
+  const cv::Size size = sizeDivided(x.size(), sigma / kWidePixels);
+  if (size == x.size()) return blurred(x, sigma);
+  return grown(blurred(shrunk(x, size), sigma * size.width / x.cols), x.size());
 }
 
 cv::Mat logOf(const cv::Mat& x) {
@@ -71,15 +79,26 @@ cv::Mat unsharedSlope(const Slopes& own, const Slopes& others) {
   return unshared;
 }
 
-// The exponential mean of a log level along a surface: near the highest for a large power, near the lowest
-// for one below 0.
-cv::Mat alongSurface(const cv::Mat& level, const cv::Mat& guide, float power, double reach) {
-  cv::Mat raised = power * level;
-  cv::exp(raised, raised);
-  cv::ximgproc::dtFilter(guide, raised, raised, reach, kSurfaceEdge);
-  raised = cv::max(raised, 0) + 1e-12;
-  cv::log(raised, raised);
-  return raised / power;
+struct SurfaceEnds {
+  cv::Mat highest, lowest;
+};
+
+// Exponential means of a log level along a surface: near the highest for a large power, near the lowest for
+// one below 0.
+SurfaceEnds endsAlongSurface(const cv::Mat& level, const cv::Mat& guide, double reach) {
+  constexpr float kPowers[] = {4, -2};
+  cv::Mat raised[2];
+  for (int i = 0; i < 2; ++i) cv::exp(kPowers[i] * level, raised[i]);
+  cv::Mat both;
+  cv::merge(raised, 2, both);
+  cv::ximgproc::dtFilter(guide, both, both, reach, kSurfaceEdge);
+  cv::split(both, raised);
+  for (int i = 0; i < 2; ++i) {
+    raised[i] = cv::max(raised[i], 0) + 1e-12;
+    cv::log(raised[i], raised[i]);
+    raised[i] /= kPowers[i];
+  }
+  return {raised[0], raised[1]};
 }
 
 struct ColourFeatures {
@@ -157,6 +176,8 @@ SmallSet smallSetOf(const std::vector<cv::Mat>& contributions, cv::Size size) {
     logs.push_back(logOf(blurred(set.grey.back(), .9 * unit)));
   }
   set.reflectance = sharedReflectance(logs);
+  for (size_t i = 0; i < kSurroundings.size(); ++i)
+    set.totalAround[i] = logOf(surroundings(set.total, kSurroundings[i] * unit));
   return set;
 }
 
@@ -199,9 +220,9 @@ std::vector<cv::Mat> umbraFeatures(const SmallSet& set, size_t light) {
   add(highest(other, 12 * unit) - other);
 
   // Bounce, and its colour.
-  for (const float reach : kSurroundings) {
-    const cv::Mat above = level - logAt(own, reach);
-    add(above - (all - logAt(set.total, reach)));
+  for (size_t i = 0; i < kSurroundings.size(); ++i) {
+    const cv::Mat above = level - logOf(surroundings(own, kSurroundings[i] * unit));
+    add(above - (all - set.totalAround[i]));
     add(above);
   }
   const ColourFeatures colour = colourFeatures(set, light, unit);
@@ -212,8 +233,9 @@ std::vector<cv::Mat> umbraFeatures(const SmallSet& set, size_t light) {
   const cv::Mat guide = logOf(blurred(others.rgb, 1.5 * unit));
   for (const float reach : kSurfaceReaches) {
     const cv::Mat above = smooth - lit;
-    add(alongSurface(above, guide, 4, reach * unit) + lit - level);
-    add(level - lit - alongSurface(above, guide, -2, reach * unit));
+    const SurfaceEnds ends = endsAlongSurface(above, guide, reach * unit);
+    add(ends.highest + lit - level);
+    add(level - lit - ends.lowest);
   }
 
   // Steps.

@@ -1,11 +1,11 @@
 #include "core/shadow/odds/umbra_network.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/shadow/odds/umbra_weights.h"
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {
@@ -16,13 +16,31 @@ enum Class { kUmbraClass, kPenumbraClass, kLitClass, kClasses };
 
 constexpr float kMostTold = 12;  // a log: the weights know no more than that
 
-using Hidden = std::array<float, kHidden>;
+constexpr size_t kTile = 16;  // pixels weighed at once: a register, or a few
 
-std::array<float, kClasses> scoresOf(const Hidden& hidden) {
-  std::array<float, kClasses> scores = kOutputBias;
+// What each class gets of `count` pixels (at most kTile) that begin at `first`.
+SWAPLIGHT_SIMD(void, weighTile,
+               (const float* const* features, size_t first, size_t count, float (&scores)[kClasses][kTile]),
+               (features, first, count, scores)) {
+  float hidden[kHidden][kTile];
   for (size_t j = 0; j < kHidden; ++j)
-    for (size_t k = 0; k < kClasses; ++k) scores[k] += kOutputWeights[j][k] * std::max(hidden[j], 0.f);
-  return scores;
+    for (size_t l = 0; l < kTile; ++l) hidden[j][l] = kHiddenBias[j];
+  for (size_t f = 0; f < kFeatures; ++f) {
+    float value[kTile] = {};
+    for (size_t l = 0; l < count; ++l) value[l] = features[f][first + l];
+    for (size_t l = 0; l < kTile; ++l) {
+      value[l] = value[l] > kLeast[f] ? value[l] : kLeast[f];
+      value[l] = value[l] < kMost[f] ? value[l] : kMost[f];
+    }
+    for (size_t j = 0; j < kHidden; ++j)
+      for (size_t l = 0; l < kTile; ++l) hidden[j][l] += value[l] * kHiddenWeights[f][j];
+  }
+  for (size_t k = 0; k < kClasses; ++k)
+    for (size_t l = 0; l < kTile; ++l) scores[k][l] = kOutputBias[k];
+  for (size_t j = 0; j < kHidden; ++j)
+    for (size_t k = 0; k < kClasses; ++k)
+      for (size_t l = 0; l < kTile; ++l)
+        scores[k][l] += kOutputWeights[j][k] * (hidden[j][l] > 0 ? hidden[j][l] : 0);
 }
 
 float logSum(float a, float b) {
@@ -36,20 +54,25 @@ LightOdds weighUmbra(const std::vector<cv::Mat>& features) {
   const cv::Size size = features.front().size();
   LightOdds odds{cv::Mat(size, CV_32F), cv::Mat(size, CV_32F)};
   parallelRows(size.height, 16, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < size.width; ++x) {
-        Hidden hidden = kHiddenBias;
-        for (size_t f = 0; f < kFeatures; ++f) {
-          const float value = std::clamp(features[f].at<float>(y, x), kLeast[f], kMost[f]);
-          for (size_t j = 0; j < kHidden; ++j) hidden[j] += value * kHiddenWeights[f][j];
+    const float* rows[kFeatures];
+    float score[kClasses][kTile];
+    const auto told = [](float one, float another, float third) {
+      return std::clamp(one - logSum(another, third), -kMostTold, kMostTold);
+    };
+    for (int y = begin; y < end; ++y) {
+      for (size_t f = 0; f < kFeatures; ++f) rows[f] = features[f].ptr<float>(y);
+      const auto width = size_t(size.width);
+      for (size_t x = 0; x < width; x += kTile) {
+        const size_t count = std::min(kTile, width - x);
+        weighTile(rows, x, count, score);
+        for (size_t l = 0; l < count; ++l) {
+          const float umbra = score[kUmbraClass][l], penumbra = score[kPenumbraClass][l],
+                      lit = score[kLitClass][l];
+          odds.umbra.ptr<float>(y)[x + l] = told(umbra, penumbra, lit);
+          odds.lit.ptr<float>(y)[x + l] = told(lit, penumbra, umbra);
         }
-        const auto score = scoresOf(hidden);
-        const auto clamped = [](float value) { return std::clamp(value, -kMostTold, kMostTold); };
-        odds.umbra.at<float>(y, x) =
-            clamped(score[kUmbraClass] - logSum(score[kPenumbraClass], score[kLitClass]));
-        odds.lit.at<float>(y, x) =
-            clamped(score[kLitClass] - logSum(score[kPenumbraClass], score[kUmbraClass]));
       }
+    }
   });
   return odds;
 }

@@ -23,7 +23,7 @@ bool isEven(const cv::Mat& grey) {
 
 LightOdds umbraOdds(const SmallSet& set, size_t light, const UmbraOddsTuning& tuning) {
   if (std::min(set.total.rows, set.total.cols) < kSmallest || isEven(set.grey[light])) return {};
-  LightOdds odds = weighUmbra(umbraFeatures(set, light));
+  const LightOdds odds = weighUmbra(umbraFeatures(set, light));
   if (tuning.pooling <= 0) return odds;
   const float unit = referenceUnit(set.total);
   cv::Mat guide[3] = {set.grey[light].clone(), set.total - set.grey[light], set.total.clone()};
@@ -34,9 +34,12 @@ LightOdds umbraOdds(const SmallSet& set, size_t light, const UmbraOddsTuning& tu
   }
   cv::Mat edges;
   cv::merge(guide, 3, edges);
-  for (cv::Mat* x : {&odds.umbra, &odds.lit})
-    cv::ximgproc::dtFilter(edges, *x, *x, tuning.pooling * unit, tuning.edge);
-  return odds;
+  const cv::Mat plain[2] = {odds.umbra, odds.lit};
+  cv::Mat both, pooled[2];
+  cv::merge(plain, 2, both);
+  cv::ximgproc::dtFilter(edges, both, both, tuning.pooling * unit, tuning.edge);
+  cv::split(both, pooled);
+  return {pooled[0], pooled[1]};
 }
 
 }  // namespace swaplight
