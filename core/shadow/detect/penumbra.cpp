@@ -89,7 +89,7 @@ RefinedVisibility refineVisibility(const SetEvidence& set, const std::vector<cv:
 
   EdgeKinds kinds = edgeKinds(ratio / unshadowed, greyOf(guide), known, unit, tuning.penumbra);
   const cv::Mat lit = known & (divided > tuning.penumbra.fullyDivided);
-  const cv::Mat unfaded = castBeyond(fadingLight(ratio, lit, guide, tuning), lit, guide, tuning);
+  const cv::Mat unfaded = fadingLight(ratio, lit, guide, tuning).beyond;
   kinds.turning = kinds.turning.mul(1 - tuning.penumbra.fadeDoubt * unfaded);
 
   // What the shadow leaves of the light is no part of what passes it.

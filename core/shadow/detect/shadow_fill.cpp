@@ -24,8 +24,8 @@ Continued continued(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& g
   const FadingLight fading = fadingLight(ratio, fixed, guide, tuning);
   // The last of a penumbra would pull the continuation down.
   const cv::Mat full = fixed & ((ratio > tuning.fill.leastOfMean * fading.around) | (fading.cast < .5));
-  const cv::Mat cast = castBeyond(fading, fixed, guide, tuning);
-  return {cv::max(fillSmoothly(ratio, full, guide, tuning.others.ratioEdge), 0).mul(cast), cast};
+  return {cv::max(fillSmoothly(ratio, full, guide, tuning.others.ratioEdge), 0).mul(fading.beyond),
+          fading.beyond};
 }
 
 }  // namespace

@@ -7,22 +7,27 @@
 #include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {
+namespace {
+
+constexpr int kLongest = 320;  // pixels: means over wide windows need no more
+
+}  // namespace
 
 FadingLight fadingLight(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& guide,
                         const ShadowTuning& tuning) {
-  const cv::Mat where = asFloat(fixed);
-  const double near = std::max(2., tuning.fading.near * referenceUnit(ratio));
-  FadingLight light;
-  light.around = cv::max(guidedMean(ratio, where, guide, tuning.fading.wide * near, tuning.others), 1e-6);
-  const cv::Mat beside = guidedMean(ratio, where, guide, near, tuning.others);
-  light.cast = clampedToOne((beside / light.around - tuning.fading.gone) / tuning.fading.goneRamp);
-  return light;
-}
+  const cv::Size full = ratio.size(), size = sizeWithin(full, kLongest);
+  const cv::Mat share = asFloat(fixed);
+  const cv::Mat known = shrunk(share, size) > 0;
+  const cv::Mat where = asFloat(known), edges = shrunk(guide, size), level = meanOver(ratio, share, size);
+  const double near = std::max(2., tuning.fading.near * referenceUnit(where));
 
-cv::Mat castBeyond(const FadingLight& light, const cv::Mat& fixed, const cv::Mat& guide,
-                   const ShadowTuning& tuning) {
-  const cv::Mat continued = fillSmoothly(light.cast, fixed, guide, tuning.others.ratioEdge);
-  return clampedToOne((continued - tuning.fading.castFrom) / tuning.fading.castRamp);
+  const cv::Mat around =
+      cv::max(guidedMean(level, where, edges, tuning.fading.wide * near, tuning.others), 1e-6);
+  const cv::Mat beside = guidedMean(level, where, edges, near, tuning.others);
+  const cv::Mat cast = clampedToOne((beside / around - tuning.fading.gone) / tuning.fading.goneRamp);
+  const cv::Mat continued = fillSmoothly(cast, known, edges, tuning.others.ratioEdge);
+  const cv::Mat beyond = clampedToOne((continued - tuning.fading.castFrom) / tuning.fading.castRamp);
+  return {grown(around, full), grown(cast, full), grown(beyond, full)};
 }
 
 }  // namespace swaplight
