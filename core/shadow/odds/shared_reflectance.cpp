@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/parallel.h"
 #include "core/base/quantile.h"
 #include "core/shadow/numeric/poisson.h"
 
@@ -20,18 +21,20 @@ void gradients(const cv::Mat& x, cv::Mat& gx, cv::Mat& gy) {
 // What several gradients have in common at each pixel.
 cv::Mat sharedGradient(const std::vector<cv::Mat>& g) {
   cv::Mat shared(g.front().size(), CV_32F, cv::Scalar(0));
-  std::vector<float> values(g.size());
-  for (int y = 0; y < shared.rows; ++y)
-    for (int x = 0; x < shared.cols; ++x) {
-      for (size_t i = 0; i < g.size(); ++i) values[i] = g[i].at<float>(y, x);
-      float& out = shared.at<float>(y, x);
-      if (g.size() == 2) {
-        const bool sameSign = values[0] * values[1] > 0;
-        out = sameSign ? (std::abs(values[0]) < std::abs(values[1]) ? values[0] : values[1]) : 0;
-      } else if (g.size() > 2) {
-        out = static_cast<float>(interpolatedQuantile(std::span(values), .5));
+  parallelRows(shared.rows, 32, [&](int begin, int end) {
+    std::vector<float> values(g.size());
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < shared.cols; ++x) {
+        for (size_t i = 0; i < g.size(); ++i) values[i] = g[i].at<float>(y, x);
+        float& out = shared.at<float>(y, x);
+        if (g.size() == 2) {
+          const bool sameSign = values[0] * values[1] > 0;
+          out = sameSign ? (std::abs(values[0]) < std::abs(values[1]) ? values[0] : values[1]) : 0;
+        } else if (g.size() > 2) {
+          out = static_cast<float>(interpolatedQuantile(std::span(values), .5));
+        }
       }
-    }
+  });
   return shared;
 }
 

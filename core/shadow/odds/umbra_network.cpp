@@ -22,25 +22,25 @@ constexpr size_t kTile = 16;  // pixels weighed at once: a register, or a few
 SWAPLIGHT_SIMD(void, weighTile,
                (const float* const* features, size_t first, size_t count, float (&scores)[kClasses][kTile]),
                (features, first, count, scores)) {
-  float hidden[kHidden][kTile];
-  for (size_t j = 0; j < kHidden; ++j)
-    for (size_t l = 0; l < kTile; ++l) hidden[j][l] = kHiddenBias[j];
+  float value[kFeatures][kTile] = {};
   for (size_t f = 0; f < kFeatures; ++f) {
-    float value[kTile] = {};
-    for (size_t l = 0; l < count; ++l) value[l] = features[f][first + l];
+    for (size_t l = 0; l < count; ++l) value[f][l] = features[f][first + l];
     for (size_t l = 0; l < kTile; ++l) {
-      value[l] = value[l] > kLeast[f] ? value[l] : kLeast[f];
-      value[l] = value[l] < kMost[f] ? value[l] : kMost[f];
+      value[f][l] = value[f][l] > kLeast[f] ? value[f][l] : kLeast[f];
+      value[f][l] = value[f][l] < kMost[f] ? value[f][l] : kMost[f];
     }
-    for (size_t j = 0; j < kHidden; ++j)
-      for (size_t l = 0; l < kTile; ++l) hidden[j][l] += value[l] * kHiddenWeights[f][j];
   }
   for (size_t k = 0; k < kClasses; ++k)
     for (size_t l = 0; l < kTile; ++l) scores[k][l] = kOutputBias[k];
-  for (size_t j = 0; j < kHidden; ++j)
+  for (size_t j = 0; j < kHidden; ++j) {
+    float hidden[kTile];
+    for (size_t l = 0; l < kTile; ++l) hidden[l] = kHiddenBias[j];
+    for (size_t f = 0; f < kFeatures; ++f)
+      for (size_t l = 0; l < kTile; ++l) hidden[l] += value[f][l] * kHiddenWeights[f][j];
     for (size_t k = 0; k < kClasses; ++k)
       for (size_t l = 0; l < kTile; ++l)
-        scores[k][l] += kOutputWeights[j][k] * (hidden[j][l] > 0 ? hidden[j][l] : 0);
+        scores[k][l] += kOutputWeights[j][k] * (hidden[l] > 0 ? hidden[l] : 0);
+  }
 }
 
 float logSum(float a, float b) {
