@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/capture/light_name.h"
 #include "core/file/json_file.h"
+#include "core/image/finite_image.h"
 #include "core/image/half.h"
 #include "core/image/io/image_io.h"
 #include "core/image/io/image_write.h"
@@ -303,29 +304,12 @@ void writeSolvedSet(const SolvedSet& set, const fs::path& file, const SolvedFile
 
 namespace {
 
-/// Another program's work may hold what is no number, or so much light that frames would be infinite: 0
-/// instead, and said.
-size_t mendBroken(Image& image) {
-  constexpr float kLargest = 1e25F;
-  std::atomic<size_t> broken = 0;
-  for (int c = 0; c < image.channelCount(); ++c)
-    parallelRows(image.height(), kGrain, [&](int begin, int end) {
-      size_t here = 0;
-      for (int y = begin; y < end; ++y) {
-        float* row = image.span().row(c, y);
-        for (int x = 0; x < image.width(); ++x)
-          if (!(std::abs(row[x]) <= kLargest)) row[x] = 0, ++here;
-      }
-      broken += here;
-    });
-  return broken;
-}
-
+/// Another program's work may hold what is no number: it is said.
 void mendBroken(SolvedSet& set, const fs::path& file) {
-  size_t broken = mendBroken(set.beta) + mendBroken(set.quality);
-  for (Image& contribution : set.contributions) broken += mendBroken(contribution);
-  for (Image& highlight : set.highlights) broken += mendBroken(highlight);
-  if (set.ambient) broken += mendBroken(*set.ambient);
+  size_t broken = makeFinite(set.beta) + makeFinite(set.quality);
+  for (Image& contribution : set.contributions) broken += makeFinite(contribution);
+  for (Image& highlight : set.highlights) broken += makeFinite(highlight);
+  if (set.ambient) broken += makeFinite(*set.ambient);
   if (broken > 0)
     set.capture.warnings.push_back(
         fmt::format("{}: {} values are not finite: taken as 0", file.string(), broken));

@@ -32,7 +32,7 @@ struct SolvedSet {
   /// What of each contribution is highlight: R G B, one a light, 0 .. T[i]. Empty: none is known.
   std::vector<Image> highlights;
   Image beta;  ///< a channel a light, 0..1; a pixel's sum is 1, or 0 where no light reaches it (updateBeta)
-  std::optional<Image> ambient;  ///< R G B; what no controlled light explains
+  std::optional<Image> ambient;  ///< R G B, finite; what no controlled light explains
   Image quality;  ///< residual, sigma, flags (a bit field stored as float), model (0: the matte model was
                   ///< enough, 1: the full contribution was needed)
   std::shared_ptr<const CarriedData> carried;  ///< what the photographs' files hold beside their colour

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "core/base/json.h"
+#include "core/image/finite_image.h"
 #include "core/set/fill.h"
 #include "core/solve/auto/auto_solve.h"
 #include "core/solve/auto/clipped_light.h"
@@ -43,7 +44,10 @@ SolvedSet emptySet(const Capture& capture, const CapturePixels& pixels) {
   spec.channels.clear();
   for (const Light& light : capture.lights) spec.channels.push_back("beta." + light.name);
   set.beta = Image(spec);
-  if (pixels.ambient) set.ambient = pixels.ambient->clone();
+  if (pixels.ambient) {
+    set.ambient = pixels.ambient->clone();
+    makeFinite(*set.ambient);  // pixels whose ambient light is no number are solved without it
+  }
   return set;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/edit/apply/shadow_silhouette.h"
 #include "core/edit/apply/soft_visibility.h"
+#include "core/edit/pool/lit_around.h"
 #include "core/edit/pool/spot_pool.h"
 
 namespace swaplight {
@@ -22,6 +23,12 @@ Image hardened(const Image& visibility) {
 std::shared_ptr<const Image> stepTo(Image next, const Image& visibility) {
   for (size_t i = 0; i < next.pixelCount(); ++i) next.plane(0)[i] -= visibility.plane(0)[i];
   return std::make_shared<const Image>(std::move(next));
+}
+
+/// Where darkness is shadow: inside a spot's cone; of other lights, among what is lit.
+std::shared_ptr<const Image> poolOf(const SolvedSet& set, size_t light, const Image& visibility) {
+  std::shared_ptr<const Image> spot = spotPool(set, light);
+  return spot ? spot : litAround(visibility);
 }
 
 std::shared_ptr<const Image> missingWithin(const Image& pool, const Image& visibility) {
@@ -45,8 +52,9 @@ ShadowChange shadowChange(const ShadowOperation& operation, std::shared_ptr<cons
   } else if (operation.kind == Kind::Sharpen) {
     change.step = stepTo(hardened(visibility), visibility);
   } else if (operation.kind != Kind::Deepen && all) {
-    change.pool = earlier && earlier->pool ? earlier->pool : spotPool(set, light);
-    if (change.pool) change.step = missingWithin(*change.pool, visibility);
+    const bool same = earlier && earlier->shadows == shadows && earlier->pool;
+    change.pool = same ? earlier->pool : poolOf(set, light, visibility);
+    change.step = missingWithin(*change.pool, visibility);
   }
   change.shadows = std::move(shadows);
   return change;

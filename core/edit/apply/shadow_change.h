@@ -14,12 +14,13 @@ struct ShadowChange {
   std::shared_ptr<const LightShadows> shadows;
   std::shared_ptr<const Image> step;         ///< one channel, -1..1: to the new visibility; nullptr: to 1
   std::shared_ptr<const Image> silhouettes;  ///< where softening ends (shadow_silhouette.h); else nullptr
-  std::shared_ptr<const Image> pool;  ///< of a spot whose shadows are filled (spot_pool.h); else nullptr
+  /// Where darkness is shadow to be filled (spot_pool.h, lit_around.h); nullptr: wherever it is, or not used.
+  std::shared_ptr<const Image> pool;
 };
 
-/// Of light number `light` of the set. `all`: no mask says where, so that what lies outside a spot's cone is
-/// no shadow to be filled. `earlier`, if there is one, is what an operation looked up of it before: what has
-/// not changed is taken from it.
+/// Of light number `light` of the set. `all`: no mask says where, so that what lies outside a spot's cone, or
+/// beyond all that another light reaches, is no shadow to be filled. `earlier`, if there is one, is what an
+/// operation looked up of it before: what has not changed is taken from it.
 [[nodiscard]] ShadowChange shadowChange(const ShadowOperation& operation,
                                         std::shared_ptr<const LightShadows> shadows, const SolvedSet& set,
                                         size_t light, bool all, const ShadowChange* earlier = nullptr);

@@ -16,10 +16,13 @@ void forEachLight(size_t count, const Progress& progress, std::string_view what,
   progress.update(0, what);
   // Whoever is done takes the next light: some have few shadows, and are done soon.
   parallelRows(2, 1, [&](int, int) {
-    for (size_t light = next++; light < count; light = next++) {
-      work(light);
-      progress.update(static_cast<float>(++done) / static_cast<float>(count), what);
-    }
+    for (size_t light = next++; light < count; light = next++) try {
+        work(light);
+        progress.update(static_cast<float>(++done) / static_cast<float>(count), what);
+      } catch (...) {
+        next = count;  // no other is begun
+        throw;
+      }
   });
 }
 

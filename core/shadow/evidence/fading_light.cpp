@@ -15,7 +15,8 @@ constexpr int kLongest = 320;  // pixels: means over wide windows need no more
 
 FadingLight fadingLight(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Mat& guide,
                         const ShadowTuning& tuning) {
-  const cv::Size full = ratio.size(), size = sizeWithin(full, kLongest);
+  const cv::Size full = ratio.size();
+  const cv::Size size = sizeDivided(full, double(std::max(full.width, full.height)) / kLongest);
   const cv::Mat share = asFloat(fixed);
   const cv::Mat known = shrunk(share, size) > 0;
   const cv::Mat where = asFloat(known), edges = shrunk(guide, size), level = meanOver(ratio, share, size);
@@ -27,7 +28,9 @@ FadingLight fadingLight(const cv::Mat& ratio, const cv::Mat& fixed, const cv::Ma
   const cv::Mat cast = clampedToOne((beside / around - tuning.fading.gone) / tuning.fading.goneRamp);
   const cv::Mat continued = fillSmoothly(cast, known, edges, tuning.others.ratioEdge);
   const cv::Mat beyond = clampedToOne((continued - tuning.fading.castFrom) / tuning.fading.castRamp);
-  return {grown(around, full), grown(cast, full), grown(beyond, full)};
+  // Means where nothing is known do not count: beside them are pixels that are.
+  const cv::Mat aroundKnown = grown(around.mul(where), full) / cv::max(grown(where, full), 1e-6);
+  return {cv::max(aroundKnown, 1e-6), grown(continued, full), grown(beyond, full)};
 }
 
 }  // namespace swaplight

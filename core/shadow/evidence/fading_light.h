@@ -7,7 +7,7 @@
 namespace swaplight {
 
 /// Does a light end at a shadow that is cast, or does it fade out by itself where the surface turns away?
-/// Float pictures.
+/// Float pictures of the ratio's size.
 struct FadingLight {
   cv::Mat around;  ///< the ratio's mean over a wide window
   cv::Mat cast;    ///< where the ratio is known, 0: it fades towards there, 1: it is what it is around

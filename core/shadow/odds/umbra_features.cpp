@@ -20,8 +20,9 @@ constexpr int kWindowPixels = 12;  // radii beyond are looked at in a smaller pi
 constexpr double kWidePixels = 8;  // of a blur: wider ones are made in a smaller picture
 constexpr std::array kWindows = {5.f, 12.f, 30.f, 75.f};   // reference units
 constexpr std::array kSurroundings = {12.f, 35.f, 100.f};  // the same
-constexpr std::array kSurfaceReaches = {30.f, 120.f};      // the same
-constexpr double kSurfaceEdge = .8;                        // log step that ends a surface
+static_assert(kSurroundings.size() == std::tuple_size_v<decltype(SmallSet::totalAround)>);
+constexpr std::array kSurfaceReaches = {30.f, 120.f};  // the same
+constexpr double kSurfaceEdge = .8;                    // log step that ends a surface
 
 cv::Mat blurred(const cv::Mat& x, double sigma) {
   cv::Mat out;
@@ -29,7 +30,7 @@ cv::Mat blurred(const cv::Mat& x, double sigma) {
   return out;
 }
 
-// The mean of the surroundings as far as `sigma`: as exact in a smaller picture, where it is wide.
+// The mean of the surroundings as far as `sigma`: where it is wide, of a smaller picture.
 cv::Mat surroundings(const cv::Mat& x, double sigma) {
   const cv::Size size = sizeDivided(x.size(), sigma / kWidePixels);
   if (size == x.size()) return blurred(x, sigma);

@@ -11,11 +11,12 @@ namespace swaplight {
 /// A set's contributions at a small size (see UmbraOddsTuning::longest), in the forms that evidence is made
 /// from.
 struct SmallSet {
-  std::vector<cv::Mat> rgb;            ///< R G B float, a light each, in units of white
-  std::vector<cv::Mat> grey;           ///< their means over the channels
-  cv::Mat totalRgb, total;             ///< sums over the lights
-  cv::Mat reflectance;                 ///< log of what the lights share (see sharedReflectance), mean 0
-  std::array<cv::Mat, 3> totalAround;  ///< log of the total's mean in narrow, wide and wider surroundings
+  std::vector<cv::Mat> rgb;   ///< R G B float, a light each, in units of white
+  std::vector<cv::Mat> grey;  ///< their means over the channels
+  cv::Mat totalRgb, total;    ///< sums over the lights
+  cv::Mat reflectance;        ///< log of what the lights share (see sharedReflectance), mean 0
+  std::array<cv::Mat, 3>
+      totalAround;  ///< log of the total's mean around, as far as 12, 35 and 100 units (see referenceUnit)
 };
 
 /// `contributions`: as in SetEvidence; `size`: of the small pictures.

@@ -15,7 +15,7 @@ struct LightOdds {
 /// fitted to rendered sets with truth by tests/bench/train_umbra.py. Why a fitted one: what each feature says
 /// is physics, but how much a step on one surface counts against a level that bounce may reach has no closed
 /// form; and fitted, odds can be made as sure as they are right on sets left out, so that "cannot be told"
-/// can be said.
+/// can be said. A feature that is no number counts as the least of its range.
 [[nodiscard]] LightOdds weighUmbra(const std::vector<cv::Mat>& features);
 
 }  // namespace swaplight

@@ -31,8 +31,10 @@ cv::Mat displayed(const Image& linear) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < picture.cols; ++x)
         for (int c = 0; c < 3; ++c) {
-          const float tone = std::clamp(scale * linear.view().at(c, x, y) + .5f, 0.f, kTones - 1.f);
-          picture.at<cv::Vec3b>(y, x)[c] = codes[static_cast<size_t>(tone)];
+          const float tone = scale * linear.view().at(c, x, y) + .5f;
+          const bool shown = tone > 0;  // and a number
+          picture.at<cv::Vec3b>(y, x)[c] =
+              codes[shown ? static_cast<size_t>(std::min(tone, kTones - 1.f)) : 0];
         }
   });
   return picture;

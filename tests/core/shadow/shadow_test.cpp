@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/edit/apply/edited_set.h"
 #include "core/shadow/detect/detect_shadows.h"
+#include "core/shadow/result/shadow_file.h"
 
 namespace swaplight {
 namespace {
@@ -45,6 +47,20 @@ Floor shadowedFloor() {
 
 size_t pixelAt(int x, int y) {
   return static_cast<size_t>(y) * kWidth + static_cast<size_t>(x);
+}
+
+TEST(Shadows, AreDrawnOverPixelsThatAreNoNumbers) {
+  Floor floor = shadowedFloor();
+  floor.set.ambient = Image(ImageSpec::rgb(kWidth, kHeight), 0);
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  const float broken[] = {std::numeric_limits<float>::quiet_NaN(), kInfinite, -kInfinite};
+  for (int x = 0; x < 3; ++x) floor.set.ambient->span().at(0, 200 + x, 140) = broken[x];
+  const std::vector<LightShadows> shadows = detectShadows(floor.set);
+  const Image drawn = drawShadowOutlines(floor.set, {{"key", &shadows[0]}});
+  for (int x = 0; x < 3; ++x) {
+    EXPECT_GE(drawn.view().at(0, 200 + x, 140), 0);
+    EXPECT_LE(drawn.view().at(0, 200 + x, 140), 1);
+  }
 }
 
 TEST(Shadows, ADiscsShadowIsFoundAndPrintedChecksAreNone) {

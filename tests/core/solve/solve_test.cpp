@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/solve/model/estimator.h"
@@ -42,6 +43,18 @@ TEST(Solve, AMatteSetWithoutNoiseIsExactForEveryModelThatContainsIt) {
       EXPECT_LT(relativeError(solve(capture, pixels, using_(solver)), truth), 2e-3)
           << solver << " " << lights;
   }
+}
+
+TEST(Solve, KeepsNoAmbientLightThatIsNoNumber) {
+  const SyntheticSet truth(2, 0);
+  const Capture capture = rotatedCapture(2);
+  CapturePixels pixels = photograph(capture, truth);
+  pixels.ambient = Image(pixels.shots.front().spec(), 0);
+  pixels.ambient->plane(1)[7] = std::numeric_limits<float>::quiet_NaN();
+  pixels.ambient->plane(2)[9] = std::numeric_limits<float>::infinity();
+  const SolvedSet set = solve(capture, pixels, {});
+  for (int c = 0; c < 3; ++c)
+    for (size_t p = 0; p < set.ambient->pixelCount(); ++p) EXPECT_EQ(set.ambient->plane(c)[p], 0);
 }
 
 TEST(Solve, TheClosedFormIsExactForTwoLights) {
