@@ -74,16 +74,15 @@ class Fit {
     double square = 0;  // mean of the squared levels: how much of a contribution's error is seen
     for (int u = 0; u < m_unknowns; ++u) square += m_fit.level[u] * m_fit.level[u] / m_unknowns;
     const double kappa = m_kappa * m_kappa;
-    parallelRows(3, 1, [&](int begin, int end) {
-      for (int c = begin; c < end; ++c)
-        for (size_t b = 0; b < m_blocks.count; ++b) {
-          const double f = std::max(0.0, m_predicted[c][b]);
-          double sum = 0;
-          for (int i = 0; i < m_blocks.lights; ++i) sum += row(c, b)[i];
-          const double ofSet = m_blocks.sigma[b] * sum;
-          m_variance[c][b] = (double(m_noise.variance(float(f))) + square * ofSet * ofSet) / kBlock +
-                             kappa * f * f + 1e-14 * m_brightest * m_brightest;
-        }
+    parallelEach(3, [&](int c) {
+      for (size_t b = 0; b < m_blocks.count; ++b) {
+        const double f = std::max(0.0, m_predicted[c][b]);
+        double sum = 0;
+        for (int i = 0; i < m_blocks.lights; ++i) sum += row(c, b)[i];
+        const double ofSet = m_blocks.sigma[b] * sum;
+        m_variance[c][b] = (double(m_noise.variance(float(f))) + square * ofSet * ofSet) / kBlock +
+                           kappa * f * f + 1e-14 * m_brightest * m_brightest;
+      }
     });
   }
 
@@ -124,9 +123,7 @@ class Fit {
 
   void solve() {
     std::array<ChannelSums, 3> channel;
-    parallelRows(3, 1, [&](int begin, int end) {
-      for (int c = begin; c < end; ++c) channel[size_t(c)] = sums(c);
-    });
+    parallelEach(3, [&](int c) { channel[size_t(c)] = sums(c); });
     m_squares = Eigen::MatrixXd::Zero(m_unknowns, m_unknowns);
     Eigen::VectorXd products = Eigen::VectorXd::Zero(m_unknowns);
     for (int c = 0; c < 3; ++c)
@@ -174,13 +171,12 @@ class Fit {
   }
 
   void predict() {
-    parallelRows(3, 1, [&](int begin, int end) {
-      for (int c = begin; c < end; ++c)
-        for (size_t b = 0; b < m_blocks.count; ++b) {
-          double f = 0;
-          for (int i = 0; i < m_columns; ++i) f += m_fit.level[unknown(c, i)] * row(c, b)[i];
-          m_predicted[c][b] = f;
-        }
+    parallelEach(3, [&](int c) {
+      for (size_t b = 0; b < m_blocks.count; ++b) {
+        double f = 0;
+        for (int i = 0; i < m_columns; ++i) f += m_fit.level[unknown(c, i)] * row(c, b)[i];
+        m_predicted[c][b] = f;
+      }
     });
   }
 

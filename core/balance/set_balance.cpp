@@ -89,18 +89,15 @@ Image balanceBySet(const SolvedSet& set, const Image& photograph, float clip, co
   const Prediction prediction = predict(set, balance);
   Image residuals(prediction.lit.spec());
   Image out = prediction.wanted.clone();
-  parallelRows(3, 1, [&](int begin, int end) {
-    for (int c = begin; c < end; ++c) {
-      residual(photograph, prediction.lit, clip, c, residuals);
-      const cv::Mat kept = keptPart(residuals, prediction.lit, noise, c);
-      for (size_t p = 0; p < out.pixelCount(); ++p) {
-        const float brightest =
-            std::max({prediction.lit.plane(0)[p], prediction.lit.plane(1)[p], prediction.lit.plane(2)[p]});
-        const float lit = std::max(prediction.lit.plane(c)[p], kFaintestChannel * brightest);
-        const float gain = lit > 0 ? prediction.wanted.plane(c)[p] / lit : 1;
-        out.plane(c)[p] =
-            std::max(0.F, out.plane(c)[p] + kept.ptr<float>()[p] * gain * residuals.plane(c)[p]);
-      }
+  parallelEach(3, [&](int c) {
+    residual(photograph, prediction.lit, clip, c, residuals);
+    const cv::Mat kept = keptPart(residuals, prediction.lit, noise, c);
+    for (size_t p = 0; p < out.pixelCount(); ++p) {
+      const float brightest =
+          std::max({prediction.lit.plane(0)[p], prediction.lit.plane(1)[p], prediction.lit.plane(2)[p]});
+      const float lit = std::max(prediction.lit.plane(c)[p], kFaintestChannel * brightest);
+      const float gain = lit > 0 ? prediction.wanted.plane(c)[p] / lit : 1;
+      out.plane(c)[p] = std::max(0.F, out.plane(c)[p] + kept.ptr<float>()[p] * gain * residuals.plane(c)[p]);
     }
   });
   return out;

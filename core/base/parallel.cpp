@@ -63,6 +63,12 @@ void parallelRows(int height, int grain, const std::function<void(int begin, int
 
 #endif
 
+void parallelEach(int count, const std::function<void(int)>& work) {
+  parallelRows(count, 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) work(i);
+  });
+}
+
 void setThreads(int count) {
   const int threads = count > 0 ? count : tbb::info::default_concurrency();
   limit().reset();

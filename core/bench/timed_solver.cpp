@@ -133,12 +133,10 @@ double bruteForceSpeed(const BenchScene& scene, SolvedSet& set, double seconds) 
   const auto estimator = estimatorInfo("brute-force").make(contextOf(scene));
   const double best = bestSeconds(seconds, [&] {
     const int runs = int(pixels / kRun);
-    parallelRows(runs, 1, [&](int begin, int end) {
-      for (int r = begin; r < end; ++r) {
-        SolvedRun out = runAt(set, size_t(r) * kRun);
-        out.residual = out.sigma = nullptr;
-        estimator->estimate(inputAt(scene, size_t(r) * kRun, kRun), out);
-      }
+    parallelEach(runs, [&](int r) {
+      SolvedRun out = runAt(set, size_t(r) * kRun);
+      out.residual = out.sigma = nullptr;
+      estimator->estimate(inputAt(scene, size_t(r) * kRun, kRun), out);
     });
   });
   return double(pixels) * 1e-6 / best;

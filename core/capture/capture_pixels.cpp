@@ -224,12 +224,10 @@ std::vector<Picture> readPictures(const ColorConfig& config, const Capture& capt
   std::vector<Picture> pictures(paths.size());
   std::atomic<int> done = 0;
   progress.update(0, "reading pictures");
-  parallelRows(static_cast<int>(paths.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const auto index = static_cast<size_t>(i);
-      pictures[index] = readPicture(config, capture, response, paths[index]);
-      progress.update(static_cast<float>(++done) / static_cast<float>(paths.size()), "reading pictures");
-    }
+  parallelEach(static_cast<int>(paths.size()), [&](int i) {
+    const auto index = static_cast<size_t>(i);
+    pictures[index] = readPicture(config, capture, response, paths[index]);
+    progress.update(static_cast<float>(++done) / static_cast<float>(paths.size()), "reading pictures");
   });
   return pictures;
 }

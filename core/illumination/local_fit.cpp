@@ -41,16 +41,14 @@ Moments momentsOf(const cv::Mat& target, std::span<const FitGuide> guides, const
   m.means.resize(count);
   m.among.resize(count);
   m.withTarget.resize(count);
-  parallelRows(static_cast<int>(count), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k)
-      m.means[static_cast<size_t>(k)] = window.of(guides[static_cast<size_t>(k)].values);
+  parallelEach(static_cast<int>(count), [&](int k) {
+    m.means[static_cast<size_t>(k)] = window.of(guides[static_cast<size_t>(k)].values);
   });
-  parallelRows(static_cast<int>(count), 1, [&](int begin, int end) {
-    for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-      for (size_t j = 0; j <= i; ++j)
-        m.among[i].push_back(window.of(guides[i].values.mul(guides[j].values)) - m.means[i].mul(m.means[j]));
-      m.withTarget[i] = window.of(guides[i].values.mul(target)) - m.means[i].mul(m.targetMean);
-    }
+  parallelEach(static_cast<int>(count), [&](int index) {
+    const auto i = static_cast<size_t>(index);
+    for (size_t j = 0; j <= i; ++j)
+      m.among[i].push_back(window.of(guides[i].values.mul(guides[j].values)) - m.means[i].mul(m.means[j]));
+    m.withTarget[i] = window.of(guides[i].values.mul(target)) - m.means[i].mul(m.targetMean);
   });
   return m;
 }

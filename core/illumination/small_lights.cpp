@@ -14,13 +14,12 @@ SmallLights smallLights(const SolvedSet& set, int width) {
   const int columns = std::min(width, set.width());
   const cv::Size size(columns, std::max(1L, std::lround(1. * set.height() * columns / set.width())));
   std::vector<cv::Mat> planes(3 * set.contributions.size());
-  parallelRows(static_cast<int>(planes.size()), 1, [&](int begin, int end) {
-    for (auto k = static_cast<size_t>(begin); k < static_cast<size_t>(end); ++k) {
-      const Image& image = set.contributions[k / 3];
-      const cv::Mat plane(image.height(), image.width(), CV_32F,
-                          const_cast<float*>(image.plane(static_cast<int>(k % 3))));
-      cv::resize(plane, planes[k], size, 0, 0, cv::INTER_AREA);
-    }
+  parallelEach(static_cast<int>(planes.size()), [&](int index) {
+    const auto k = static_cast<size_t>(index);
+    const Image& image = set.contributions[k / 3];
+    const cv::Mat plane(image.height(), image.width(), CV_32F,
+                        const_cast<float*>(image.plane(static_cast<int>(k % 3))));
+    cv::resize(plane, planes[k], size, 0, 0, cv::INTER_AREA);
   });
   SmallLights small;
   for (cv::Mat& color : small.color) color = cv::Mat::zeros(size, CV_32F);

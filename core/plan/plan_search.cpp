@@ -152,13 +152,11 @@ Found climb(const Space& space, const Ring& ring) {
 Found climbFromManyStarts(const Space& space, const std::vector<Ring>& starts, const Progress& progress) {
   std::vector<Found> found(kStarts);
   std::atomic<int> done = 0;
-  parallelRows(kStarts, 1, [&](int begin, int end) {
-    for (int s = begin; s < end; ++s) {
-      std::mt19937 random(static_cast<unsigned>(s + 1));
-      found[size_t(s)] =
-          climb(space, size_t(s) < starts.size() ? starts[size_t(s)] : randomRing(space, random));
-      progress.update(float(++done) / kStarts, "Searching for a plan");
-    }
+  parallelEach(kStarts, [&](int s) {
+    std::mt19937 random(static_cast<unsigned>(s + 1));
+    found[size_t(s)] =
+        climb(space, size_t(s) < starts.size() ? starts[size_t(s)] : randomRing(space, random));
+    progress.update(float(++done) / kStarts, "Searching for a plan");
   });
   Found best;
   for (const Found& one : found) {

@@ -82,9 +82,8 @@ void fillPlane(float* plane, int width, int height, const std::vector<uint8_t>& 
 
 void fillFromNeighbours(Image& image, const std::vector<uint8_t>& missing) {
   if (std::none_of(missing.begin(), missing.end(), [](uint8_t m) { return m != 0; })) return;
-  parallelRows(image.channelCount(), 1, [&](int begin, int end) {
-    for (int c = begin; c < end; ++c) fillPlane(image.plane(c), image.width(), image.height(), missing);
-  });
+  parallelEach(image.channelCount(),
+               [&](int c) { fillPlane(image.plane(c), image.width(), image.height(), missing); });
 }
 
 }  // namespace swaplight

@@ -45,7 +45,9 @@ void removeButton(const ShadowSliders& sliders) {
   markItem("shadows.remove");
   tooltip(
       "Fills the shadow with an estimate of the missing light, from its ratio to the other lights around the "
-      "shadow. What lies outside a spot's cone stays as it is.");
+      "shadow. What lies outside a spot's cone, or beyond all that the light reaches, stays as it is: click "
+      "it "
+      "in the picture to fill that, too.");
 }
 
 /// Whose shadows are changed, and what does away with them.

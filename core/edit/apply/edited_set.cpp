@@ -229,9 +229,7 @@ std::vector<PixelRect> EditedSet::update(const PixelRect& area) {
       bands.push_back({rect.x, y, rect.width, next - y});
     }
   }
-  parallelRows(static_cast<int>(bands.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) compute(bands[static_cast<size_t>(i)]);
-  });
+  parallelEach(static_cast<int>(bands.size()), [&](int i) { compute(bands[static_cast<size_t>(i)]); });
   if (!staleTile()) m_staleLights.clear();
   return changed;
 }

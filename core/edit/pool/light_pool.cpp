@@ -39,10 +39,8 @@ SmallPictures shrunkSet(const SolvedSet& set, size_t light, int most) {
       width, std::max(1, static_cast<int>(std::lround(double{1} * set.height() * width / set.width()))));
   const size_t lights = set.contributions.size();
   std::vector<cv::Mat> planes(3 * lights);
-  parallelRows(static_cast<int>(planes.size()), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k)
-      planes[static_cast<size_t>(k)] =
-          shrunkPlane(set.contributions[static_cast<size_t>(k) / 3], k % 3, size);
+  parallelEach(static_cast<int>(planes.size()), [&](int k) {
+    planes[static_cast<size_t>(k)] = shrunkPlane(set.contributions[static_cast<size_t>(k) / 3], k % 3, size);
   });
   SmallPictures small;
   for (size_t c = 0; c < 3; ++c) {

@@ -61,11 +61,9 @@ std::shared_ptr<const Image> litAround(const Image& visibility) {
   cv::Mat(shrunkPlane(visibility, 0, size) > kLitFrom).convertTo(lit, CV_32F, 1 / 255.);
   const float outside = litOutside(lit);
   std::array<cv::Mat, kDirections> each;
-  parallelRows(kDirections, 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      each[static_cast<size_t>(k)] = cv::Mat::zeros(size, CV_32F);
-      lookAlong(lit, outside, 2 * std::numbers::pi * (k + .5) / kDirections, each[static_cast<size_t>(k)]);
-    }
+  parallelEach(kDirections, [&](int k) {
+    each[static_cast<size_t>(k)] = cv::Mat::zeros(size, CV_32F);
+    lookAlong(lit, outside, 2 * std::numbers::pi * (k + .5) / kDirections, each[static_cast<size_t>(k)]);
   });
   cv::Mat seen = cv::Mat::zeros(size, CV_32F);
   for (const cv::Mat& one : each) seen += one / kDirections;

@@ -98,13 +98,11 @@ void ExrZipReader::readRows(int part, int y, int rows, std::byte* to) const {
   for (int c = 0; c < list->num_channels; ++c)
     lineBytes += bytesOf(typeOf(list->entries[c].pixel_type)) *
                  static_cast<size_t>(int64_t{window.max.x} - window.min.x + 1);
-  parallelRows((rows + lines - 1) / lines, 1, [&](int begin, int end) {
-    for (int chunk = begin; chunk < end; ++chunk) {
-      const int first = chunk * lines;
-      const auto count = static_cast<size_t>(std::min(lines, rows - first));
-      m_impl->readChunk(part, window.min.y + y + first, lineBytes * count,
-                        to + lineBytes * static_cast<size_t>(first));
-    }
+  parallelEach((rows + lines - 1) / lines, [&](int chunk) {
+    const int first = chunk * lines;
+    const auto count = static_cast<size_t>(std::min(lines, rows - first));
+    m_impl->readChunk(part, window.min.y + y + first, lineBytes * count,
+                      to + lineBytes * static_cast<size_t>(first));
   });
 }
 

@@ -62,9 +62,7 @@ FilledShadow fillShadow(const SetEvidence& set, const std::vector<cv::Mat>& visi
   cv::Mat channels[3];
   cv::split(coarse, channels);
   const SmoothFill fill(shown, picture, tuning.fill.pictureEdge);
-  parallelRows(3, 1, [&](int begin, int end) {
-    for (int c = begin; c < end; ++c) channels[c] = cv::max(fill.of(channels[c]), 0);
-  });
+  parallelEach(3, [&](int c) { channels[c] = cv::max(fill.of(channels[c]), 0); });
   cv::merge(channels, 3, coarse);
 
   // In full detail where the other lights have it.

@@ -15,7 +15,7 @@ void forEachLight(size_t count, const Progress& progress, std::string_view what,
   std::atomic<size_t> next = 0, done = 0;
   progress.update(0, what);
   // Whoever is done takes the next light: some have few shadows, and are done soon.
-  parallelRows(2, 1, [&](int, int) {
+  parallelEach(2, [&](int) {
     for (size_t light = next++; light < count; light = next++) try {
         work(light);
         progress.update(static_cast<float>(++done) / static_cast<float>(count), what);

@@ -107,10 +107,8 @@ class LocalEvidence {
       return false;
     const int step = std::max(side, int(std::sqrt(double(m_width) * m_height / m_tuning.windows)));
     std::vector<std::array<double, 2>> strips(size_t((m_height - side) / step + 1));
-    parallelRows(int(strips.size()), 1, [&](int begin, int end) {
-      for (int strip = begin; strip < end; ++strip)
-        strips[size_t(strip)] = movedAndWindows(strip * step, step, side);
-    });
+    parallelEach(int(strips.size()),
+                 [&](int strip) { strips[size_t(strip)] = movedAndWindows(strip * step, step, side); });
     double moved = 0, windows = 0;
     for (const auto& [ofStrip, count] : strips) moved += ofStrip, windows += count;
     return moved > m_tuning.leastMoved * windows;

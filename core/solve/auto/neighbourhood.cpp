@@ -31,24 +31,22 @@ void localOdds(ImageView misfit, float freedom, const NeighbourhoodTuning& tunin
     return;
   }
   const int bands = (height + kBandRows - 1) / kBandRows;
-  parallelRows(bands, 1, [&](int begin, int end) {
-    for (int band = begin; band < end; ++band) {
-      const int top = band * kBandRows;
-      const int bottom = std::min(top + kBandRows, height);
-      const int first = std::max(top - tuning.radius, 0);
-      const int last = std::min(bottom + tuning.radius, height);
-      cv::Mat fails(last - first, width, CV_32F);
-      for (int y = first; y < last; ++y)
-        for (int x = 0; x < width; ++x)
-          fails.at<float>(y - first, x) = misfit.row(0, y)[x] > limit ? 1.0F : 0.0F;
-      cv::Mat local;
-      cv::boxFilter(fails, local, CV_32F, {2 * tuning.radius + 1, 2 * tuning.radius + 1}, {-1, -1}, true,
-                    cv::BORDER_REPLICATE);
-      for (int y = top; y < bottom; ++y)
-        for (int x = 0; x < width; ++x)
-          odds.row(0, y)[x] =
-              (local.at<float>(y - first, x) + tuning.temper * mean) / (mean * (1 + tuning.temper));
-    }
+  parallelEach(bands, [&](int band) {
+    const int top = band * kBandRows;
+    const int bottom = std::min(top + kBandRows, height);
+    const int first = std::max(top - tuning.radius, 0);
+    const int last = std::min(bottom + tuning.radius, height);
+    cv::Mat fails(last - first, width, CV_32F);
+    for (int y = first; y < last; ++y)
+      for (int x = 0; x < width; ++x)
+        fails.at<float>(y - first, x) = misfit.row(0, y)[x] > limit ? 1.0F : 0.0F;
+    cv::Mat local;
+    cv::boxFilter(fails, local, CV_32F, {2 * tuning.radius + 1, 2 * tuning.radius + 1}, {-1, -1}, true,
+                  cv::BORDER_REPLICATE);
+    for (int y = top; y < bottom; ++y)
+      for (int x = 0; x < width; ++x)
+        odds.row(0, y)[x] =
+            (local.at<float>(y - first, x) + tuning.temper * mean) / (mean * (1 + tuning.temper));
   });
 }
 

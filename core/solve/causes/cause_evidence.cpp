@@ -234,14 +234,12 @@ Candidate candidateOf(const CauseModel& model, const std::vector<PixelMisfit>& s
 void compare(std::vector<Candidate>& candidates, const MisfitRows& rows, const Tiles& tiles,
              const CauseTuning& tuning) {
   const std::vector<double> none = heldOut(rows, tiles, Eigen::MatrixXd(rows.residual.size(), 0), 1, tuning);
-  parallelRows(int(candidates.size()), 1, [&](int begin, int end) {
-    for (int j = begin; j < end; ++j) {
-      Candidate& candidate = candidates[size_t(j)];
-      candidate.sums = heldOut(rows, tiles, candidate.slopes, candidate.prior, tuning);
-      const Difference gain = difference(candidate.sums, none);
-      candidate.evidence.gain = gain.sum / double(tiles.of.size());
-      candidate.evidence.certainty = gain.deviations();
-    }
+  parallelEach(int(candidates.size()), [&](int j) {
+    Candidate& candidate = candidates[size_t(j)];
+    candidate.sums = heldOut(rows, tiles, candidate.slopes, candidate.prior, tuning);
+    const Difference gain = difference(candidate.sums, none);
+    candidate.evidence.gain = gain.sum / double(tiles.of.size());
+    candidate.evidence.certainty = gain.deviations();
   });
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& a, const Candidate& b) { return a.evidence.gain > b.evidence.gain; });
@@ -273,9 +271,8 @@ MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& sig
   const double noneScale = fitCause(rows, nothing, tiles.all, 1, tuning).squaredScale;
   const std::vector<CauseModel> models = causeModels(context, signal, sample);
   std::vector<Candidate> candidates(models.size());
-  parallelRows(int(models.size()), 1, [&](int begin, int end) {
-    for (int j = begin; j < end; ++j)
-      candidates[size_t(j)] = candidateOf(models[size_t(j)], sample, rows, noneScale, tuning);
+  parallelEach(int(models.size()), [&](int j) {
+    candidates[size_t(j)] = candidateOf(models[size_t(j)], sample, rows, noneScale, tuning);
   });
   const bool matters = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& one) {
     return one.evidence.explained > limitsOf(one.evidence.cause, tuning).explained;
