@@ -1,3 +1,5 @@
+#include <array>
+
 #include "app/arguments/look_frame.h"
 #include "app/look_verbs/look_actions.h"
 #include "core/base/error.h"
@@ -29,9 +31,8 @@ int applyFilters(const LookArguments& arguments, Terminal& terminal) {
   const std::string& file = arguments.names[0];
   const std::shared_ptr<const ColorConfig> config = programConfig();
   checkFrame(*config, arguments.output, arguments.frame);
-  checkOutput(arguments.output, std::vector<fs::path>{file, arguments.request.look});
-  if (!arguments.save.empty())
-    checkOutput(arguments.save, std::vector<fs::path>{file, arguments.request.look});
+  checkOutputs(std::array<fs::path, 2>{arguments.output, arguments.save},
+               std::array<fs::path, 2>{file, arguments.request.look});
   const FilterPipeline pipeline = pipelineOf(arguments);
   const bool typed = arguments.request.look.empty();
   const std::shared_ptr<CameraLook> look =

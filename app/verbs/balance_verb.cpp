@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "app/arguments/display_arguments.h"
 #include "app/arguments/solve_arguments.h"
@@ -162,8 +163,7 @@ int run(const BalanceCommand& arguments, Terminal& terminal) {
   std::vector<std::filesystem::path> inputs{arguments.photograph};
   if (!arguments.set.empty()) inputs.emplace_back(arguments.set);
   if (!arguments.camera.empty()) inputs.emplace_back(arguments.camera);
-  checkOutput(arguments.output, inputs);
-  if (!arguments.map.empty()) checkOutput(arguments.map, inputs);
+  checkOutputs(std::array<std::filesystem::path, 2>{arguments.output, arguments.map}, inputs);
   const WhitePoint white = whitePointFromText(arguments.white);
   std::optional<CameraFile> camera;
   if (!arguments.camera.empty()) {

@@ -49,8 +49,7 @@ int run(const EvaluateCommand& arguments, Terminal& terminal) {
     throw InputError("{} is {}, {} is {}: name two pictures or two folders", arguments.test,
                      folders ? "a folder" : "none", arguments.reference, folders ? "none" : "a folder");
   const std::array<fs::path, 2> inputs = {arguments.test, arguments.reference};
-  for (const fs::path& file : {options.plot, options.map, options.histogram})
-    if (!file.empty()) checkOutput(file, inputs);
+  checkOutputs(std::array<fs::path, 3>{options.plot, options.map, options.histogram}, inputs);
   if (folders) {
     const FolderEvaluation all =
         evaluateFolders(arguments.test, arguments.reference, options, terminal.progress());

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "app/arguments/camera_look_arguments.h"
 #include "app/arguments/display_arguments.h"
 #include "app/arguments/grade_arguments.h"
@@ -81,6 +83,7 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
 
   // Say what is wrong before the work, not after it.
   checkFrame(*config, arguments.frame, output);
+  arguments.sequence.checkStill();
   if (arguments.sequence.given() && !arguments.histogram.empty())
     throw InputError("--histogram is of one frame: leave it out, or --frames");
   if (arguments.sequence.given() && arguments.cameraLook.frameGiven())
@@ -98,9 +101,8 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
   std::vector<std::filesystem::path> inputs = arguments.lighting.inputs(session);
   for (const std::filesystem::path& file : arguments.cameraLook.inputs(look.get())) inputs.push_back(file);
   for (const std::filesystem::path& file : arguments.grade.inputs()) inputs.push_back(file);
-  checkOutput(arguments.frame, inputs);
   if (!arguments.histogram.empty()) checkFrame(*config, arguments.histogram, {});
-  if (!arguments.histogram.empty()) checkOutput(arguments.histogram, inputs);
+  checkOutputs(std::array<std::filesystem::path, 2>{arguments.frame, arguments.histogram}, inputs);
   arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();

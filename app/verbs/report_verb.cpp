@@ -1,3 +1,5 @@
+#include <array>
+
 #include "app/arguments/camera_look_arguments.h"
 #include "app/arguments/display_arguments.h"
 #include "app/arguments/lighting_arguments.h"
@@ -24,8 +26,8 @@ int run(const ReportCommand& arguments, Terminal& terminal) {
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
   if (session) sayWarnings(session->warnings, terminal);
   config->checkView(arguments.display);
-  for (const std::string& file : {arguments.page, arguments.histogram})
-    if (!file.empty()) checkOutput(file, arguments.lighting.inputs(session));
+  checkOutputs(std::array<std::filesystem::path, 2>{arguments.page, arguments.histogram},
+               arguments.lighting.inputs(session));
   arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();

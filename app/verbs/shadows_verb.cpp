@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "app/arguments/place_text.h"
@@ -90,9 +92,12 @@ void applyLabels(const std::vector<LabelledPlace>& places, const std::vector<std
 std::vector<std::string> chosenLights(const ShadowsCommand& arguments, const Capture& capture) {
   std::vector<std::string> known;
   for (const Light& light : capture.lights) known.push_back(light.name);
-  for (const std::string& name : arguments.lights)
+  std::vector<std::string> chosen;
+  for (const std::string& name : arguments.lights) {
     static_cast<void>(placeOfLight(known, name, arguments.source));
-  return arguments.lights.empty() ? known : arguments.lights;
+    if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
+  }
+  return chosen.empty() ? known : chosen;
 }
 
 std::string textOf(const NamedShadows& light) {
@@ -123,8 +128,7 @@ int run(const ShadowsCommand& arguments, Terminal& terminal) {
   inputs.emplace_back(arguments.edits);
   checkShadowFile(arguments.output);
   static_cast<void>(imageFormatForWriting(overlay));
-  checkOutput(arguments.output, inputs);
-  checkOutput(overlay, inputs);
+  checkOutputs(std::array<std::filesystem::path, 2>{arguments.output, overlay}, inputs);
 
   const Progress progress = terminal.progress();
   const SolvedSet set = openSource(*programConfig(), arguments.source, solving, progress.part(0, .4f));

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "app/arguments/camera_look_arguments.h"
@@ -83,8 +84,7 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   for (const std::filesystem::path& flat : arguments.flats.files()) inputs.push_back(flat);
   if (!arguments.response.empty()) inputs.emplace_back(arguments.response);
   checkSolvedFile(arguments.output);
-  checkOutput(arguments.output, inputs);
-  if (!arguments.report.empty()) checkOutput(arguments.report, inputs);
+  checkOutputs(std::array<std::filesystem::path, 2>{arguments.output, arguments.report}, inputs);
 
   const std::shared_ptr<CameraLook> look = shotLook(arguments, terminal);
   const std::unique_ptr<const ImagesInFiles> large = arguments.memory.filesBeside(arguments.output, terminal);

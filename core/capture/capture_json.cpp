@@ -282,6 +282,17 @@ CaptureFrame frameFromJson(JsonFields& fields) {
   return frame;
 }
 
+/// A photograph under two lightings is a slip of whoever wrote the file; under one it may have been meant.
+void checkNoneTwice(const std::vector<Shot>& shots, const std::string& where) {
+  for (size_t k = 1; k < shots.size(); ++k)
+    for (size_t j = 0; j < k; ++j)
+      if (shots[j].image == shots[k].image && shots[j].lightColors != shots[k].lightColors)
+        throw InputError(
+            "{}: shots {} and {} name the same photograph, {}, under different colours. Name the "
+            "other photograph.",
+            where, j + 1, k + 1, shots[k].image);
+}
+
 Capture captureBy(const ColorConfig* config, const Json& json, const std::filesystem::path& folder,
                   const std::filesystem::path& file) {
   Capture capture;
@@ -296,6 +307,7 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
   capture.shots = shotsFromJson(fields, "shots", "shot", capture.lights, capture.warnings);
   if (capture.shots.empty())
     throw InputError("{}: has no shots. List at least one under \"shots\".", fields.where());
+  checkNoneTwice(capture.shots, fields.where());
   readExposures(fields, capture.shots);
   if (!colorSpace) assumeColorSpace(config, capture, fields.where());
   capture.ambient = optionalPath(fields, "ambient");

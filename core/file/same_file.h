@@ -9,4 +9,8 @@ namespace swaplight {
 /// (links): the photograph would be gone. Throws InputError.
 void checkOutput(const std::filesystem::path& target, std::span<const std::filesystem::path> inputs);
 
+/// The same of several, of which empty ones are not written; and that no two are the same file.
+void checkOutputs(std::span<const std::filesystem::path> targets,
+                  std::span<const std::filesystem::path> inputs);
+
 }  // namespace swaplight

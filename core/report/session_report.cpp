@@ -173,10 +173,13 @@ std::string solverSection(const std::optional<SolveReport>& report) {
   std::string html = "<h2>Solve</h2>\n";
   if (!report) return html + "<p>No report in the file.</p>\n";
   html += fmt::format("<p>{}</p>\n", escaped(report->message));
+  const std::string error = std::isfinite(report->sigmaMedian)
+                                ? fmt::format("{:.1f} % of the pixel", 100 * report->sigmaMedian)
+                                : "all of the pixel";
   html += fmt::format(
       "<p class=\"quiet\">Model {}, solver {}; median residual {:.2f} of the expected noise, median "
-      "standard error {:.1f} % of the pixel.</p>\n",
-      escaped(report->model), escaped(report->solver), report->residualMedian, 100 * report->sigmaMedian);
+      "standard error {}.</p>\n",
+      escaped(report->model), escaped(report->solver), report->residualMedian, error);
   for (const std::string& warning : report->warnings)
     html += fmt::format("<p>Warning: {}</p>\n", escaped(warning));
   return html;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,12 +33,24 @@ std::string alignedWords(const std::vector<ShotShift>& shifts, int width, int he
                      turned ? " at a corner, turned or zoomed" : "");
 }
 
+/// Of a set without any, an error relative to it is infinite.
+bool hasLight(const SolvedSet& set) {
+  return std::any_of(set.contributions.begin(), set.contributions.end(), [](const Image& contribution) {
+    for (int c = 0; c < contribution.channelCount(); ++c)
+      if (std::any_of(contribution.plane(c), contribution.plane(c) + contribution.pixelCount(),
+                      [](float value) { return value > 0; }))
+        return true;
+    return false;
+  });
+}
+
 }  // namespace
 
 void summarize(const SolvedSet& set, SolveReport& report) {
   report.pixels = set.beta.pixelCount();
   report.residualMedian = medianOfPlane(set.quality.plane(kResidual), report.pixels);
   report.sigmaMedian = medianOfPlane(set.quality.plane(kSigma), report.pixels);
+  if (!hasLight(set)) report.sigmaMedian = std::numeric_limits<double>::infinity();
   for (size_t p = 0; p < report.pixels; ++p) {
     const int flags = int(set.quality.plane(kFlags)[p]);
     report.clipped += (flags & kClipped) != 0;
@@ -50,8 +63,11 @@ void summarize(const SolvedSet& set, SolveReport& report) {
     return 100.0 * double(count) / double(std::max<size_t>(report.pixels, 1));
   };
   report.message =
-      fmt::format("{} lights separated ({}, {}). Contributions are known to {:.1f} % of the pixel (median).",
-                  set.lightCount(), report.model, report.solver, 100 * report.sigmaMedian);
+      fmt::format("{} lights separated ({}, {}). ", set.lightCount(), report.model, report.solver);
+  report.message += std::isfinite(report.sigmaMedian)
+                        ? fmt::format("Contributions are known to {:.1f} % of the pixel (median).",
+                                      100 * report.sigmaMedian)
+                        : "The photographs hold no light.";
   if (report.residualMedian > 3)
     report.message += fmt::format(
         " The photographs disagree with the light colours by {:.1f} times their noise: check the colours, "

@@ -135,6 +135,40 @@ class BadInputTest(cli.CliTest):
         self.deny('solve', self.capture.path, '-o', self.solved, '--report', self.path('no/such/report.json'),
                   naming='report.json')
 
+    def test_one_photograph_under_two_lightings(self):
+        self.capture.manifest['shots'][1]['image'] = 'shot_01.exr'
+        with open(self.capture.path, 'w') as file:
+            json.dump(self.capture.manifest, file)
+        self.refuse('capture.json', 'shots 1 and 2', 'shot_01.exr')
+
+    def test_two_outputs_of_one_name(self):
+        self.deny('solve', self.capture.path, '-o', self.solved, '--report', self.path('set/../solved.exr'),
+                  naming=['solved.exr', 'written twice'])
+        self.succeed('solve', self.capture.path, '-o', self.solved)
+        frame, shot = self.path('out.exr'), self.shot('shot_01.exr')
+        for arguments in (('relight', self.solved, '-o', frame, '--histogram', frame),
+                          ('shadows', self.solved, '-o', frame, '--overlay', frame),
+                          ('balance', shot, '--colors', '2800K,0.5/0.7/1', '-o', frame, '--map', frame),
+                          ('evaluate', shot, shot, '--map', frame, '--plot', frame)):
+            self.deny(*arguments, naming='out.exr')
+
+    def test_photographs_without_light_are_not_told_apart(self):
+        for pixels, reason in ((np.zeros((12, 16, 3)), 'hold no light'),
+                               (np.full((12, 16, 3), np.nan), 'no numbers')):
+            for name in ('shot_01.exr', 'shot_02.exr'):
+                cli.write_image(self.shot(name), pixels)
+            told = self.succeed_json('solve', self.capture.path, '-o', self.solved)
+            self.assertEqual(told['verdict']['word'], 'lights not apart')
+            self.assertIn(reason, ' '.join(told['verdict']['reasons']))
+            self.assertIn('not apart', self.succeed('info', self.solved).stdout)
+
+    def test_the_wrong_file_named_as_dark(self):
+        cli.write_image(self.shot('dark.exr'), 2 * self.capture.shots[0])
+        self.change(dark='dark.exr')
+        told = self.succeed_json('solve', self.capture.path, '-o', self.solved)
+        self.assertEqual(told['verdict']['word'], 'lights not apart')
+        self.assertIn('named as dark', ' '.join(told['verdict']['reasons']))
+
     def test_picture_of_no_pixels(self):
         # No library writes one: a PNG header that says 0 x 0.
         import struct

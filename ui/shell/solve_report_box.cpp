@@ -49,7 +49,9 @@ std::string timesText(double times) {
 
 void figures(const SolveReport& report) {
   const std::array<double, 3>& channels = report.conditioning.amplification;
-  figure("Error of a contribution", fmt::format("{:.1f} % of the pixel", 100 * report.sigmaMedian),
+  const bool known = std::isfinite(report.sigmaMedian);
+  figure("Error of a contribution",
+         known ? fmt::format("{:.1f} % of the pixel", 100 * report.sigmaMedian) : "all of it",
          "Standard error of the median pixel: up to 12 % is good, up to 35 % fair.");
   figure("Colours may be wrong by",
          fmt::format("{:.0f} %", 100 * static_cast<double>(report.colorUncertainty)),

@@ -28,6 +28,17 @@ TEST(SolveVerdict, FollowsFromTheErrorOfTheMedianPixel) {
   EXPECT_EQ(verdictOf(reportWith(INFINITY)).word, Word::NotApart);
 }
 
+TEST(SolveVerdict, PixelsThatAreNoNumbersAreNotToldApart) {
+  SolveReport report = reportWith(0.01);
+  for (const auto& [broken, word] :
+       {std::pair(size_t{40}, Word::Good), {size_t{100}, Word::Fair}, {size_t{900}, Word::NotApart}}) {
+    report.notFinite = broken;
+    EXPECT_EQ(verdictOf(report).word, word) << broken;
+  }
+  EXPECT_THAT(verdictLine(verdictOf(report)), HasSubstr("90 % of the pixels are no numbers"));
+  EXPECT_THAT(verdictLine(verdictOf(reportWith(INFINITY))), HasSubstr("hold no light"));
+}
+
 TEST(SolveVerdict, AGoodOneGivesNoReasons) {
   SolveReport report = reportWith(0.02);
   report.colorDisagreement = 0.08;
