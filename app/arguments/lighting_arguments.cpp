@@ -178,6 +178,9 @@ std::string LightingArguments::workingSpace(const std::optional<Session>& sessio
 }
 
 void LightingArguments::check(const ColorConfig& config, const std::optional<Session>& session) const {
+  if (!m_keys.empty() || !m_between.empty())
+    throw InputError("{}: lights change over the frames of a sequence: give relight -F 1-24, or leave it out",
+                     m_keys.empty() ? "--between" : "--key " + m_keys.front());
   checkSetColorSpace(workingSpace(session));
   const std::filesystem::path set = source(session);
   const bool moreLights = !m_edits.file.empty() || (session && !session->document.edits.newLights.empty());

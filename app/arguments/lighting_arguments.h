@@ -39,8 +39,8 @@ class LightingArguments {
   [[nodiscard]] std::string workingSpace(const std::optional<Session>& session) const;
   /// How a capture is solved: as the command line says, else as the session does.
   [[nodiscard]] SolveOptions solveOptions(const std::optional<Session>& session) const;
-  /// Says what is wrong with the rig or the working space before a capture is solved, where that can be
-  /// known.
+  /// Says what is wrong with the rig or the working space of one frame before a capture is solved, where that
+  /// can be known; and that keyframes are for sequences.
   void check(const ColorConfig& config, const std::optional<Session>& session) const;
   /// How lights change over the frames of a sequence: of the session, the rig file, and the command line's
   /// keys, one over the other. Throws InputError.

@@ -158,8 +158,12 @@ void addTimingOptions(CLI::App& verb, CueTiming& timing) {
 
 void SequenceArguments::addTo(CLI::App& verb) {
   constexpr const char* kGroup = "Sequences";
-  verb.add_option(
-          "-F,--frames", m_frames,
+  verb.add_option_function<std::string>(
+          "-F,--frames",
+          [this](const std::string& range) {
+            m_frames = range;
+            m_framesGiven = true;
+          },
           "Frames: 7, 1-100, 1-100x5, 1,5,10-20. FRAME, and SOURCE where each frame has a set of its own, "
           "hold the number's place: name.%04d.exr, name.####.exr")
       ->type_name("RANGE")
@@ -182,6 +186,15 @@ void SequenceArguments::addTo(CLI::App& verb) {
   verb.add_option("--frame-count", m_count, "Number of parts that the frames are split into")
       ->type_name("N")
       ->group(kGroup);
+}
+
+void SequenceArguments::checkStill() const {
+  const char* option = m_skipExisting       ? "--skip-existing"
+                       : m_goOn             ? "--cont"
+                       : m_index || m_count ? "--frame-index"
+                                            : nullptr;
+  if (option && !given())
+    throw InputError("{}: is of a sequence's frames: give -F 1-24 or --cues, or leave it out", option);
 }
 
 std::vector<int> SequenceArguments::share(const std::vector<int>& all) const {
@@ -220,7 +233,7 @@ int SequenceArguments::runCues(const ColorConfig& config, const LightingArgument
   const CueTimeline planned(document.cues, document.looks, stageOfDocument(document), m_timing);
   std::vector<int> all;
   for (int number = planned.firstFrame(); number <= planned.lastFrame(); ++number) all.push_back(number);
-  if (!m_frames.empty()) all = framesFromRange(m_frames);
+  if (m_framesGiven) all = framesFromRange(m_frames);
   checkOutputs(share(all), output, lighting, session);
   const Progress progress = terminal.progress();
   auto set = std::make_shared<const SolvedSet>(lighting.openUnedited(config, session, progress));

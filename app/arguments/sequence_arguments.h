@@ -20,7 +20,10 @@ class SequenceArguments {
  public:
   void addTo(CLI::App& verb);
   /// True where the command line asks for frames.
-  [[nodiscard]] bool given() const { return m_cues || !m_frames.empty(); }
+  [[nodiscard]] bool given() const { return m_cues || m_framesGiven; }
+  /// Throws InputError where options say how frames are made and none are asked for: a file that was to be
+  /// skipped would be replaced.
+  void checkStill() const;
 
   /// Makes the frames: of the range, or of the session's cue list. The exit code: 0, 1 where some failed, 2
   /// where none could be made. Throws InputError.
@@ -38,6 +41,7 @@ class SequenceArguments {
                             const FrameOptions& frame, Terminal& terminal) const;
 
   std::string m_frames;
+  bool m_framesGiven = false;  ///< an empty range, of a shell's variable, is a mistake, and no still
   bool m_cues = false;
   CueTiming m_timing;
   bool m_goOn = false;

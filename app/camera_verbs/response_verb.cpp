@@ -10,6 +10,8 @@
 namespace swaplight {
 namespace {
 
+constexpr double kMuchMisfit = .1;  // of the light: wrong exposures, or too few
+
 struct ResponseCommand {
   std::string folder, exposures, output;
   std::string method = "debevec";
@@ -57,6 +59,12 @@ int run(const ResponseCommand& arguments, Terminal& terminal) {
   const ResponseFit fit = fitResponse(loadCodes(folder), brackets, method);
   writeResponse(fit.curve, arguments.output);
   terminal.say("wrote {}", arguments.output);
+  if (const double worst = *std::max_element(fit.misfit.begin(), fit.misfit.end()); worst > kMuchMisfit)
+    sayWarnings(
+        {fmt::format("{}: the curve leaves {:.0f} % of the light unexplained: check the exposures and "
+                     "their order, and that nothing but the exposure changed",
+                     arguments.output, 100 * worst)},
+        terminal);
   Description d = descriptionOf(fit, folder, brackets);
   d.json["response"] = arguments.output;
   d.json["method"] = arguments.method;

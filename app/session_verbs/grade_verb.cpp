@@ -104,6 +104,10 @@ void write(const ColorGrade& grade, std::optional<Session> session, const GradeC
   const std::string& output = arguments.output.empty() ? arguments.source : arguments.output;
   if (isGradeFile(output)) {
     const std::string space = LightingArguments::colors(session)->gradingSpace();
+    if (!grade.on)
+      sayWarnings(
+          {output + ": the grade is off here, which such a file cannot say: other programs apply its values"},
+          terminal);
     writeGrade(grade, output, "Swaplight: the finished frame, in " + space);
   } else if (session && isSessionFile(output)) {
     session->document.display.grade = grade;

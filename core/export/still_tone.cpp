@@ -90,6 +90,11 @@ float usable(float value) {
   return value > 0 ? std::min(value, kLargest) : 0;  // NaN: 0
 }
 
+void blackOut(ImageSpan picture) {
+  for (int c = 0; c < 3; ++c)
+    for (int y = 0; y < picture.height; ++y) std::fill_n(picture.row(c, y), picture.width, 0.F);
+}
+
 }  // namespace
 
 StillTone stillToneFromText(const std::string& text) {
@@ -119,6 +124,13 @@ void applyStillTone(ImageSpan picture, const StillTone& tone) {
       for (int x = 0; x < picture.width; ++x) out[x][c] = usable(in[x]);
     }
   }
+  // OpenCV's operators compare with the brightest pixel, and Mantiuk's looks at ever smaller pictures.
+  double brightest = 0;
+  cv::minMaxIdx(pixels.reshape(1), nullptr, &brightest);
+  if (brightest <= 0) return blackOut(picture);
+  if (tone.mapping == StillTone::Operator::Mantiuk && std::min(picture.width, picture.height) < 2)
+    throw InputError("the tone mapping mantiuk needs a picture of 2 x 2 pixels or more; this has {} x {}",
+                     picture.width, picture.height);
   cv::Mat mapped;
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_ERROR);  // it warns of its own code
   operatorOf(tone)->process(pixels, mapped);

@@ -69,7 +69,7 @@ void EvenLight::row(const float* const* light, const SmallRow& at, int count, fl
   const auto size = static_cast<size_t>(count);
   std::vector<float> all(size, m_floor);
   for (size_t k = 0; k < m_lights; ++k)
-    for (size_t i = 0; i < size; ++i) all[i] += light[k][i];
+    for (size_t i = 0; i < size; ++i) all[i] += std::max(light[k][i], 0.F);
   std::vector<float> level(size);
   std::vector<float> root(size);
   std::vector<float> slope(size);

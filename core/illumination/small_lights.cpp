@@ -20,6 +20,7 @@ SmallLights smallLights(const SolvedSet& set, int width) {
     const cv::Mat plane(image.height(), image.width(), CV_32F,
                         const_cast<float*>(image.plane(static_cast<int>(k % 3))));
     cv::resize(plane, planes[k], size, 0, 0, cv::INTER_AREA);
+    planes[k] = cv::max(planes[k], 0);  // other programs' sets may hold less than no light
   });
   SmallLights small;
   for (cv::Mat& color : small.color) color = cv::Mat::zeros(size, CV_32F);

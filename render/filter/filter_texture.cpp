@@ -16,7 +16,7 @@ namespace {
 constexpr int kRowsAtOnce = 64;  // so that the interleaved copy stays small
 
 float sane(float value) {
-  if (std::isnan(value)) return 0;
+  if (!std::isfinite(value)) return 0;  // of an infinite pixel a glow would fill the frame
   return std::clamp(value, -FilterTexture::kBrightest, FilterTexture::kBrightest);
 }
 

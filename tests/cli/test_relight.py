@@ -175,6 +175,19 @@ class RelightTest(cli.CliTest):
         self.assertEqual(result['rig']['lights'][0]['color'], '3200K')
         self.assertEqual(result['rig']['lights'][0]['stops'], 1)
 
+    def test_options_of_sequences_are_refused_for_a_still(self):
+        out = ('-o', self.path('frame.exr'))
+        self.deny('relight', self.solved, '--skip-existing', *out, naming=['--skip-existing', '-F'])
+        self.deny('relight', self.solved, '--key', 'key@1=-2st', *out, naming=['--key', '-F'])
+        self.deny('export', self.solved, '--key', 'key@1=off', *out, naming='--key')
+        self.deny('relight', self.solved, '-F', '', '-o', self.path('frame.#.exr'), naming="''")
+
+    def test_a_black_frame_is_mapped_to_black(self):
+        frame = self.path('frame.tif')
+        for tone in ('drago', 'mantiuk', 'reinhard'):
+            self.succeed('relight', self.solved, '--light', 'key=off', '--light', 'fill=off', '--tone', tone, '-o', frame)
+            self.assertEqual(cli.read_rgb(frame).max(), 0)
+
     def test_bad_input_is_one_line(self):
         out = ('-o', self.path('frame.exr'))
         for source in (self.solved, self.capture.path):

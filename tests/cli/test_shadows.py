@@ -46,6 +46,20 @@ class ShadowsTest(cli.CliTest):
         self.assertAlmostEqual(said['lights']['key']['umbra'], (label == 1).mean(), places=4)
         self.assertEqual(cli.read_rgb(self.path('shadows.png')).shape, (120, 180, 3))
 
+    def test_a_light_named_twice_counts_once(self):
+        twice = ('--light', 'key', '--light', 'key', '-o', self.path('shadows.exr'))
+        self.assertEqual(list(self.succeed_json('shadows', self.solved, *twice)['lights']), ['key'])
+        self.assertEqual(set(cli.read_image(self.path('shadows.exr'))), {'shadow_key.Y', 'shadow_key.label'})
+
+    def test_ambient_light_that_is_no_number_is_drawn_over(self):
+        ambient = np.full(self.capture.shots[0].shape, .01, np.float32)
+        ambient[5, 5] = np.nan
+        cli.write_image(os.path.join(self.capture.folder, 'ambient.exr'), ambient)
+        self.capture.manifest['ambient'] = 'ambient.exr'
+        self.capture.save()
+        self.succeed('shadows', self.capture.path, '-o', self.path('shadows.exr'))
+        self.assertEqual(cli.read_rgb(self.path('shadows.png')).shape, (120, 180, 3))
+
     def test_a_light_and_a_threshold_can_be_chosen(self):
         said = self.succeed_json('shadows', self.solved, '--light', 'key', '--threshold', '0.2', '-o',
                                  self.path('shadows.exr'))

@@ -34,6 +34,12 @@ class Response(cli.CliTest):
         self.assertGreater(result['nearest_difference'], .03)
         self.assertLess(result['method_difference'], .02)
 
+    def test_exposures_in_a_wrong_order_are_warned_of(self):
+        right, wrong = (self.succeed('response', self.ramp(), '--exposures', stops, '-o', self.path('camera.csv')).stderr
+                        for stops in ('0,-1,-2,-3,1,2', '0,-3,1,-1,2,-2'))
+        self.assertNotIn('warning', right)
+        self.assertIn('check the exposures', wrong)
+
     def test_either_method_finds_it(self):
         result = self.succeed_json('response', self.ramp(), '--exposures', '0,-1,-2,-3,1,2', '--method', 'robertson', '-o', self.path('camera.csv'))
         self.assertEqual(result['method'], 'robertson')

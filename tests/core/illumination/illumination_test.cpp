@@ -165,6 +165,19 @@ TEST(Illumination, IsFiniteWhereThereIsNoLight) {
   EXPECT_TRUE(finite(illuminationMaps(smallSet(1, 64, 48), {.25})));
 }
 
+TEST(Illumination, HardlyChangesForAPixelWithLessThanNoLight) {
+  SolvedSet set = lampSet(kWidth, kHeight, kKey);
+  const std::vector<Image> before = illuminationMaps(set);
+  for (Image& contribution : set.contributions)
+    for (int c = 0; c < 3; ++c) contribution.span().at(c, 40, 30) = -.2F;
+  const std::vector<Image> after = illuminationMaps(set);
+  EXPECT_TRUE(finite(after));
+  for (size_t k = 0; k < before.size(); ++k)
+    for (const auto& [x, y] : {std::pair{5, 5}, {100, 50}, {180, 100}})
+      EXPECT_NEAR(after[k].view().at(0, x, y), before[k].view().at(0, x, y),
+                  .03 * before[k].view().at(0, x, y));
+}
+
 TEST(Illumination, IsTheSameAtAnySize) {
   const Image small = mapOf(lampSet(kWidth, kHeight, kKey), 0);
   const Image large = mapOf(lampSet(2 * kWidth, 2 * kHeight, kKey), 0);
