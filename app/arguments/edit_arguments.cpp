@@ -1,5 +1,8 @@
 #include "app/arguments/edit_arguments.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/base/error.h"
 #include "core/edit/stack/edit_file.h"
 #include "core/session/open_source.h"
@@ -26,8 +29,9 @@ std::shared_ptr<const SolvedSet> EditArguments::applyTo(const std::shared_ptr<co
 SolvedSet EditArguments::edited(const std::shared_ptr<const SolvedSet>& set, const EditStack& session,
                                 const std::string& sessionFile) const {
   EditStack stack = session;
+  std::vector<std::string> warnings;
   if (!file.empty()) {
-    const EditStack added = readEdits(file, set->width(), set->height());
+    const EditStack added = readEdits(file, set->width(), set->height(), &warnings);
     stack.edits.insert(stack.edits.end(), added.edits.begin(), added.edits.end());
     stack.newLights.insert(stack.newLights.end(), added.newLights.begin(), added.newLights.end());
     for (const auto& [light, threshold] : added.shadowThresholds) stack.shadowThresholds[light] = threshold;
@@ -38,7 +42,9 @@ SolvedSet EditArguments::edited(const std::shared_ptr<const SolvedSet>& set, con
     for (const auto& [light, place] : added.lampPlaces) stack.lampPlaces[light] = place;
   }
   try {
-    return withEdits(set, stack);
+    SolvedSet changed = withEdits(set, stack);
+    std::copy(warnings.begin(), warnings.end(), std::back_inserter(changed.capture.warnings));
+    return changed;
   } catch (const InputError& error) {
     throw InputError("{}: {}", file.empty() ? sessionFile : file, error.what());
   }

@@ -147,6 +147,10 @@ const Json& LightingArguments::rigFile() const {
   return *m_rigFile;
 }
 
+void LightingArguments::warnOfRigFile(SolvedSet& set) const {
+  if (!m_rig.empty()) static_cast<void>(rigFromJson(rigFile(), m_rig, &set.capture.warnings));
+}
+
 Rig LightingArguments::rig(const std::optional<Session>& session, const Capture& capture,
                            const SolvedSet* set) const {
   Rig rig = defaultRig(capture);
@@ -209,6 +213,7 @@ SolvedSet LightingArguments::open(const ColorConfig& config, const std::optional
 SolvedSet LightingArguments::openUnedited(const ColorConfig& config, const std::optional<Session>& session,
                                           const Progress& progress) const {
   SolvedSet set = openSource(config, source(session), solveOptions(session), progress);
+  warnOfRigFile(set);
   return inColorSpace(config, std::move(set), workingSpace(session));
 }
 
@@ -232,6 +237,7 @@ void LightingArguments::takeAllFromSession(const std::string& option) const {
 SolvedSet LightingArguments::openFile(const ColorConfig& config, const std::filesystem::path& file,
                                       const std::optional<Session>& session, const Progress& progress) const {
   SolvedSet set = openSource(config, file, solveOptions(session), progress);
+  warnOfRigFile(set);
   return m_edits.applyTo(inColorSpace(config, std::move(set), workingSpace(session)),
                          session ? session->document.edits : EditStack{}, sessionFile());
 }

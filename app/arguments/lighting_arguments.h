@@ -69,6 +69,8 @@ class LightingArguments {
   [[nodiscard]] Session sessionOfOtherSet() const;
   /// What the rig's file holds: read once, since a shell's `<(...)` gives it once only.
   [[nodiscard]] const Json& rigFile() const;
+  /// Adds to the set's warnings what the rig's file says that nothing is made of.
+  void warnOfRigFile(SolvedSet& set) const;
 
   std::string m_source;
   std::vector<std::string> m_lights;

@@ -26,6 +26,7 @@ int run(const BetaCommand& arguments, Terminal& terminal) {
   checkOutput(arguments.output, inputs);
   const SolvedSet set =
       arguments.edits.applyTo(openSource(*programConfig(), arguments.source, options, terminal.progress()));
+  sayWarnings(set.capture.warnings, terminal);
   Json files = Json::array();
   for (const auto& file : writeBetaMaps(set, arguments.output)) {
     terminal.say("wrote {}", file.string());

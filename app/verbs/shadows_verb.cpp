@@ -111,9 +111,12 @@ std::string textOf(const NamedShadows& light) {
 }
 
 /// The thresholds and labels that a file of edits holds.
-ShadowOptions optionsOfEdits(const ShadowsCommand& arguments, const SolvedSet& set) {
+ShadowOptions optionsOfEdits(const ShadowsCommand& arguments, const SolvedSet& set, Terminal& terminal) {
   if (arguments.edits.empty()) return {};
-  return shadowOptionsOf(readEdits(arguments.edits, set.width(), set.height()));
+  std::vector<std::string> warnings;
+  const EditStack edits = readEdits(arguments.edits, set.width(), set.height(), &warnings);
+  sayWarnings(warnings, terminal);
+  return shadowOptionsOf(edits);
 }
 
 int run(const ShadowsCommand& arguments, Terminal& terminal) {
@@ -132,8 +135,9 @@ int run(const ShadowsCommand& arguments, Terminal& terminal) {
 
   const Progress progress = terminal.progress();
   const SolvedSet set = openSource(*programConfig(), arguments.source, solving, progress.part(0, .4f));
+  sayWarnings(set.capture.warnings, terminal);
   const std::vector<std::string> names = chosenLights(arguments, set.capture);
-  ShadowOptions options = optionsOfEdits(arguments, set);
+  ShadowOptions options = optionsOfEdits(arguments, set, terminal);
   options.threshold = given.threshold;
   for (const auto& [light, threshold] : given.thresholds) options.thresholds[light] = threshold;
   applyLabels(places, names, options);

@@ -76,4 +76,10 @@ Json JsonFields::unknown() const {
   return rest;
 }
 
+void JsonFields::warnOfUnknown(std::vector<std::string>& warnings) const {
+  const Json strangers = unknown();
+  for (const auto& [key, value] : strangers.items())
+    warnings.push_back(fmt::format("{}: the unknown key \"{}\" is not used", m_where, key));
+}
+
 }  // namespace swaplight

@@ -29,6 +29,8 @@ class JsonFields {
 
   /// The fields that nobody asked for.
   [[nodiscard]] Json unknown() const;
+  /// Adds a sentence for each of them: a key may be misspelt.
+  void warnOfUnknown(std::vector<std::string>& warnings) const;
   [[nodiscard]] const std::string& where() const { return m_where; }
   /// Once more is known about the object.
   void setWhere(std::string where) { m_where = std::move(where); }

@@ -89,7 +89,9 @@ struct Rig {
 /// stops, multiplier, on, solo, mute, role and ratio lock.
 [[nodiscard]] Json jsonFromRig(const Rig& rig);
 /// What is missing is as in a new light. `where` begins the messages. Throws InputError.
-[[nodiscard]] Rig rigFromJson(const Json& json, const std::string& where = "rig");
+/// `warnings`, if there are any: says in them which keys of the rig, its lights and groups are unknown.
+[[nodiscard]] Rig rigFromJson(const Json& json, const std::string& where = "rig",
+                              std::vector<std::string>* warnings = nullptr);
 /// A rig that is a file of its own, so that it serves for many sets. Throws InputError.
 [[nodiscard]] Rig readRig(const std::filesystem::path& file);
 

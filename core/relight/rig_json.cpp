@@ -13,7 +13,7 @@ constexpr int kVersion = 1;
 constexpr size_t kMostLights = 64;
 constexpr double kLargestFactor = 1e9;
 
-LightSetting settingFromJson(const Json& json, const std::string& where) {
+LightSetting settingFromJson(const Json& json, const std::string& where, std::vector<std::string>* warnings) {
   JsonFields fields(json, where);
   LightSetting light;
   const auto name = fields.text("name");
@@ -39,16 +39,18 @@ LightSetting settingFromJson(const Json& json, const std::string& where) {
   light.ratioLock = fields.boolean("ratio_lock").value_or(false);
   light.label = fields.text("label").value_or("");
   light.group = fields.text("group").value_or("");
+  if (warnings) fields.warnOfUnknown(*warnings);
   return light;
 }
 
-LightGroup groupFromJson(const Json& json, const std::string& where) {
+LightGroup groupFromJson(const Json& json, const std::string& where, std::vector<std::string>* warnings) {
   JsonFields fields(json, where);
   LightGroup group;
   group.name = fields.text("name").value_or("");
   if (group.name.empty()) throw InputError("{}: \"name\" is missing.", where);
   group.stops = static_cast<float>(fields.number("stops", -kMostStops, kMostStops).value_or(0));
   group.on = fields.boolean("on").value_or(true);
+  if (warnings) fields.warnOfUnknown(*warnings);
   return group;
 }
 
@@ -79,7 +81,7 @@ Json jsonFromRig(const Rig& rig) {
   return json;
 }
 
-Rig rigFromJson(const Json& json, const std::string& where) {
+Rig rigFromJson(const Json& json, const std::string& where, std::vector<std::string>* warnings) {
   JsonFields fields(json, where);
   const std::string format = fields.text("format").value_or(kFormat);
   if (format != kFormat)
@@ -91,11 +93,15 @@ Rig rigFromJson(const Json& json, const std::string& where) {
   Rig rig;
   for (const Json& light :
        fields.list("lights", "a list such as [{\"name\": \"key\", \"color\": \"3200K\"}]", kMostLights))
-    rig.lights.push_back(settingFromJson(light, fmt::format("{}: light {}", where, rig.lights.size() + 1)));
+    rig.lights.push_back(
+        settingFromJson(light, fmt::format("{}: light {}", where, rig.lights.size() + 1), warnings));
   if (const Json* groups = fields.find("groups"); groups && groups->is_array())
     for (const Json& group : fields.list("groups", "a list of groups", kMostLights))
-      rig.groups.push_back(groupFromJson(group, fmt::format("{}: group {}", where, rig.groups.size() + 1)));
+      rig.groups.push_back(
+          groupFromJson(group, fmt::format("{}: group {}", where, rig.groups.size() + 1), warnings));
   rig.ambient = static_cast<float>(fields.number("ambient", 0, kLargestFactor).value_or(1));
+  static_cast<void>(fields.find("animation"));  // read apart: how lights change over frames
+  if (warnings) fields.warnOfUnknown(*warnings);
   return rig;
 }
 

@@ -182,6 +182,20 @@ class RelightTest(cli.CliTest):
         self.deny('export', self.solved, '--key', 'key@1=off', *out, naming='--key')
         self.deny('relight', self.solved, '-F', '', '-o', self.path('frame.#.exr'), naming="''")
 
+    def test_misspelt_keys_are_warned_of(self):
+        with open(self.path('edits.json'), 'w') as file:
+            json.dump({'format': 'swaplight-edits', 'version': 1, 'shadow_threshold': {'key': .1},
+                       'edits': [{'lights': ['key'], 'operation': 'move', 'rigth': .1}]}, file)
+        with open(self.path('rig.json'), 'w') as file:
+            json.dump({'format': 'swaplight-rig', 'version': 1, 'lights': [{'name': 'key', 'stop': -3}], 'ambent': 0}, file)
+        out = ('-o', self.path('frame.exr'))
+        said = self.succeed('relight', self.solved, '--edits', self.path('edits.json'), '--rig', self.path('rig.json'), *out).stderr
+        for key in ('shadow_threshold', 'rigth', 'stop', 'ambent'):
+            self.assertIn(f'"{key}"', said)
+        for file in ('edits.json: edit 1', 'rig.json: light 1 (key)'):
+            self.assertIn(file, said)
+        self.assertIn('shadow_threshold', self.succeed('shadows', self.solved, '--edits', self.path('edits.json'), *out).stderr)
+
     def test_a_black_frame_is_mapped_to_black(self):
         frame = self.path('frame.tif')
         for tone in ('drago', 'mantiuk', 'reinhard'):

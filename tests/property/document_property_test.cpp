@@ -26,13 +26,17 @@ RC_GTEST_PROP(Properties, ASettingComesBackFromItsText, ()) {
 
 RC_GTEST_PROP(Properties, ARigComesBackFromJson, ()) {
   const Rig rig = test::anyRig();
-  RC_ASSERT(rigFromJson(Json::parse(jsonFromRig(rig).dump())) == rig);
+  std::vector<std::string> warnings;
+  RC_ASSERT(rigFromJson(Json::parse(jsonFromRig(rig).dump()), "rig", &warnings) == rig);
+  RC_ASSERT(warnings.empty());
 }
 
 RC_GTEST_PROP(Properties, AnEditStackComesBackFromJson, ()) {
   const EditStack stack = test::anyEditStack();
   const Json json = Json::parse(jsonFromEditStack(stack).dump());
-  RC_ASSERT(editStackFromJson(json, stack.width, stack.height) == stack);
+  std::vector<std::string> warnings;
+  RC_ASSERT(editStackFromJson(json, stack.width, stack.height, "edits", &warnings) == stack);
+  RC_ASSERT(warnings.empty());
 }
 
 RC_GTEST_PROP(Properties, ASessionComesBackFromJson, ()) {

@@ -55,9 +55,11 @@ struct EditStack {
 [[nodiscard]] size_t editBytes(const EditStack& stack, const EditStack& before);
 
 [[nodiscard]] Json jsonFromEditStack(const EditStack& stack);
-/// `width` and `height` of the picture that the masks are for. Throws InputError that says where.
+/// `width` and `height` of the picture that the masks are for. `warnings`, if there are any: says in them
+/// which keys of the stack and its edits are unknown. Throws InputError that says where.
 [[nodiscard]] EditStack editStackFromJson(const Json& json, int width, int height,
-                                          const std::string& where = "edits");
+                                          const std::string& where = "edits",
+                                          std::vector<std::string>* warnings = nullptr);
 /// The stack with every file that it names by another name.
 [[nodiscard]] EditStack withFiles(const EditStack& stack,
                                   const std::function<std::string(const std::string&)>& rename);

@@ -13,7 +13,7 @@ constexpr int kVersion = 1;
 
 }  // namespace
 
-EditStack readEdits(const fs::path& file, int width, int height) {
+EditStack readEdits(const fs::path& file, int width, int height, std::vector<std::string>* warnings) {
   const Json json = readJson(file);
   const std::string name = file.string();
   if (!json.is_object() || json.value("format", Json()) != Json(kFormat))
@@ -24,7 +24,7 @@ EditStack readEdits(const fs::path& file, int width, int height) {
                      kVersion);
 
   const fs::path folder = fs::absolute(file).parent_path();
-  return withFiles(editStackFromJson(json, width, height, name), [&](const std::string& path) {
+  return withFiles(editStackFromJson(json, width, height, name, warnings), [&](const std::string& path) {
     return fs::path(path).is_relative() ? (folder / path).lexically_normal().string() : path;
   });
 }

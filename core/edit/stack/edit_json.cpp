@@ -101,11 +101,13 @@ Json jsonFromEditStack(const EditStack& stack) {
   return json;
 }
 
-EditStack editStackFromJson(const Json& json, int width, int height, const std::string& where) {
+EditStack editStackFromJson(const Json& json, int width, int height, const std::string& where,
+                            std::vector<std::string>* warnings) {
   EditStack stack;
   stack.width = width;
   stack.height = height;
   JsonFields fields(json, where);
+  for (const char* key : {"format", "version"}) static_cast<void>(fields.find(key));  // of a file of edits
   stack.newLights = readNames(fields, "new_lights");
   stack.shadowThresholds = readThresholds(fields);
   stack.shadowMarks = readMarks(fields);
@@ -124,8 +126,10 @@ EditStack editStackFromJson(const Json& json, int width, int height, const std::
     edit.energy = meaning == "add" ? EnergyMode::Add : EnergyMode::Redistribute;
     edit.operation = readOperation(one);
     if (const Json* mask = one.find("mask")) edit.mask = maskFromJson(*mask, width, height, one.where());
+    if (warnings) one.warnOfUnknown(*warnings);
     stack.append(std::move(edit));
   }
+  if (warnings) fields.warnOfUnknown(*warnings);
   return stack;
 }
 
