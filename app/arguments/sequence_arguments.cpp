@@ -70,6 +70,11 @@ class Inputs {
     return input;
   }
 
+  /// What is said of the set that all frames share.
+  [[nodiscard]] std::vector<std::string> warnings() const {
+    return m_shared ? m_shared->set->capture.warnings : std::vector<std::string>();
+  }
+
  private:
   [[nodiscard]] std::optional<FrameInput> open(const std::filesystem::path& source,
                                                const Progress& progress) const {
@@ -217,6 +222,7 @@ int SequenceArguments::run(const ColorConfig& config, const LightingArguments& l
   quiet.stop = terminal.progress().stop;
   const int first = all.empty() ? 0 : *std::min_element(all.begin(), all.end());
   const Inputs inputs(config, lighting, session, first, isSceneLinear(output), terminal.progress());
+  sayWarnings(inputs.warnings(), terminal);
   return runFrames(
       config, all, [&](int number) { return inputs.at(number, quiet); }, output, frame, terminal);
 }
@@ -237,6 +243,7 @@ int SequenceArguments::runCues(const ColorConfig& config, const LightingArgument
   checkOutputs(share(all), output, lighting, session);
   const Progress progress = terminal.progress();
   auto set = std::make_shared<const SolvedSet>(lighting.openUnedited(config, session, progress));
+  sayWarnings(set->capture.warnings, terminal);
   const CueFrames frames(std::move(set), document, m_timing, isSceneLinear(output));
   for (const CueTimeline::Place& place : frames.timeline().places())
     terminal.say("Cue {} {}: stands from frame {} to {}", cueNumberText(place.cue.number), place.cue.look,

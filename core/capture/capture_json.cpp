@@ -282,11 +282,16 @@ CaptureFrame frameFromJson(JsonFields& fields) {
   return frame;
 }
 
+bool samePath(const std::filesystem::path& a, const std::filesystem::path& b) {
+  return a.lexically_normal() == b.lexically_normal();
+}
+
 /// A photograph under two lightings is a slip of whoever wrote the file; under one it may have been meant.
 void checkNoneTwice(const std::vector<Shot>& shots, const std::string& where) {
   for (size_t k = 1; k < shots.size(); ++k)
     for (size_t j = 0; j < k; ++j)
-      if (shots[j].image == shots[k].image && shots[j].lightColors != shots[k].lightColors)
+      if (samePath(shots[j].image, shots[k].image) &&
+          (shots[j].lightColors != shots[k].lightColors || shots[j].colorNames != shots[k].colorNames))
         throw InputError(
             "{}: shots {} and {} name the same photograph, {}, under different colours. Name the "
             "other photograph.",
@@ -307,7 +312,8 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
   capture.shots = shotsFromJson(fields, "shots", "shot", capture.lights, capture.warnings);
   if (capture.shots.empty())
     throw InputError("{}: has no shots. List at least one under \"shots\".", fields.where());
-  checkNoneTwice(capture.shots, fields.where());
+  // What a solved set says of its photographs nobody can mend.
+  if (config) checkNoneTwice(capture.shots, fields.where());
   readExposures(fields, capture.shots);
   if (!colorSpace) assumeColorSpace(config, capture, fields.where());
   capture.ambient = optionalPath(fields, "ambient");

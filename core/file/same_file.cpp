@@ -25,7 +25,8 @@ void checkOutputs(std::span<const std::filesystem::path> targets,
     if (target.empty()) continue;
     checkOutput(target, inputs);
     std::error_code error;  // a folder that cannot be looked into: its name will do
-    const std::filesystem::path whole = std::filesystem::weakly_canonical(target, error);
+    const std::filesystem::path whole =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(target), error);
     if (!written.insert(error ? target : whole).second)
       throw InputError("{}: would be written twice. Name another file for one of them.", target.string());
   }

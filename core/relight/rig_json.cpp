@@ -100,8 +100,15 @@ Rig rigFromJson(const Json& json, const std::string& where, std::vector<std::str
       rig.groups.push_back(
           groupFromJson(group, fmt::format("{}: group {}", where, rig.groups.size() + 1), warnings));
   rig.ambient = static_cast<float>(fields.number("ambient", 0, kLargestFactor).value_or(1));
-  static_cast<void>(fields.find("animation"));  // read apart: how lights change over frames
-  if (warnings) fields.warnOfUnknown(*warnings);
+  const Json* animation = fields.find("animation");  // read apart: how lights change over frames
+  if (warnings) {
+    fields.warnOfUnknown(*warnings);
+    if (animation && animation->is_object()) {
+      JsonFields moving(*animation, where + ": animation");
+      for (const char* key : {"between", "lights"}) static_cast<void>(moving.find(key));
+      moving.warnOfUnknown(*warnings);
+    }
+  }
   return rig;
 }
 

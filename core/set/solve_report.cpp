@@ -176,6 +176,7 @@ Json jsonFromSolveReport(const SolveReport& report) {
                {"too_dark", report.tooDark},
                {"moved", report.moved},
                {"not_finite", report.notFinite},
+               {"lost", report.lost},
                {"filled", report.filled},
                {"seconds", report.seconds},
                {"misfit_causes", jsonFromMisfitCauses(report.causes)},
@@ -238,6 +239,7 @@ SolveReport solveReportFromJson(const Json& json, const std::string& where) {
   report.tooDark = count(fields, "too_dark");
   report.moved = count(fields, "moved");
   report.notFinite = count(fields, "not_finite");
+  report.lost = count(fields, "lost");
   report.filled = count(fields, "filled");
   report.seconds = finiteOrInfinity(fields, "seconds");
   report.highlights = fields.number("highlights", 0, 1).value_or(0);

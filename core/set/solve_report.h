@@ -38,6 +38,7 @@ struct SolveReport {
   size_t pixels = 0;
   double highlights = 0;  ///< part of the picture in which some were found, 0..1
   size_t clipped = 0, tooDark = 0, moved = 0, notFinite = 0, filled = 0;  ///< counts of pixels
+  size_t lost = 0;  ///< of the pixels not finite (or negative): those whose other values are too few
   double seconds = 0;
   MisfitCauses causes;                ///< why the photographs do not fit the colours as told
   std::optional<TakenTone> tone;      ///< taken off before the solve

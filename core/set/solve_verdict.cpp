@@ -18,7 +18,7 @@ struct Limits {
 constexpr Limits kError{0.12, 0.35};       ///< the median pixel's standard error, over its light
 constexpr Limits kColorError{0.18, 0.45};  ///< how wrong the colours are taken to be
 constexpr Limits kUnexplained{0.1, 0.2};   ///< of the light in bright pixels, by the colours as told
-constexpr Limits kBroken{0.05, 0.3};       ///< of the pixels: no numbers, or negative
+constexpr Limits kLost{0.05, 0.3};         ///< of the pixels: no numbers, or negative
 /// Lights that every channel tells apart like one lamp at a time need no surface to be matte: what that
 /// leaves unexplained says nothing of the colours.
 constexpr double kOneByOne = 1.1;
@@ -74,7 +74,7 @@ void addColorReasons(const SolveReport& report, std::vector<std::string>& reason
 }
 
 void addPictureReasons(const SolveReport& report, std::vector<std::string>& reasons) {
-  if (!std::isfinite(report.sigmaMedian) && report.notFinite == 0)
+  if (!std::isfinite(report.sigmaMedian) && partOf(report, report.lost) <= kManyPixels)
     reasons.emplace_back(
         "the photographs hold no light: check the files, and which is named as dark or ambient");
   if (report.residualMedian > kManyNoises)
@@ -89,8 +89,9 @@ void addPictureReasons(const SolveReport& report, std::vector<std::string>& reas
                          ? "moved between the photographs: align them"
                          : "moved between the photographs, and registering has not ended it: "
                            "take them again");
-  many(report.notFinite,
-       "are no numbers, infinite or negative in a photograph: check the files, and which is named as dark or "
+  many(report.lost,
+       "are no numbers, infinite or negative in too many photographs: check the files, and which is named as "
+       "dark or "
        "ambient");
   many(report.clipped, "are clipped in a photograph: expose less");
   // Under wrong colours what is known of a pixel is less than its light, as where it is dark.
@@ -108,7 +109,7 @@ SolveVerdict verdictOf(const SolveReport& report) {
   const bool muchMoved = partOf(report, report.moved) > kManyPixels;
   if (!report.causes.likely.empty() || report.causes.unnamed || muchMoved || lacksChannel(report))
     verdict.word = std::max(verdict.word, SolveVerdict::Word::Fair);
-  verdict.word = std::max(verdict.word, wordOf(partOf(report, report.notFinite), kBroken));
+  verdict.word = std::max(verdict.word, wordOf(partOf(report, report.lost), kLost));
   if (verdict.word == SolveVerdict::Word::Good) return verdict;
   addColorReasons(report, verdict.reasons);
   addPictureReasons(report, verdict.reasons);

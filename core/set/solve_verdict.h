@@ -17,10 +17,10 @@ struct SolveVerdict {
 /// The worst of three figures of the solver: the standard error of contributions in the median pixel, which
 /// holds the photographs' noise and how alike the colours are; how wrong the colours are taken to be; and
 /// what they leave of the light unexplained (the last two not where every light was photographed alone); and
-/// of the share of pixels that are no numbers. No more than fair where a cause of a misfit was found, much of
-/// the picture moved, or no light has one of the channels. The reasons are taken from the report's other
-/// figures. It cannot tell colours that are wrong and fit: two lights exchanged everywhere, say. A report
-/// without the figures (of another program) gives fair, and says so.
+/// of the share of pixels that are no numbers in too many photographs. No more than fair where a cause of a
+/// misfit was found, much of the picture moved, or no light has one of the channels. The reasons are taken
+/// from the report's other figures. It cannot tell colours that are wrong and fit: two lights exchanged
+/// everywhere, say. A report without the figures (of another program) gives fair, and says so.
 [[nodiscard]] SolveVerdict verdictOf(const SolveReport& report);
 
 /// "good", "fair", "lights not apart".

@@ -67,7 +67,8 @@ void summarize(const SolvedSet& set, SolveReport& report) {
   report.message += std::isfinite(report.sigmaMedian)
                         ? fmt::format("Contributions are known to {:.1f} % of the pixel (median).",
                                       100 * report.sigmaMedian)
-                        : "The photographs hold no light.";
+                    : report.lost == report.pixels ? "No pixel is known."
+                                                   : "The photographs hold no light.";
   if (report.residualMedian > 3)
     report.message += fmt::format(
         " The photographs disagree with the light colours by {:.1f} times their noise: check the colours, "

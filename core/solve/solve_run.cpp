@@ -375,6 +375,7 @@ void SolveRun::completePixels() {
   if (m_info.model != Model::Single && markMoved(m_context, *m_signal, m_set, m_tuning.motion) > 0)
     updateBeta(m_set);
   const std::vector<uint8_t> missing = writeFlags(pixels(), *m_signal, m_tuning.tooDarkSigma, m_set);
+  m_report.lost = m_signal->lostPixels();
   if (!missing.empty()) {
     for (Image& contribution : m_set.contributions) fillFromNeighbours(contribution, missing);
     updateBeta(m_set);

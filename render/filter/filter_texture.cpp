@@ -15,8 +15,12 @@ namespace {
 
 constexpr int kRowsAtOnce = 64;  // so that the interleaved copy stays small
 
+constexpr float kMostOfHalf = 65504;
+
 float sane(float value) {
-  if (!std::isfinite(value)) return 0;  // of an infinite pixel a glow would fill the frame
+  if (std::isnan(value)) return 0;
+  // A highlight that half float could not hold; of the brightest that there is a glow would fill the frame.
+  if (std::isinf(value)) return value > 0 ? kMostOfHalf : 0;
   return std::clamp(value, -FilterTexture::kBrightest, FilterTexture::kBrightest);
 }
 

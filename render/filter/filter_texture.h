@@ -44,7 +44,8 @@ class FilterTexture {
   /// Black, without alpha.
   void clear() const;
   /// The window's part of a picture of planes R G B, or R G B A; without A it is 1. The top row comes first.
-  /// What is no finite number becomes 0, what is beyond +-kBrightest that.
+  /// What is not a number becomes 0, an infinite value the most of half float, what is beyond +-kBrightest
+  /// that.
   void upload(ImageView picture) const;
   /// Writes the part of the window that `rect` is (also counted from the left bottom) into a picture of 3 or
   /// 4 planes.

@@ -140,6 +140,10 @@ class BadInputTest(cli.CliTest):
         with open(self.capture.path, 'w') as file:
             json.dump(self.capture.manifest, file)
         self.refuse('capture.json', 'shots 1 and 2', 'shot_01.exr')
+        self.capture.manifest['shots'][1]['image'] = './shot_01.exr'
+        with open(self.capture.path, 'w') as file:
+            json.dump(self.capture.manifest, file)
+        self.refuse('capture.json', 'shots 1 and 2')
 
     def test_two_outputs_of_one_name(self):
         self.deny('solve', self.capture.path, '-o', self.solved, '--report', self.path('set/../solved.exr'),
@@ -151,6 +155,20 @@ class BadInputTest(cli.CliTest):
                           ('balance', shot, '--colors', '2800K,0.5/0.7/1', '-o', frame, '--map', frame),
                           ('evaluate', shot, shot, '--map', frame, '--plot', frame)):
             self.deny(*arguments, naming='out.exr')
+
+    def test_two_outputs_of_one_name_spelt_otherwise(self):
+        self.succeed('solve', self.capture.path, '-o', self.solved)
+        folder = os.path.dirname(self.solved)
+        self.deny('relight', 'solved.exr', '-o', 'q.png', '--histogram', './q.png', naming='q.png', cwd=folder)
+        self.deny('relight', 'solved.exr', '-o', 'q.png', '--histogram', self.path('q.png'), naming='q.png', cwd=folder)
+
+    def test_pixels_that_one_photograph_lacks_are_told_by_the_others(self):
+        pixels = self.capture.shots[1].copy()
+        pixels[:, :6, 0] = np.nan
+        cli.write_image(self.shot(), pixels)
+        told = self.succeed_json('solve', self.capture.path, '-o', self.solved)
+        self.assertGreater(told['not_finite'], 60)
+        self.assertEqual((told['lost'], told['verdict']['word']), (0, 'good'))
 
     def test_photographs_without_light_are_not_told_apart(self):
         for pixels, reason in ((np.zeros((12, 16, 3)), 'hold no light'),

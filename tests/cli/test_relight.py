@@ -194,6 +194,8 @@ class RelightTest(cli.CliTest):
             self.assertIn(f'"{key}"', said)
         for file in ('edits.json: edit 1', 'rig.json: light 1 (key)'):
             self.assertIn(file, said)
+        frames = ('--rig', self.path('rig.json'), '-F', '1', '-o', self.path('frame.#.exr'))
+        self.assertIn('"stop"', self.succeed('relight', self.solved, *frames).stderr)
         self.assertIn('shadow_threshold', self.succeed('shadows', self.solved, '--edits', self.path('edits.json'), *out).stderr)
 
     def test_a_black_frame_is_mapped_to_black(self):

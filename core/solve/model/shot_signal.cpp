@@ -179,6 +179,12 @@ std::vector<uint8_t> ShotSignal::undetermined() const {
   return marks;
 }
 
+size_t ShotSignal::lostPixels() const {
+  size_t lost = 0;
+  for (size_t p = 0; p < m_flags.size(); ++p) lost += m_flags[p] & kNotFinite && !hasEnough(p);
+  return lost;
+}
+
 /// `values`: those of the pixel, [shot * 3 + channel] `stride` apart.
 void ShotSignal::repair(size_t pixel, bool mask, float* values, size_t stride) const {
   const auto& shots = m_pixels->shots;

@@ -38,6 +38,9 @@ class ShotSignal {
   /// there are none.
   [[nodiscard]] std::vector<uint8_t> undetermined() const;
 
+  /// How many pixels have values that are no numbers, or negative, and too few others.
+  [[nodiscard]] size_t lostPixels() const;
+
   /// The mean signal of each shot, over an even sample of usable pixels.
   [[nodiscard]] std::vector<Rgb> meanSignal() const;
 

@@ -32,11 +32,14 @@ TEST(SolveVerdict, PixelsThatAreNoNumbersAreNotToldApart) {
   SolveReport report = reportWith(0.01);
   for (const auto& [broken, word] :
        {std::pair(size_t{40}, Word::Good), {size_t{100}, Word::Fair}, {size_t{900}, Word::NotApart}}) {
-    report.notFinite = broken;
+    report.lost = broken;
     EXPECT_EQ(verdictOf(report).word, word) << broken;
   }
   EXPECT_THAT(verdictLine(verdictOf(report)), HasSubstr("90 % of the pixels are no numbers"));
   EXPECT_THAT(verdictLine(verdictOf(reportWith(INFINITY))), HasSubstr("hold no light"));
+  SolveReport recovered = reportWith(0.01);
+  recovered.notFinite = 900;  // of one photograph: the others sufficed
+  EXPECT_EQ(verdictOf(recovered).word, Word::Good);
 }
 
 TEST(SolveVerdict, AGoodOneGivesNoReasons) {
