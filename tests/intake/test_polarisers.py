@@ -191,7 +191,7 @@ class PolarisersTest(cli.CliTest):
         unknown.manifest['shots'][0]['light_colors'][1] = None
         refuse(unknown, "a light's colour is unknown", 'crossed')
         few = self.shots([(0, False), (1, False)])
-        few.manifest['shots'].append({'image': 'shot_0.exr', 'polarisation': 'cross', 'light_colors': [[1, 1, 1], [1, 1, 1]]})
+        few.manifest['shots'].append({'image': 'again.exr', 'polarisation': 'cross', 'light_colors': [[1, 1, 1], [1, 1, 1]]})
         few.shots.append(few.shots[0])
         refuse(few, 'its crossed photographs must tell the lights apart by themselves')
         alike = self.shots([(0, True), (1, True)])
