@@ -135,8 +135,8 @@ int exitCodeOf(const SequenceSummary& summary) {
 }
 
 /// No frame may replace what any of them is made of; the first one can be written.
-void checkOutputs(const std::vector<int>& frames, const std::string& output,
-                  const LightingArguments& lighting, const std::optional<Session>& session) {
+void checkFrameFiles(const std::vector<int>& frames, const std::string& output,
+                     const LightingArguments& lighting, const std::optional<Session>& session) {
   std::vector<std::filesystem::path> inputs = lighting.inputs(session);
   const std::string source = lighting.source(session).string();
   std::error_code error;
@@ -217,7 +217,7 @@ int SequenceArguments::run(const ColorConfig& config, const LightingArguments& l
     throw InputError("{}: has no place for the frame's number; write name.%04d.exr or name.####.exr", output);
   if (m_cues) return runCues(config, lighting, session, output, frame, terminal);
   const std::vector<int> all = framesFromRange(m_frames);  // of all tasks of an array job
-  checkOutputs(share(all), output, lighting, session);
+  checkFrameFiles(share(all), output, lighting, session);
   Progress quiet;  // a line a frame is enough
   quiet.stop = terminal.progress().stop;
   const int first = all.empty() ? 0 : *std::min_element(all.begin(), all.end());
@@ -240,7 +240,7 @@ int SequenceArguments::runCues(const ColorConfig& config, const LightingArgument
   std::vector<int> all;
   for (int number = planned.firstFrame(); number <= planned.lastFrame(); ++number) all.push_back(number);
   if (m_framesGiven) all = framesFromRange(m_frames);
-  checkOutputs(share(all), output, lighting, session);
+  checkFrameFiles(share(all), output, lighting, session);
   const Progress progress = terminal.progress();
   auto set = std::make_shared<const SolvedSet>(lighting.openUnedited(config, session, progress));
   sayWarnings(set->capture.warnings, terminal);

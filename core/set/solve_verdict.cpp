@@ -18,7 +18,7 @@ struct Limits {
 constexpr Limits kError{0.12, 0.35};       ///< the median pixel's standard error, over its light
 constexpr Limits kColorError{0.18, 0.45};  ///< how wrong the colours are taken to be
 constexpr Limits kUnexplained{0.1, 0.2};   ///< of the light in bright pixels, by the colours as told
-constexpr Limits kLost{0.05, 0.3};         ///< of the pixels: no numbers, or negative
+constexpr Limits kLost{0.05, 0.3};         ///< of the pixels: SolveReport::lost
 /// Lights that every channel tells apart like one lamp at a time need no surface to be matte: what that
 /// leaves unexplained says nothing of the colours.
 constexpr double kOneByOne = 1.1;
@@ -91,8 +91,7 @@ void addPictureReasons(const SolveReport& report, std::vector<std::string>& reas
                            "take them again");
   many(report.lost,
        "are no numbers, infinite or negative in too many photographs: check the files, and which is named as "
-       "dark or "
-       "ambient");
+       "dark or ambient");
   many(report.clipped, "are clipped in a photograph: expose less");
   // Under wrong colours what is known of a pixel is less than its light, as where it is dark.
   if (colorWord(report) == Word::Good) many(report.tooDark, "are too dark: expose more");
