@@ -14,6 +14,7 @@
 #include "core/shadow/detect/shadow_regions.h"
 #include "core/shadow/detect/shadow_sides.h"
 #include "core/shadow/detect/shadow_threshold.h"
+#include "core/shadow/detect/weighed_visibility.h"
 #include "core/shadow/evidence/each_light.h"
 #include "core/shadow/evidence/shadow_evidence.h"
 #include "core/shadow/marks/mark_word.h"
@@ -135,7 +136,7 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
   std::vector<float> thresholds(count);
   std::vector<LightOdds> odds(count);
   const SmallSet small =
-      smallSetOf(evidence.contributions, sizeWithin(evidence.known.size(), tuning.odds.longest));
+      smallSetOf(set.contributions, sizeWithin(evidence.known.size(), tuning.odds.longest));
   forEachLight(count, progress.part(.3f, .4f), kFinding, [&](size_t i) {
     const ShadowEvidence& light = evidence.lights[i];
     const std::string& name = set.capture.lights[i].name;
@@ -163,14 +164,15 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
     const ShadowMarks& marks = options.marksOf(name);
     const cv::Mat word = wordOfMarks(
         marks, {shrunk(light.shading, size), sides.own, evidenceOfLight(odds[i])}, full, tuning.marks);
-    const ShadowDivision division = divideShadow(shrunk(light.level, size), thresholds[i], sides,
-                                                 weighed ? odds[i] : LightOdds{}, word, tuning);
+    ShadowDivision division = divideShadow(shrunk(light.level, size), thresholds[i], sides,
+                                           weighed ? odds[i] : LightOdds{}, word, tuning);
     settled[i].emplace(marks, full, word, division.shadow, full, tuning.marks);
     divided[i] =
         visibilityOf(light, division.shadow, evidence.known, smallest, tuning.regions, settled[i]->pixels());
     settled[i]->pinIn(divided[i]);
     told[i] = toldPixels(division, evidence.known);
     settled[i]->tellIn(told[i]);
+    odds[i] = std::move(division.odds);
   });
   std::vector<RefinedVisibility> refined(count);
   std::vector<cv::Mat> visibilities(count);
@@ -184,6 +186,7 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
     FilledShadow filled = fillShadow(evidence, visibilities, refined[i].told, i, tuning);
     // After filling: what a surface that turns away still sees is dim of itself, and lacks nothing.
     cv::max(filled.visibility, refined[i].reached, filled.visibility);
+    filled.visibility = weighedVisibility(filled.visibility, refined[i].told, odds[i], tuning.regions);
     removeSmallShadows(filled.visibility, smallest, tuning.regions, settled[i]->pixels());
     settled[i]->obeyIn(filled.visibility, divided[i]);
     all[i].labels = labelShadows(filled.visibility, told[i], tuning.regions);

@@ -22,7 +22,7 @@ cv::Mat costOfDenying(const cv::Mat& word, const ShadowTuning& tuning) {
 LightOdds withWord(const LightOdds& odds, const cv::Mat& word, const ShadowTuning& tuning) {
   if (odds.umbra.empty() || word.empty()) return odds;
   const cv::Mat lit = costOfDenying(word, tuning);
-  return {odds.umbra - lit, odds.lit + lit};
+  return {odds.umbra - lit, odds.lit + lit, odds.visible};
 }
 
 // The cheapest cut: 255 where a pixel is parted from the light. `lit`: what it costs not to be lit.
@@ -82,23 +82,15 @@ cv::Mat cutShadow(const LightOdds& odds, const cv::Mat& apart, const ShadowCutTu
 ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
                             const LightOdds& unmarked, const cv::Mat& word, const ShadowTuning& all) {
   const ShadowCutTuning& tuning = all.cut;
-  ShadowDivision division{cutShadow(level, threshold, sides, word, all), cv::Mat::zeros(level.size(), CV_8U)};
+  ShadowDivision division{cutShadow(level, threshold, sides, word, all), cv::Mat::zeros(level.size(), CV_8U), {}};
   if (unmarked.umbra.empty()) return division;
-  const LightOdds odds = withWord(unmarked, word, all);
-  const cv::Mat byOdds = cutShadow(odds, sides.apart, tuning);
-  const auto wide = [&](cv::Mat parts) {
-    cv::morphologyEx(parts, parts, cv::MORPH_OPEN, disk(std::max(tuning.border * referenceUnit(parts), 1.F)));
-    return parts;
-  };
-  const cv::Mat unsupported = wide(division.shadow & byOdds & (odds.umbra < tuning.bearingUmbra));
-  const cv::Mat contested = wide(division.shadow != byOdds);
-  const cv::Mat shadow = contested & byOdds & (odds.umbra > tuning.strongUmbra);
-  const cv::Mat lit = contested & ~byOdds & (odds.lit > tuning.strongLit);
-  const cv::Mat asByLevel = byOdds & (odds.umbra < tuning.weakUmbra);
-  const cv::Mat untold = contested & ~(shadow | lit | asByLevel);
-  division.shadow.setTo(255, shadow);
-  division.shadow.setTo(0, lit | untold);
-  division.untold = untold | unsupported;
+  division.odds = withWord(unmarked, word, all);
+  const cv::Mat byOdds = cutShadow(division.odds, sides.apart, tuning);
+  cv::Mat contested = division.shadow != byOdds;
+  cv::morphologyEx(contested, contested, cv::MORPH_OPEN,
+                   disk(std::max(tuning.border * referenceUnit(contested), 1.F)));
+  byOdds.copyTo(division.shadow, contested);
+  division.untold = (cv::abs(division.odds.umbra) < tuning.unsure) & (division.odds.visible < tuning.seen);
   if (!word.empty()) {
     division.shadow.setTo(255, word <= -all.marks.hard);  // opening may have taken the place for a border's
     division.shadow.setTo(0, word >= all.marks.hard);

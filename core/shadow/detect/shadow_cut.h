@@ -24,19 +24,17 @@ namespace swaplight {
 
 /// One light's picture divided into shadow and light.
 struct ShadowDivision {
-  cv::Mat shadow;  ///< 8-bit: 255 in shadow, 0 where it is lit: where it cannot be told, what is to be taken
-                   ///< for it
+  cv::Mat shadow;  ///< 8-bit: 255 in shadow, 0 where it is lit
   cv::Mat untold;  ///< 8-bit: 255 where it cannot be told which
+  LightOdds odds;  ///< as marks leave them; empty where none were given
 };
 
 /// Both cuts made one. A level tells to the pixel where a shadow ends, but of a whole surface whether it is
-/// dim or in shadow it knows nothing; the odds know something, and nothing to the pixel. So where the cuts
-/// part by no more than the width of a border the level's is taken. Where they part by more, strong odds are;
-/// odds too weak to speak for a shadow in what the level has lit leave it lit; and in between it cannot be
-/// told, and counts as lit: a shadow that is not removed is less wrong than light that is. Nor can it be told
-/// where only the level speaks for a shadow, though the odds would rather have it than not. Odds of empty
-/// pictures say nothing. What a person's marks say (`word`, or an empty picture) both cuts obey, and where it
-/// is strong it is told.
+/// dim or in shadow it knows nothing; the odds know that, and nothing to the pixel. So where the cuts part by
+/// no more than the width of a border the level's is taken, and where they part by more that of the odds.
+/// Where they are near even it cannot be told, unless most of the light is seen there anyway. Odds of empty
+/// pictures say nothing: then the level decides alone. What a person's marks say (`word`, or an empty
+/// picture) both cuts obey, and where it is strong it is told.
 [[nodiscard]] ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
                                           const LightOdds& odds, const cv::Mat& word = {},
                                           const ShadowTuning& tuning = {});

@@ -79,7 +79,7 @@ ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress)
   m_scale = static_cast<float>(set.width()) / static_cast<float>(evidence->known.cols);
   std::vector<float> thresholds;
   const SmallSet small =
-      smallSetOf(evidence->contributions, sizeWithin(evidence->known.size(), UmbraOddsTuning{}.longest));
+      smallSetOf(set.contributions, sizeWithin(evidence->known.size(), UmbraOddsTuning{}.longest));
   for (size_t i = 0; i < evidence->lights.size(); ++i) {
     const ShadowEvidence& light = evidence->lights[i];
     const float lit = litLevel(light, evidence->known);

@@ -135,10 +135,8 @@ struct ShadowCutTuning {
   float oddsPartingCost = 2;  ///< log-odds of one pixel: as partingCost, in the cut by odds
   float border = 1;  ///< units, a pixel at least: where two cuts part by less than twice this, they mean
                      ///< one border
-  float strongUmbra = 2.5F;    ///< log-odds of umbra that are believed against the level
-  float weakUmbra = 1.2F;      ///< ... that are not; in between it cannot be told
-  float bearingUmbra = 1.25F;  ///< ... that bear out a shadow of the level's
-  float strongLit = 1;         ///< log-odds of lit that are believed
+  float unsure = 1.5F;  ///< log-odds of umbra, either way, that cannot be told ...
+  float seen = .7F;     ///< ... where no more of the light than this is seen
 
   static constexpr auto fields() {
     using T = ShadowCutTuning;
@@ -153,10 +151,8 @@ struct ShadowCutTuning {
                       std::pair{"least_parting", &T::leastParting},
                       std::pair{"odds_parting_cost", &T::oddsPartingCost},
                       std::pair{"border", &T::border},
-                      std::pair{"strong_umbra", &T::strongUmbra},
-                      std::pair{"weak_umbra", &T::weakUmbra},
-                      std::pair{"bearing_umbra", &T::bearingUmbra},
-                      std::pair{"strong_lit", &T::strongLit}};
+                      std::pair{"unsure", &T::unsure},
+                      std::pair{"seen", &T::seen}};
   }
 };
 
@@ -165,13 +161,18 @@ struct ShadowRegionsTuning {
   float guideScale = .2F;      ///< of the level, for the guided filter
   double guideEpsilon = 1e-4;  ///< of the guided filter, on that scale
   float softening = 2;         ///< units: how far a border is made soft
+  float umbraOdds = .7F;       ///< log-odds of umbra that none of the light is seen with ...
+  float litOdds = 0;           ///< ... and of lit that all of it is
+  float measured = .5F;  ///< how much a measured penumbra counts beside what the odds say is seen
   float umbra = .15F;          ///< visibility below which a pixel is umbra
   float lit = .9F;             ///< visibility above which it is lit
 
   static constexpr auto fields() {
     using T = ShadowRegionsTuning;
     return std::tuple{std::pair{"guide_scale", &T::guideScale}, std::pair{"guide_epsilon", &T::guideEpsilon},
-                      std::pair{"softening", &T::softening}, std::pair{"umbra", &T::umbra},
+                      std::pair{"softening", &T::softening}, std::pair{"umbra_odds", &T::umbraOdds},
+                      std::pair{"lit_odds", &T::litOdds},    std::pair{"measured", &T::measured},
+                      std::pair{"umbra", &T::umbra},
                       std::pair{"lit", &T::lit}};
   }
 };

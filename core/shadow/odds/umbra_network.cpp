@@ -2,75 +2,63 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/dnn.hpp>
 
 #include "core/base/parallel.h"
-#include "core/shadow/odds/umbra_weights.h"
-#include "core/simd/simd.h"
+#include "core/shadow/odds/umbra_network_file.h"
 
 namespace swaplight {
 namespace {
 
-using namespace umbra_weights;
+enum Told { kUmbraScore, kPenumbraScore, kLitScore, kVisibleScore, kScores };
 
-enum Class { kUmbraClass, kPenumbraClass, kLitClass, kClasses };
-
-constexpr float kMostTold = 12;  // a log: the weights know no more than that
-
-constexpr size_t kTile = 16;  // pixels weighed at once: a register, or a few
-
-// What each class gets of `count` pixels (at most kTile) that begin at `first`.
-SWAPLIGHT_SIMD(void, weighTile,
-               (const float* const* features, size_t first, size_t count, float (&scores)[kClasses][kTile]),
-               (features, first, count, scores)) {
-  float value[kFeatures][kTile] = {};
-  for (size_t f = 0; f < kFeatures; ++f) {
-    for (size_t l = 0; l < count; ++l) value[f][l] = features[f][first + l];
-    for (size_t l = 0; l < kTile; ++l) {
-      value[f][l] = value[f][l] > kLeast[f] ? value[f][l] : kLeast[f];
-      value[f][l] = value[f][l] < kMost[f] ? value[f][l] : kMost[f];
-    }
-  }
-  for (size_t k = 0; k < kClasses; ++k)
-    for (size_t l = 0; l < kTile; ++l) scores[k][l] = kOutputBias[k];
-  for (size_t j = 0; j < kHidden; ++j) {
-    float hidden[kTile];
-    for (size_t l = 0; l < kTile; ++l) hidden[l] = kHiddenBias[j];
-    for (size_t f = 0; f < kFeatures; ++f)
-      for (size_t l = 0; l < kTile; ++l) hidden[l] += value[f][l] * kHiddenWeights[f][j];
-    for (size_t k = 0; k < kClasses; ++k)
-      for (size_t l = 0; l < kTile; ++l)
-        scores[k][l] += kOutputWeights[j][k] * (hidden[l] > 0 ? hidden[l] : 0);
-  }
-}
+constexpr float kMostTold = 12;  // a log: the network knows no more than that
+constexpr int kStep = 32;        // pixels: its smallest picture has one for so many
 
 float logSum(float a, float b) {
   return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
 }
 
+float oddsOf(float one, float another, float third) {
+  return std::clamp(one - logSum(another, third), -kMostTold, kMostTold);
+}
+
+int wholeSteps(int pixels) {
+  return (pixels + kStep - 1) / kStep * kStep;
+}
+
+// The pictures as the network takes them: one after the other, their last pixels repeated to whole steps.
+cv::Mat blobOf(const std::vector<cv::Mat>& evidence) {
+  const cv::Size size = evidence.front().size();
+  const int sizes[] = {1, static_cast<int>(evidence.size()), wholeSteps(size.height), wholeSteps(size.width)};
+  cv::Mat blob(4, sizes, CV_32F);
+  for (int i = 0; i < sizes[1]; ++i) {
+    cv::Mat plane(sizes[2], sizes[3], CV_32F, blob.ptr<float>(0, i));
+    cv::copyMakeBorder(evidence[static_cast<size_t>(i)], plane, 0, sizes[2] - size.height, 0,
+                       sizes[3] - size.width, cv::BORDER_REPLICATE);
+  }
+  return blob;
+}
+
 }  // namespace
 
-LightOdds weighUmbra(const std::vector<cv::Mat>& features) {
-  CV_Assert(features.size() == kFeatures);
-  const cv::Size size = features.front().size();
-  LightOdds odds{cv::Mat(size, CV_32F), cv::Mat(size, CV_32F)};
+LightOdds weighUmbra(const std::vector<cv::Mat>& evidence) {
+  const cv::Size size = evidence.front().size();
+  const std::span<const char> file = umbraNetworkFile();
+  cv::dnn::Net network = cv::dnn::readNetFromONNX(file.data(), file.size());  // one cannot be shared by threads
+  network.setInput(blobOf(evidence));
+  const cv::Mat scores = network.forward();
+  CV_Assert(scores.dims == 4 && scores.size[1] == kScores);
+  LightOdds odds{cv::Mat(size, CV_32F), cv::Mat(size, CV_32F), cv::Mat(size, CV_32F)};
   parallelRows(size.height, 16, [&](int begin, int end) {
-    const float* rows[kFeatures];
-    float score[kClasses][kTile];
-    const auto told = [](float one, float another, float third) {
-      return std::clamp(one - logSum(another, third), -kMostTold, kMostTold);
-    };
     for (int y = begin; y < end; ++y) {
-      for (size_t f = 0; f < kFeatures; ++f) rows[f] = features[f].ptr<float>(y);
-      const auto width = size_t(size.width);
-      for (size_t x = 0; x < width; x += kTile) {
-        const size_t count = std::min(kTile, width - x);
-        weighTile(rows, x, count, score);
-        for (size_t l = 0; l < count; ++l) {
-          const float umbra = score[kUmbraClass][l], penumbra = score[kPenumbraClass][l],
-                      lit = score[kLitClass][l];
-          odds.umbra.ptr<float>(y)[x + l] = told(umbra, penumbra, lit);
-          odds.lit.ptr<float>(y)[x + l] = told(lit, penumbra, umbra);
-        }
+      const auto row = [&](Told told) { return scores.ptr<float>(0, told, y); };
+      const float *umbra = row(kUmbraScore), *penumbra = row(kPenumbraScore), *lit = row(kLitScore),
+                  *visible = row(kVisibleScore);
+      for (int x = 0; x < size.width; ++x) {
+        odds.umbra.at<float>(y, x) = oddsOf(umbra[x], penumbra[x], lit[x]);
+        odds.lit.at<float>(y, x) = oddsOf(lit[x], penumbra[x], umbra[x]);
+        odds.visible.at<float>(y, x) = 1 / (1 + std::exp(-visible[x]));
       }
     }
   });

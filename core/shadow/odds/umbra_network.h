@@ -5,17 +5,17 @@
 
 namespace swaplight {
 
-/// Log-odds (float pictures) of what a pixel is to a light.
+/// What a pixel is to a light, as float pictures.
 struct LightOdds {
-  cv::Mat umbra;  ///< of umbra against penumbra and lit
-  cv::Mat lit;    ///< of lit against penumbra and umbra
+  cv::Mat umbra;    ///< log-odds of umbra against penumbra and lit
+  cv::Mat lit;      ///< log-odds of lit against penumbra and umbra
+  cv::Mat visible;  ///< 0..1: how much of the light is seen, as far as the network can tell
 };
 
-/// Weighs what umbraFeatures() gives: a network of one hidden layer whose weights (umbra_weights.h) were
-/// fitted to rendered sets with truth by tests/bench/train_umbra.py. Why a fitted one: what each feature says
-/// is physics, but how much a step on one surface counts against a level that bounce may reach has no closed
-/// form; and fitted, odds can be made as sure as they are right on sets left out, so that "cannot be told"
-/// can be said. A feature that is no number counts as the least of its range.
-[[nodiscard]] LightOdds weighUmbra(const std::vector<cv::Mat>& features);
+/// Weighs what umbraEvidence() gives: a network of convolutions over six sizes of the picture (Ronneberger et
+/// al., "U-Net", MICCAI 2015), umbra_network.onnx, which tests/train taught by rendered sets with truth. Why
+/// one that is taught: whether a dark wall is far from the light or behind something is told by its shape, by
+/// what stands beside it and by what the other lights show there, and no single number says so.
+[[nodiscard]] LightOdds weighUmbra(const std::vector<cv::Mat>& evidence);
 
 }  // namespace swaplight

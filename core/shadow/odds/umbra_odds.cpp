@@ -23,7 +23,7 @@ bool isEven(const cv::Mat& grey) {
 
 LightOdds umbraOdds(const SmallSet& set, size_t light, const UmbraOddsTuning& tuning) {
   if (std::min(set.total.rows, set.total.cols) < kSmallest || isEven(set.grey[light])) return {};
-  const LightOdds odds = weighUmbra(umbraFeatures(set, light));
+  const LightOdds odds = weighUmbra(umbraEvidence(set, light));
   if (tuning.pooling <= 0) return odds;
   const float unit = referenceUnit(set.total);
   cv::Mat guide[3] = {set.grey[light].clone(), set.total - set.grey[light], set.total.clone()};
@@ -39,7 +39,7 @@ LightOdds umbraOdds(const SmallSet& set, size_t light, const UmbraOddsTuning& tu
   cv::merge(plain, 2, both);
   cv::ximgproc::dtFilter(edges, both, both, tuning.pooling * unit, tuning.edge);
   cv::split(both, pooled);
-  return {pooled[0], pooled[1]};
+  return {pooled[0], pooled[1], odds.visible};
 }
 
 }  // namespace swaplight

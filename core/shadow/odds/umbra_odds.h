@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/shadow/odds/umbra_features.h"
+#include "core/shadow/odds/umbra_evidence.h"
 #include "core/shadow/odds/umbra_network.h"
 #include "core/shadow/odds/umbra_tuning.h"
 
