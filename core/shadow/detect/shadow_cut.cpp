@@ -82,7 +82,8 @@ cv::Mat cutShadow(const LightOdds& odds, const cv::Mat& apart, const ShadowCutTu
 ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
                             const LightOdds& unmarked, const cv::Mat& word, const ShadowTuning& all) {
   const ShadowCutTuning& tuning = all.cut;
-  ShadowDivision division{cutShadow(level, threshold, sides, word, all), cv::Mat::zeros(level.size(), CV_8U), {}};
+  ShadowDivision division{
+      cutShadow(level, threshold, sides, word, all), cv::Mat::zeros(level.size(), CV_8U), {}};
   if (unmarked.umbra.empty()) return division;
   division.odds = withWord(unmarked, word, all);
   const cv::Mat byOdds = cutShadow(division.odds, sides.apart, tuning);

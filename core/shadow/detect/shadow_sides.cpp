@@ -5,6 +5,7 @@
 
 #include "core/shadow/evidence/other_lights.h"
 #include "core/shadow/numeric/shadow_pictures.h"
+#include "core/shadow/odds/umbra_evidence.h"
 
 namespace swaplight {
 namespace {
@@ -68,7 +69,7 @@ std::vector<cv::Mat> brightParts(const SetEvidence& set, const std::vector<float
 ShadowSides shadowSides(const SetEvidence& set, const std::vector<cv::Mat>& bright, size_t light,
                         const ShadowTuning& tuning) {
   const cv::Size full = set.known.size();
-  const cv::Size size = sizeWithin(full, tuning.odds.longest);
+  const cv::Size size = sizeWithin(full, kUmbraLongest);
 
   // The light's ratio to the others, where they tell something.
   const OtherLights others = otherLights(set, bright, light, 1, tuning.others);

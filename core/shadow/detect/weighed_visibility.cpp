@@ -1,5 +1,6 @@
 #include "core/shadow/detect/weighed_visibility.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "core/shadow/numeric/shadow_pictures.h"
@@ -7,12 +8,17 @@
 namespace swaplight {
 namespace {
 
-// A mask of the odds at the size of the picture: where that is larger, without what lies beside its border.
-cv::Mat surely(cv::Mat mask, cv::Size full) {
-  if (mask.size() == full) return mask;
-  cv::erode(mask, mask, {}, {-1, -1}, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
-  cv::resize(mask, mask, full, 0, 0, cv::INTER_NEAREST);
-  return mask;
+constexpr int kNarrow =
+    5;  // pixels: what is less wide is a border or a print's outline, no penumbra to be told
+constexpr int kBorder = 2;  // pixels of the odds: where the picture has more of them
+
+// A mask of the odds at the size of the picture, without what lies within so many of their pixels of its
+// border.
+cv::Mat inside(const cv::Mat& mask, int border, cv::Size full) {
+  cv::Mat out;
+  cv::erode(mask, out, {}, {-1, -1}, border, cv::BORDER_CONSTANT, cv::Scalar(255));
+  cv::resize(out, out, full, 0, 0, cv::INTER_NEAREST);
+  return out;
 }
 
 }  // namespace
@@ -24,11 +30,16 @@ cv::Mat weighedVisibility(const cv::Mat& measured, const cv::Mat& told, const Li
   const cv::Mat umbra = odds.umbra > tuning.umbraOdds;
   const cv::Mat lit = odds.lit > tuning.litOdds & ~umbra;
   const cv::Mat seen = grown(odds.visible, full);
-  const cv::Mat partly = seen + tuning.measured * told.mul(measured - seen);
+  const cv::Mat well = told.mul(told).mul(told);  // half told is hardly better than the odds
+  const cv::Mat partly = seen + well.mul(measured - seen);
   cv::Mat weighed = measured.clone();
-  partly.copyTo(weighed, surely(~(umbra | lit), full));
-  weighed.setTo(0, surely(umbra, full));
-  weighed.setTo(1, surely(lit, full));
+  cv::Mat between = ~(umbra | lit);
+  cv::morphologyEx(between, between, cv::MORPH_OPEN, cv::Mat::ones(kNarrow, kNarrow, CV_8U));
+  partly.copyTo(weighed, inside(between, 0, full));
+  const int border = umbra.size() == full ? 0 : kBorder;
+  cv::Mat(cv::max(weighed, tuning.umbra)).copyTo(weighed, inside(odds.umbra < 0, border, full));
+  weighed.setTo(0, inside(umbra, border, full));
+  weighed.setTo(1, inside(lit, std::max(border, 1), full));
   return weighed;
 }
 

@@ -5,8 +5,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/shadow/evidence/each_light.h"
+#include "core/shadow/evidence/shared_reflectance.h"
 #include "core/shadow/numeric/shadow_pictures.h"
-#include "core/shadow/odds/shared_reflectance.h"
 
 namespace swaplight {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "core/shadow/evidence/penumbra_tuning.h"
 #include "core/shadow/marks/mark_tuning.h"
-#include "core/shadow/odds/umbra_tuning.h"
 
 namespace swaplight {
 
@@ -41,7 +40,7 @@ struct ShadowEvidenceTuning {
 /// Of what the other lights show of a surface (other_lights.h).
 struct OtherLightsTuning {
   float dark = .004F;     ///< of white: below, they show nothing of it
-  float seen = .7F;       ///< visibility from which on a light shows it well enough
+  float seen = .85F;      ///< visibility from which on a light shows it well enough
   float ratioEdge = .3F;  ///< log step of theirs that a ratio is not continued over
   float meanEdge = 3;     ///< the same for means of a ratio, in such steps
   float around = 20;      ///< units: standard deviation, of the surfaces around that a light shines on
@@ -133,10 +132,10 @@ struct ShadowCutTuning {
   float partingCost = 4;  ///< of neighbours on either side where there is no border
   float leastParting = .02F;  ///< the same where there is one
   float oddsPartingCost = 2;  ///< log-odds of one pixel: as partingCost, in the cut by odds
-  float border = 1;  ///< units, a pixel at least: where two cuts part by less than twice this, they mean
-                     ///< one border
-  float unsure = 1.5F;  ///< log-odds of umbra, either way, that cannot be told ...
-  float seen = .7F;     ///< ... where no more of the light than this is seen
+  float border = 1;   ///< units, a pixel at least: where two cuts part by less than twice this, they mean
+                      ///< one border
+  float unsure = 2;   ///< log-odds of umbra, either way, that cannot be told ...
+  float seen = .85F;  ///< ... where no more of the light than this is seen
 
   static constexpr auto fields() {
     using T = ShadowCutTuning;
@@ -163,15 +162,16 @@ struct ShadowRegionsTuning {
   float softening = 2;         ///< units: how far a border is made soft
   float umbraOdds = .7F;       ///< log-odds of umbra that none of the light is seen with ...
   float litOdds = 0;           ///< ... and of lit that all of it is
-  float measured = .5F;  ///< how much a measured penumbra counts beside what the odds say is seen
   float umbra = .15F;          ///< visibility below which a pixel is umbra
   float lit = .9F;             ///< visibility above which it is lit
 
   static constexpr auto fields() {
     using T = ShadowRegionsTuning;
-    return std::tuple{std::pair{"guide_scale", &T::guideScale}, std::pair{"guide_epsilon", &T::guideEpsilon},
-                      std::pair{"softening", &T::softening}, std::pair{"umbra_odds", &T::umbraOdds},
-                      std::pair{"lit_odds", &T::litOdds},    std::pair{"measured", &T::measured},
+    return std::tuple{std::pair{"guide_scale", &T::guideScale},
+                      std::pair{"guide_epsilon", &T::guideEpsilon},
+                      std::pair{"softening", &T::softening},
+                      std::pair{"umbra_odds", &T::umbraOdds},
+                      std::pair{"lit_odds", &T::litOdds},
                       std::pair{"umbra", &T::umbra},
                       std::pair{"lit", &T::lit}};
   }
@@ -183,7 +183,6 @@ struct ShadowTuning {
   OtherLightsTuning others;
   ShadowThresholdTuning threshold;
   ShadowSidesTuning sides;
-  UmbraOddsTuning odds;
   ShadowMarkTuning marks;
   ShadowCutTuning cut;
   ShadowRegionsTuning regions;
@@ -198,7 +197,6 @@ struct ShadowTuning {
                       std::pair{"others", &T::others},
                       std::pair{"threshold", &T::threshold},
                       std::pair{"sides", &T::sides},
-                      std::pair{"odds", &T::odds},
                       std::pair{"marks", &T::marks},
                       std::pair{"cut", &T::cut},
                       std::pair{"regions", &T::regions},

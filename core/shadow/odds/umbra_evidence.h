@@ -8,7 +8,10 @@
 
 namespace swaplight {
 
-/// A set's contributions at a small size (see UmbraOddsTuning::longest), with their noise.
+/// Pixels of the longer side of the picture that the network is asked about: about what it was taught on.
+inline constexpr int kUmbraLongest = 480;
+
+/// A set's contributions at a small size (see kUmbraLongest), with their noise.
 struct SmallSet {
   std::vector<cv::Mat> rgb;   ///< R G B float, a light each
   std::vector<cv::Mat> grey;  ///< their means over the channels

@@ -12,8 +12,9 @@ namespace {
 
 enum Told { kUmbraScore, kPenumbraScore, kLitScore, kVisibleScore, kScores };
 
-constexpr float kMostTold = 12;  // a log: the network knows no more than that
-constexpr int kStep = 32;        // pixels: its smallest picture has one for so many
+constexpr float kMostTold =
+    4.5F;                  // a log: of what is surer it is not right more often, and a mark must outweigh it
+constexpr int kStep = 32;  // pixels: its smallest picture has one for so many
 
 float logSum(float a, float b) {
   return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
@@ -45,7 +46,8 @@ cv::Mat blobOf(const std::vector<cv::Mat>& evidence) {
 LightOdds weighUmbra(const std::vector<cv::Mat>& evidence) {
   const cv::Size size = evidence.front().size();
   const std::span<const char> file = umbraNetworkFile();
-  cv::dnn::Net network = cv::dnn::readNetFromONNX(file.data(), file.size());  // one cannot be shared by threads
+  cv::dnn::Net network =
+      cv::dnn::readNetFromONNX(file.data(), file.size());  // one cannot be shared by threads
   network.setInput(blobOf(evidence));
   const cv::Mat scores = network.forward();
   CV_Assert(scores.dims == 4 && scores.size[1] == kScores);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/ximgproc/edge_filter.hpp>
 
 #include "core/shadow/numeric/shadow_pictures.h"
 
@@ -21,25 +19,9 @@ bool isEven(const cv::Mat& grey) {
 
 }  // namespace
 
-LightOdds umbraOdds(const SmallSet& set, size_t light, const UmbraOddsTuning& tuning) {
+LightOdds umbraOdds(const SmallSet& set, size_t light) {
   if (std::min(set.total.rows, set.total.cols) < kSmallest || isEven(set.grey[light])) return {};
-  const LightOdds odds = weighUmbra(umbraEvidence(set, light));
-  if (tuning.pooling <= 0) return odds;
-  const float unit = referenceUnit(set.total);
-  cv::Mat guide[3] = {set.grey[light].clone(), set.total - set.grey[light], set.total.clone()};
-  for (cv::Mat& g : guide) {
-    cv::GaussianBlur(g, g, {}, 1.2 * unit, 0, cv::BORDER_REPLICATE);
-    g = cv::max(g, 0) + 1e-3;
-    cv::log(g, g);
-  }
-  cv::Mat edges;
-  cv::merge(guide, 3, edges);
-  const cv::Mat plain[2] = {odds.umbra, odds.lit};
-  cv::Mat both, pooled[2];
-  cv::merge(plain, 2, both);
-  cv::ximgproc::dtFilter(edges, both, both, tuning.pooling * unit, tuning.edge);
-  cv::split(both, pooled);
-  return {pooled[0], pooled[1], odds.visible};
+  return weighUmbra(umbraEvidence(set, light));
 }
 
 }  // namespace swaplight

@@ -3,11 +3,34 @@
 #include <opencv2/imgproc.hpp>
 
 namespace swaplight {
+namespace {
+
+cv::Mat unknownMask(const std::vector<ShadowLabel>& labels, int width) {
+  cv::Mat mask(width > 0 ? static_cast<int>(labels.size()) / width : 0, width, CV_8U);
+  for (size_t p = 0; p < labels.size(); ++p) mask.data[p] = labels[p] == ShadowLabel::Unknown ? 255 : 0;
+  return mask;
+}
+
+}  // namespace
 
 cv::Mat labelMask(const std::vector<ShadowLabel>& labels, int width, ShadowLabel lightest) {
   cv::Mat mask(width > 0 ? static_cast<int>(labels.size()) / width : 0, width, CV_8U);
   for (size_t p = 0; p < labels.size(); ++p)
     mask.data[p] = labels[p] != ShadowLabel::Unknown && labels[p] <= lightest ? 255 : 0;
+  if (lightest == ShadowLabel::Penumbra) {
+    cv::Mat umbra;
+    cv::dilate(labelMask(labels, width, ShadowLabel::Umbra), umbra, cv::Mat::ones(3, 3, CV_8U));
+    mask |= umbra & unknownMask(labels, width) & ~untoldMask(labels, width);
+  }
+  return mask;
+}
+
+cv::Mat untoldMask(const std::vector<ShadowLabel>& labels, int width) {
+  cv::Mat mask = unknownMask(labels, width);
+  if (mask.empty()) return mask;
+  const cv::Mat square = cv::Mat::ones(2, 2, CV_8U);  // no middle: what one step moves the other moves back
+  cv::erode(mask, mask, square, {0, 0});
+  cv::dilate(mask, mask, square, {1, 1});
   return mask;
 }
 

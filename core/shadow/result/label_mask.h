@@ -6,8 +6,12 @@
 
 namespace swaplight {
 
-/// 255 where the label is umbra, or penumbra too if that is `lightest`; 0 elsewhere. 8 bits.
+/// 255 where the label is umbra, or penumbra too if that is `lightest`; 0 elsewhere. 8 bits. A line of a
+/// pixel's width beside umbra where it cannot be told is the border of the two: penumbra.
 [[nodiscard]] cv::Mat labelMask(const std::vector<ShadowLabel>& labels, int width, ShadowLabel lightest);
+
+/// 255 where it cannot be told, but for lines of a pixel's width: those are borders.
+[[nodiscard]] cv::Mat untoldMask(const std::vector<ShadowLabel>& labels, int width);
 
 /// The closed lines around a mask and around its holes, as in shadowOutlines().
 [[nodiscard]] std::vector<Outline> outlinesOfMask(const cv::Mat& mask, float scale, float tolerance);

@@ -76,11 +76,12 @@ void hatchUntold(cv::Mat& picture, const LightShadows& shadows, const cv::Scalar
   const int shift = apart * static_cast<int>(light) / static_cast<int>(count);
   const cv::Vec3f ink(static_cast<float>(color[0]), static_cast<float>(color[1]),
                       static_cast<float>(color[2]));
+  const cv::Mat untold = untoldMask(shadows.labels, picture.cols);
   parallelRows(picture.rows, kGrain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      const ShadowLabel* labels = &shadows.labels[static_cast<size_t>(y) * static_cast<size_t>(picture.cols)];
+      const auto* untoldHere = untold.ptr<uchar>(y);
       for (int x = 0; x < picture.cols; ++x) {
-        if (labels[x] != ShadowLabel::Unknown || (x + y + shift) % apart >= thick) continue;
+        if (!untoldHere[x] || (x + y + shift) % apart >= thick) continue;
         auto& here = picture.at<cv::Vec3b>(y, x);
         here = cv::Vec3f(here) * .4F + ink * .6F;
       }

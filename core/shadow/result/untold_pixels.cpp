@@ -1,16 +1,17 @@
 #include "core/shadow/result/untold_pixels.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "core/shadow/result/label_mask.h"
 
 namespace swaplight {
 
 UntoldPixels::UntoldPixels(const std::vector<ShadowLabel>& labels, int width, float scale)
     : m_width(width), m_height(width > 0 ? static_cast<int>(labels.size()) / width : 0), m_scale(scale) {
-  m_untold.reserve(labels.size());
-  for (const ShadowLabel label : labels) m_untold.push_back(label == ShadowLabel::Unknown);
-  const auto count = static_cast<float>(std::count(m_untold.begin(), m_untold.end(), true));
-  if (!labels.empty()) m_share = count / static_cast<float>(labels.size());
+  if (labels.empty() || width <= 0) return;
+  const cv::Mat untold = untoldMask(labels, width);
+  m_untold.assign(untold.begin<uchar>(), untold.end<uchar>());
+  m_share = static_cast<float>(cv::countNonZero(untold)) / static_cast<float>(labels.size());
 }
 
 bool UntoldPixels::at(float x, float y) const {

@@ -99,38 +99,38 @@ TEST(ShadowCut, ADimPartThatNoEdgeDividesGoesWithTheRest) {
 }
 
 // A light that falls to a dim half: by the level in shadow, by the odds as given.
-ShadowDivision divisionOfDimHalf(float umbra, float lit, int halfEnd = 60, int oddsEnd = 0) {
+ShadowDivision divisionOfDimHalf(float umbra, float lit, float visible, int oddsEnd = 0) {
   const cv::Size size(120, 80);
   cv::Mat level(size, CV_32F, cv::Scalar(2));
-  level.colRange(0, halfEnd).setTo(-2);
-  LightOdds odds{cv::Mat(size, CV_32F, cv::Scalar(umbra)), cv::Mat(size, CV_32F, cv::Scalar(lit))};
+  level.colRange(0, 60).setTo(-2);
+  LightOdds odds{cv::Mat(size, CV_32F, cv::Scalar(umbra)), cv::Mat(size, CV_32F, cv::Scalar(lit)),
+                 cv::Mat(size, CV_32F, cv::Scalar(visible))};
   odds.umbra.colRange(0, oddsEnd).setTo(6);
   odds.lit.colRange(0, oddsEnd).setTo(-6);
   const cv::Mat nothing = cv::Mat::zeros(size, CV_32F);
   return divideShadow(level, 0, {nothing, nothing}, odds);
 }
 
-TEST(DivideShadow, StrongOddsSayOfAWholeSurfaceThatItIsLit) {
-  const ShadowDivision division = divisionOfDimHalf(-6, 6);
+TEST(DivideShadow, OddsSayOfAWholeSurfaceThatItIsLit) {
+  const ShadowDivision division = divisionOfDimHalf(-6, 6, 1);
   EXPECT_EQ(cv::countNonZero(division.shadow), 0);
   EXPECT_EQ(cv::countNonZero(division.untold), 0);
 }
 
-TEST(DivideShadow, WeakOddsAgainstTheLevelAreNoAnswer) {
-  const ShadowDivision division = divisionOfDimHalf(-.6F, .5F);
-  EXPECT_EQ(cv::countNonZero(division.untold.colRange(0, 55)), 55 * 80);
-  EXPECT_EQ(cv::countNonZero(division.untold.colRange(65, 120)), 0);
+TEST(DivideShadow, OddsSayOfAWholeSurfaceThatItIsInShadow) {
+  const ShadowDivision division = divisionOfDimHalf(4, -6, 0);
+  EXPECT_EQ(cv::countNonZero(division.shadow), 120 * 80);
+  EXPECT_EQ(cv::countNonZero(division.untold), 0);
 }
 
-TEST(DivideShadow, WeakOddsLeaveWhatTheLevelHasLitAndDoNotBearOutItsShadow) {
-  const ShadowDivision division = divisionOfDimHalf(.2F, -.5F);
-  EXPECT_EQ(cv::countNonZero(division.shadow), 60 * 80);
-  EXPECT_EQ(cv::countNonZero(division.untold.colRange(0, 55)), 55 * 80);
-  EXPECT_EQ(cv::countNonZero(division.untold.colRange(65, 120)), 0);
+TEST(DivideShadow, EvenOddsAreNoAnswerUnlessMostOfTheLightIsSeen) {
+  EXPECT_EQ(cv::countNonZero(divisionOfDimHalf(-.6F, .5F, .5F).untold), 120 * 80);
+  EXPECT_EQ(cv::countNonZero(divisionOfDimHalf(.2F, -.5F, .5F).untold), 120 * 80);
+  EXPECT_EQ(cv::countNonZero(divisionOfDimHalf(-.6F, .5F, .95F).untold), 0);
 }
 
 TEST(DivideShadow, ToThePixelTheLevelKnowsBetter) {
-  const ShadowDivision division = divisionOfDimHalf(-6, 6, 60, 59);
+  const ShadowDivision division = divisionOfDimHalf(-6, 6, 1, 59);
   EXPECT_EQ(cv::countNonZero(division.shadow), 60 * 80);
   EXPECT_EQ(cv::countNonZero(division.untold), 0);
 }

@@ -11,6 +11,7 @@
 #include "core/shadow/detect/shadow_preview.h"
 #include "core/shadow/marks/mark_word.h"
 #include "core/shadow/numeric/surface_distance.h"
+#include "core/shadow/result/label_mask.h"
 #include "core/shadow/result/untold_pixels.h"
 
 namespace swaplight {
@@ -128,7 +129,8 @@ ShadowDivision dividedWith(const ShadowMarks& marks) {
   const cv::Size size(240, 160);
   cv::Mat level(size, CV_32F, cv::Scalar(2));
   level.colRange(0, 120).setTo(-2);
-  const LightOdds odds{cv::Mat(size, CV_32F, cv::Scalar(-.6)), cv::Mat(size, CV_32F, cv::Scalar(.5))};
+  const LightOdds odds{cv::Mat(size, CV_32F, cv::Scalar(-.6)), cv::Mat(size, CV_32F, cv::Scalar(.5)),
+                       cv::Mat(size, CV_32F, cv::Scalar(.5))};
   const cv::Mat nothing = cv::Mat::zeros(size, CV_32F);
   const cv::Mat word = wordOfMarks(marks, {level, nothing}, size);
   return divideShadow(level, 0, {nothing, nothing, nothing}, odds, word);
@@ -275,15 +277,27 @@ TEST(ShadowMarks, WhatTheSetDoesNotHaveIsSaid) {
 }
 
 TEST(UntoldPixels, KnowWhereNothingIsTold) {
-  std::vector<ShadowLabel> labels(12, ShadowLabel::Lit);  // 4 x 3
-  labels[5] = ShadowLabel::Unknown;
-  const UntoldPixels untold(labels, 4, 2);
-  EXPECT_NEAR(untold.share(), 1 / 12., 1e-6);
+  std::vector<ShadowLabel> labels(20, ShadowLabel::Lit);  // 5 x 4
+  for (const size_t p : {6U, 7U, 11U, 12U}) labels[p] = ShadowLabel::Unknown;
+  const UntoldPixels untold(labels, 5, 2);
+  EXPECT_NEAR(untold.share(), 4 / 20., 1e-6);
   EXPECT_TRUE(untold.at(2.5F, 3.5F));
-  EXPECT_FALSE(untold.at(4.5F, 3.5F));
+  EXPECT_FALSE(untold.at(6.5F, 3.5F));
   EXPECT_FALSE(untold.at(-1, 3));
-  EXPECT_FALSE(untold.at(2.5F, 6));
+  EXPECT_FALSE(untold.at(2.5F, 8));
   EXPECT_FALSE(UntoldPixels().at(0, 0));
+}
+
+// Right of umbra in the first two columns, left of light in the last two.
+TEST(UntoldPixels, InALineAreTheBorderOfAnUmbra) {
+  std::vector<ShadowLabel> labels(25, ShadowLabel::Lit);
+  for (size_t y = 0; y < 5; ++y) {
+    labels[5 * y] = labels[5 * y + 1] = ShadowLabel::Umbra;
+    labels[5 * y + 2] = ShadowLabel::Unknown;
+  }
+  EXPECT_EQ(UntoldPixels(labels, 5, 1).share(), 0);
+  EXPECT_EQ(cv::countNonZero(labelMask(labels, 5, ShadowLabel::Umbra)), 10);
+  EXPECT_EQ(cv::countNonZero(labelMask(labels, 5, ShadowLabel::Penumbra)), 15);
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 namespace swaplight {
 namespace {
@@ -11,31 +13,57 @@ constexpr int kWidth = 240, kHeight = 160;
 
 // A printed floor that two lights fall upon, the first from one side, with a hard shadow; bounced light in
 // it.
-std::vector<cv::Mat> shadowedFloor(float key = 1, float fill = .4F) {
-  std::vector<cv::Mat> lights(2);
-  for (cv::Mat& light : lights) light.create(kHeight, kWidth, CV_32FC3);
+std::vector<Image> shadowedFloor(float key = 1, float fill = .4F) {
+  std::vector<Image> lights;
+  for (int i = 0; i < 2; ++i) lights.emplace_back(ImageSpec::rgb(kWidth, kHeight));
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
       const float albedo = (x / 20 + y / 20) % 2 ? .6F : .3F;
       const bool shadow = x > 90 && x < 150 && y > 50 && y < 110;
       const float given = .5F + .5F * static_cast<float>(x) / kWidth;
-      lights[0].at<cv::Vec3f>(y, x) = cv::Vec3f::all(key * albedo * ((shadow ? 0 : given) + .02F));
-      lights[1].at<cv::Vec3f>(y, x) = cv::Vec3f::all(fill * albedo);
+      for (int c = 0; c < 3; ++c) {
+        lights[0].span().at(c, x, y) = key * albedo * ((shadow ? 0 : given) + .02F);
+        lights[1].span().at(c, x, y) = fill * albedo;
+      }
     }
   return lights;
 }
 
-TEST(UmbraFeatures, HaveANameEach) {
+TEST(UmbraEvidence, IsAsManyPicturesAsTheNetworkTakes) {
   const SmallSet set = smallSetOf(shadowedFloor(), {kWidth, kHeight});
-  EXPECT_EQ(umbraFeatures(set, 0).size(), umbraFeatureNames().size());
+  EXPECT_EQ(umbraEvidence(set, 0).size(), size_t(kUmbraEvidence));
 }
 
-TEST(UmbraFeatures, AreFiniteForBlackPixelsAndASingleLight) {
-  std::vector<cv::Mat> lights = shadowedFloor();
+TEST(UmbraEvidence, IsFiniteForBlackPixelsAndASingleLight) {
+  std::vector<Image> lights = shadowedFloor();
   lights.pop_back();
-  lights[0](cv::Rect(0, 0, 80, 80)).setTo(0);
-  for (const cv::Mat& feature : umbraFeatures(smallSetOf(lights, {kWidth, kHeight}), 0))
-    EXPECT_TRUE(cv::checkRange(feature));
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < 80; ++x) lights[0].span().at(0, x, y) = 0;
+  for (const cv::Mat& picture : umbraEvidence(smallSetOf(lights, {kWidth, kHeight}), 0))
+    EXPECT_TRUE(cv::checkRange(picture));
+}
+
+TEST(UmbraEvidence, IsTheSameForStrongerLights) {
+  const std::vector<cv::Mat> one = umbraEvidence(smallSetOf(shadowedFloor(), {kWidth, kHeight}), 0);
+  const std::vector<cv::Mat> other = umbraEvidence(smallSetOf(shadowedFloor(50, 20), {kWidth, kHeight}), 0);
+  for (size_t i = 0; i < one.size(); ++i) EXPECT_LT(cv::norm(one[i], other[i], cv::NORM_INF), 1e-3) << i;
+}
+
+TEST(UmbraOdds, DoNotAskHowTheOtherLightsAreOrdered) {
+  std::vector<Image> lights = shadowedFloor();
+  lights.push_back(Image(ImageSpec::rgb(kWidth, kHeight)));
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int c = 0; c < 3; ++c) lights[2].span().at(c, x, y) = x < 60 ? .01F : .2F;
+  const LightOdds one = umbraOdds(smallSetOf(lights, {kWidth, kHeight}), 0);
+  std::swap(lights[1], lights[2]);
+  const LightOdds other = umbraOdds(smallSetOf(lights, {kWidth, kHeight}), 0);
+  EXPECT_LT(cv::norm(one.umbra, other.umbra, cv::NORM_INF), 1e-2);
+}
+
+TEST(UmbraOdds, AreOfAnySize) {
+  for (const cv::Size size : {cv::Size(9, 31), cv::Size(33, 8), cv::Size(100, 64)})
+    EXPECT_EQ(umbraOdds(smallSetOf(shadowedFloor(), size), 0).visible.size(), size);
 }
 
 TEST(UmbraOdds, SpeakForAHardShadowAndAgainstWhatIsLit) {
@@ -54,7 +82,11 @@ TEST(UmbraOdds, DoNotHangOnHowStrongTheLightsAre) {
 }
 
 TEST(UmbraOdds, OfEvenLightAreNone) {
-  const std::vector<cv::Mat> lights(2, cv::Mat(kHeight, kWidth, CV_32FC3, cv::Scalar::all(.4)));
+  std::vector<Image> lights;
+  for (int i = 0; i < 2; ++i) {
+    lights.emplace_back(ImageSpec::rgb(kWidth, kHeight));
+    for (int c = 0; c < 3; ++c) std::fill_n(lights.back().plane(c), lights.back().pixelCount(), .4F);
+  }
   EXPECT_TRUE(umbraOdds(smallSetOf(lights, {kWidth, kHeight}), 0).umbra.empty());
 }
 

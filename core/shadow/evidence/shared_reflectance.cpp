@@ -1,4 +1,4 @@
-#include "core/shadow/odds/shared_reflectance.h"
+#include "core/shadow/evidence/shared_reflectance.h"
 
 #include <cmath>
 #include <span>
