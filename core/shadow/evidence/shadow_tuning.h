@@ -161,7 +161,7 @@ struct ShadowRegionsTuning {
   double guideEpsilon = 1e-4;  ///< of the guided filter, on that scale
   float softening = 2;         ///< units: how far a border is made soft
   float umbraOdds = .7F;       ///< log-odds of umbra that none of the light is seen with ...
-  float litOdds = 0;           ///< ... and of lit that all of it is
+  float litOdds = -1;          ///< ... and of lit that all of it is
   float umbra = .15F;          ///< visibility below which a pixel is umbra
   float lit = .9F;             ///< visibility above which it is lit
 

@@ -1,5 +1,6 @@
 #include "core/shadow/result/untold_pixels.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/shadow/result/label_mask.h"
@@ -11,7 +12,8 @@ UntoldPixels::UntoldPixels(const std::vector<ShadowLabel>& labels, int width, fl
   if (labels.empty() || width <= 0) return;
   const cv::Mat untold = untoldMask(labels, width);
   m_untold.assign(untold.begin<uchar>(), untold.end<uchar>());
-  m_share = static_cast<float>(cv::countNonZero(untold)) / static_cast<float>(labels.size());
+  const auto count = static_cast<float>(std::count(labels.begin(), labels.end(), ShadowLabel::Unknown));
+  m_share = count / static_cast<float>(labels.size());
 }
 
 bool UntoldPixels::at(float x, float y) const {

@@ -13,9 +13,10 @@ class UntoldPixels {
   /// `labels` are `width` pixels wide; one covers `scale` pixels of the picture, across.
   UntoldPixels(const std::vector<ShadowLabel>& labels, int width, float scale);
 
-  /// At a place in pixels of the picture; false outside it.
+  /// At a place in pixels of the picture; false outside it, and on lines of a pixel's width, which are
+  /// borders.
   [[nodiscard]] bool at(float x, float y) const;
-  /// 0..1, of the picture.
+  /// 0..1, of the picture, borders and all.
   [[nodiscard]] float share() const { return m_share; }
 
  private:

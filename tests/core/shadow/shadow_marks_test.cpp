@@ -295,7 +295,9 @@ TEST(UntoldPixels, InALineAreTheBorderOfAnUmbra) {
     labels[5 * y] = labels[5 * y + 1] = ShadowLabel::Umbra;
     labels[5 * y + 2] = ShadowLabel::Unknown;
   }
-  EXPECT_EQ(UntoldPixels(labels, 5, 1).share(), 0);
+  const UntoldPixels untold(labels, 5, 1);
+  EXPECT_NEAR(untold.share(), .2, 1e-6);
+  EXPECT_FALSE(untold.at(2.5F, 2.5F));
   EXPECT_EQ(cv::countNonZero(labelMask(labels, 5, ShadowLabel::Umbra)), 10);
   EXPECT_EQ(cv::countNonZero(labelMask(labels, 5, ShadowLabel::Penumbra)), 15);
 }
