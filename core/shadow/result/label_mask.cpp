@@ -18,9 +18,12 @@ cv::Mat labelMask(const std::vector<ShadowLabel>& labels, int width, ShadowLabel
   for (size_t p = 0; p < labels.size(); ++p)
     mask.data[p] = labels[p] != ShadowLabel::Unknown && labels[p] <= lightest ? 255 : 0;
   if (lightest == ShadowLabel::Penumbra) {
-    cv::Mat umbra;
-    cv::dilate(labelMask(labels, width, ShadowLabel::Umbra), umbra, cv::Mat::ones(3, 3, CV_8U));
-    mask |= umbra & unknownMask(labels, width) & ~untoldMask(labels, width);
+    const cv::Mat square = cv::Mat::ones(3, 3, CV_8U);
+    const cv::Mat unknown = unknownMask(labels, width);
+    cv::Mat beside, between;
+    cv::dilate(labelMask(labels, width, ShadowLabel::Umbra), beside, square);
+    cv::morphologyEx(mask, between, cv::MORPH_CLOSE, square);
+    mask |= unknown & (between | (beside & ~untoldMask(labels, width)));
   }
   return mask;
 }
