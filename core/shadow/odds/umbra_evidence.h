@@ -9,7 +9,7 @@
 namespace swaplight {
 
 /// Pixels of the longer side of the picture that the network is asked about: about what it was taught on.
-inline constexpr int kUmbraLongest = 480;
+inline constexpr int kUmbraLongest = 400;
 
 /// A set's contributions at a small size (see kUmbraLongest), with their noise.
 struct SmallSet {
