@@ -8,8 +8,8 @@
 
 namespace swaplight {
 
-/// Pixels of the longer side of the picture that the network is asked about: about what it was taught on.
-inline constexpr int kUmbraLongest = 400;
+/// Pixels of the longer side of the picture that is divided into shadow and light.
+inline constexpr int kUmbraLongest = 480;
 
 /// A set's contributions at a small size (see kUmbraLongest), with their noise.
 struct SmallSet {

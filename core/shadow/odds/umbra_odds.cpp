@@ -10,19 +10,19 @@ namespace {
 
 constexpr int kSmallest = 8;        // pixels: pictures less wide or high tell nothing of shadows
 constexpr float kLeastRange = .3f;  // log: a light whose levels differ by less is even, and has no shadow
-constexpr double kCoarse = .4;      // weight of what half as large pictures say
-constexpr double kFew = .005;       // share of the pixels beyond the ends of its range
+constexpr int kTaught = 400;    // pixels of the longer side: about the sizes that the network was taught on
+constexpr double kCoarse = .4;  // weight of what half as large pictures say
+constexpr double kFew = .005;   // share of the pixels beyond the ends of its range
 
-SmallSet halved(const SmallSet& set) {
-  SmallSet half;
-  const cv::Size size = sizeDivided(set.total.size(), 2);
+SmallSet resized(const SmallSet& set, cv::Size size) {
+  SmallSet small;
   for (const cv::Mat& rgb : set.rgb) {
-    half.rgb.push_back(shrunk(rgb, size));
-    half.grey.push_back(greyOf(half.rgb.back()));
+    small.rgb.push_back(shrunk(rgb, size));
+    small.grey.push_back(greyOf(small.rgb.back()));
   }
-  half.totalRgb = shrunk(set.totalRgb, size);
-  half.total = greyOf(half.totalRgb);
-  return half;
+  small.totalRgb = shrunk(set.totalRgb, size);
+  small.total = greyOf(small.totalRgb);
+  return small;
 }
 
 bool isEven(const cv::Mat& grey) {
@@ -33,17 +33,17 @@ bool isEven(const cv::Mat& grey) {
 }  // namespace
 
 LightOdds umbraOdds(const SmallSet& set, size_t light) {
-  if (std::min(set.total.rows, set.total.cols) < kSmallest || isEven(set.grey[light])) return {};
-  LightOdds odds = weighUmbra(umbraEvidence(set, light));
-  if (std::min(set.total.rows, set.total.cols) < 2 * kSmallest) return odds;
-  const LightOdds coarse = weighUmbra(umbraEvidence(halved(set), light));
-  const auto heed = [](cv::Mat& fine, const cv::Mat& word) {
-    fine = (1 - kCoarse) * fine + kCoarse * grown(word, fine.size());
+  const cv::Size full = set.total.size();
+  if (std::min(full.height, full.width) < kSmallest || isEven(set.grey[light])) return {};
+  const cv::Size size = sizeWithin(full, kTaught);
+  const LightOdds fine = weighUmbra(umbraEvidence(size == full ? set : resized(set, size), light));
+  const cv::Size half = sizeDivided(size, 2);
+  const bool asked = std::min(half.height, half.width) >= kSmallest;
+  const LightOdds coarse = asked ? weighUmbra(umbraEvidence(resized(set, half), light)) : fine;
+  const auto both = [&](const cv::Mat& one, const cv::Mat& other) {
+    return cv::Mat((1 - kCoarse) * grown(one, full) + kCoarse * grown(other, full));
   };
-  heed(odds.umbra, coarse.umbra);
-  heed(odds.lit, coarse.lit);
-  heed(odds.visible, coarse.visible);
-  return odds;
+  return {both(fine.umbra, coarse.umbra), both(fine.lit, coarse.lit), both(fine.visible, coarse.visible)};
 }
 
 }  // namespace swaplight

@@ -15,7 +15,7 @@
 namespace swaplight {
 namespace {
 
-constexpr int kWidth = 400, kHeight = 120;
+constexpr int kWidth = 480, kHeight = 120;
 constexpr int kEnd = 30;  // the column where the first light stops reaching the surface
 
 /// A surface that turns away from a light towards the left, lit by a second one everywhere; beyond the end
