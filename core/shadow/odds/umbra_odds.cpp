@@ -10,9 +10,10 @@ namespace {
 
 constexpr int kSmallest = 8;        // pixels: pictures less wide or high tell nothing of shadows
 constexpr float kLeastRange = .3f;  // log: a light whose levels differ by less is even, and has no shadow
-constexpr int kTaught = 400;    // pixels of the longer side: about the sizes that the network was taught on
-constexpr double kCoarse = .4;  // weight of what half as large pictures say
-constexpr double kFew = .005;   // share of the pixels beyond the ends of its range
+constexpr int kMostTaught = 400;    // pixels of the longer side that the network knows: a larger picture ...
+constexpr double kTaught = 320;     // ... is brought to the size that most of its lessons had
+constexpr double kCoarse = .4;      // weight of what half as large pictures say
+constexpr double kFew = .005;       // share of the pixels beyond the ends of its range
 
 SmallSet resized(const SmallSet& set, cv::Size size) {
   SmallSet small;
@@ -35,7 +36,8 @@ bool isEven(const cv::Mat& grey) {
 LightOdds umbraOdds(const SmallSet& set, size_t light) {
   const cv::Size full = set.total.size();
   if (std::min(full.height, full.width) < kSmallest || isEven(set.grey[light])) return {};
-  const cv::Size size = sizeWithin(full, kTaught);
+  const int longest = std::max(full.width, full.height);
+  const cv::Size size = longest <= kMostTaught ? full : sizeDivided(full, longest / kTaught);
   const LightOdds fine = weighUmbra(umbraEvidence(size == full ? set : resized(set, size), light));
   const cv::Size half = sizeDivided(size, 2);
   const bool asked = std::min(half.height, half.width) >= kSmallest;
