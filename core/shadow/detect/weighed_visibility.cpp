@@ -8,8 +8,7 @@
 namespace swaplight {
 namespace {
 
-constexpr int kNarrow =
-    5;  // pixels: what is less wide is a border or a print's outline, no penumbra to be told
+constexpr int kNarrow = 5;  // pixels: a strip less wide is a border or a print's outline, no penumbra
 constexpr int kBorder = 4;  // pixels of the odds, half of which are of a picture half as large
 
 // A mask of the odds at the size of the picture, without what lies within so many of their pixels of its

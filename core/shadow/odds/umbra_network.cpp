@@ -12,9 +12,8 @@ namespace {
 
 enum Told { kUmbraScore, kPenumbraScore, kLitScore, kVisibleScore, kScores };
 
-constexpr float kMostTold =
-    4.5F;                  // a log: of what is surer it is not right more often, and a mark must outweigh it
-constexpr int kStep = 32;  // pixels: its smallest picture has one for so many
+constexpr float kMostTold = 4.5F;  // a log: less than what half the word of a person's mark weighs
+constexpr int kStep = 32;          // pixels: its smallest picture has one for so many
 
 float logSum(float a, float b) {
   return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));

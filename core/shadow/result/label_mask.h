@@ -6,8 +6,9 @@
 
 namespace swaplight {
 
-/// 255 where the label is umbra, or penumbra too if that is `lightest`; 0 elsewhere. 8 bits. A line of a
-/// pixel's width beside umbra where it cannot be told is the border of the two: penumbra.
+/// 255 where the label is umbra, or penumbra too if that is `lightest`; 0 elsewhere. 8 bits. Where it cannot
+/// be told in a line of a pixel's width beside umbra, or of two between umbra and penumbra, that is a border:
+/// penumbra.
 [[nodiscard]] cv::Mat labelMask(const std::vector<ShadowLabel>& labels, int width, ShadowLabel lightest);
 
 /// 255 where it cannot be told, but for lines of a pixel's width: those are borders.
