@@ -135,13 +135,14 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
   std::vector<LightShadows> all(count);
   std::vector<float> thresholds(count);
   std::vector<LightOdds> odds(count);
-  const SmallSet small = smallSetOf(set.contributions, sizeWithin(evidence.known.size(), kUmbraLongest));
+  const UmbraOdds umbraOdds(
+      smallSetOf(set.contributions, sizeWithin(evidence.known.size(), kUmbraLongest)));
   forEachLight(count, progress.part(.3f, .4f), kFinding, [&](size_t i) {
     const ShadowEvidence& light = evidence.lights[i];
     const std::string& name = set.capture.lights[i].name;
     const std::optional<float> given = options.thresholdOf(name);
     // A threshold that is given is the user's word: nothing weighs against it.
-    if (light.shines && (!given || !options.marksOf(name).empty())) odds[i] = umbraOdds(small, i);
+    if (light.shines && (!given || !options.marksOf(name).empty())) odds[i] = umbraOdds.of(i);
     const float lit = litLevel(light, evidence.known);
     thresholds[i] = given
                         ? lit + std::log(std::max(*given, 1e-6f))

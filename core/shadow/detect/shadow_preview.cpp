@@ -78,12 +78,13 @@ ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress)
                  : gatherShadowEvidence(set, gathering));
   m_scale = static_cast<float>(set.width()) / static_cast<float>(evidence->known.cols);
   std::vector<float> thresholds;
-  const SmallSet small = smallSetOf(set.contributions, sizeWithin(evidence->known.size(), kUmbraLongest));
+  const UmbraOdds umbraOdds(
+      smallSetOf(set.contributions, sizeWithin(evidence->known.size(), kUmbraLongest)));
   for (size_t i = 0; i < evidence->lights.size(); ++i) {
     const ShadowEvidence& light = evidence->lights[i];
     const float lit = litLevel(light, evidence->known);
     PreviewedLight& previewed = m_lights.emplace_back();
-    previewed.odds = std::make_shared<const LightOdds>(light.shines ? umbraOdds(small, i) : LightOdds{});
+    previewed.odds = std::make_shared<const LightOdds>(light.shines ? umbraOdds.of(i) : LightOdds{});
     thresholds.push_back(shadowThreshold(light, evidence->known, evidenceOfLight(*previewed.odds)));
     previewed.histogram = histogramOf(light.level, evidence->known, lit);
     previewed.lit = lit;

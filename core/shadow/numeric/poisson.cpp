@@ -9,7 +9,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kLeastWeight = 1e-3f;  // keeps every pixel connected
-constexpr double kTolerance = 1e-4;    // of the pull: fills differ by as much of what they continue
+constexpr double kTolerance = 1e-3;    // of the pull: fills differ by as much of what they continue
 constexpr std::pair<int, int> kNeighbours[] = {{0, -1}, {-1, 0}, {1, 0}, {0, 1}};
 
 // Minus the divergence of the gradients.

@@ -1,6 +1,7 @@
 #include "core/shadow/odds/umbra_evidence.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/shadow/numeric/shadow_pictures.h"
 
@@ -31,25 +32,41 @@ void addColour(const cv::Mat& rgb, float brightest, std::vector<cv::Mat>& eviden
     evidence.emplace_back(cv::min(cv::max(channels[c] - channels[1], -kMostColour), kMostColour));
 }
 
-}  // namespace
-
-SmallSet smallSetOf(std::span<const Image> contributions, cv::Size size) {
+SmallSet setOf(std::vector<cv::Mat> rgb) {
   SmallSet set;
-  set.totalRgb = cv::Mat::zeros(size, CV_32FC3);
-  for (const Image& contribution : contributions) {
-    cv::Mat channels[3];
-    for (int c = 0; c < 3; ++c) channels[c] = shrunk(planeOf(contribution, c), size);
-    cv::merge(channels, 3, set.rgb.emplace_back());
-    set.grey.push_back(greyOf(set.rgb.back()));
-    set.totalRgb += set.rgb.back();
+  set.rgb = std::move(rgb);
+  set.totalRgb = cv::Mat::zeros(set.rgb.front().size(), CV_32FC3);
+  for (const cv::Mat& each : set.rgb) {
+    set.grey.push_back(greyOf(each));
+    set.brightest.push_back(brightestOf(set.grey.back()));
+    set.totalRgb += each;
   }
   set.total = greyOf(set.totalRgb);
+  set.totalBrightest = brightestOf(set.total);
   return set;
 }
 
+}  // namespace
+
+SmallSet smallSetOf(std::span<const Image> contributions, cv::Size size) {
+  std::vector<cv::Mat> rgb;
+  for (const Image& contribution : contributions) {
+    cv::Mat channels[3];
+    for (int c = 0; c < 3; ++c) channels[c] = shrunk(planeOf(contribution, c), size);
+    cv::merge(channels, 3, rgb.emplace_back());
+  }
+  return setOf(std::move(rgb));
+}
+
+SmallSet smallerSetOf(const SmallSet& set, cv::Size size) {
+  std::vector<cv::Mat> rgb;
+  for (const cv::Mat& each : set.rgb) rgb.push_back(shrunk(each, size));
+  return setOf(std::move(rgb));
+}
+
 std::vector<cv::Mat> umbraEvidence(const SmallSet& set, size_t light) {
-  const float own = brightestOf(set.grey[light]);
-  const float all = brightestOf(set.total);
+  const float own = set.brightest[light];
+  const float all = set.totalBrightest;
   const cv::Mat level = logOver(set.grey[light], own);
   const cv::Mat others = logOver(set.total - set.grey[light], all);
   // The scales and offsets bring each to about -1 to 1: that is how the network was taught.
@@ -59,7 +76,7 @@ std::vector<cv::Mat> umbraEvidence(const SmallSet& set, size_t light) {
   cv::Mat mean = cv::Mat::zeros(level.size(), CV_32F), highest, lowest;
   for (size_t i = 0; i < set.grey.size(); ++i) {
     if (i == light) continue;
-    const cv::Mat other = logOver(set.grey[i], brightestOf(set.grey[i]));
+    const cv::Mat other = logOver(set.grey[i], set.brightest[i]);
     mean += other / static_cast<double>(set.grey.size() - 1);
     highest = highest.empty() ? other : cv::Mat(cv::max(highest, other));
     lowest = lowest.empty() ? other : cv::Mat(cv::min(lowest, other));

@@ -13,13 +13,20 @@ inline constexpr int kUmbraLongest = 480;
 
 /// A set's contributions at a small size (see kUmbraLongest), with their noise.
 struct SmallSet {
-  std::vector<cv::Mat> rgb;   ///< R G B float, a light each
-  std::vector<cv::Mat> grey;  ///< their means over the channels
-  cv::Mat totalRgb, total;    ///< sums over the lights
+  std::vector<cv::Mat> rgb;      ///< R G B float, a light each
+  std::vector<cv::Mat> grey;     ///< their means over the channels
+  std::vector<float> brightest;  ///< of each grey picture: its 99th percentile
+  cv::Mat totalRgb, total;       ///< sums over the lights
+  float totalBrightest = 0;      ///< of the grey sum
+
+  [[nodiscard]] cv::Size size() const { return total.size(); }
 };
 
 /// `contributions`: of a solved set, R G B; `size`: of the small pictures.
 [[nodiscard]] SmallSet smallSetOf(std::span<const Image> contributions, cv::Size size);
+
+/// The same set, smaller.
+[[nodiscard]] SmallSet smallerSetOf(const SmallSet& set, cv::Size size);
 
 /// What the network that tells umbra (umbra_network.h) looks at: kUmbraEvidence float pictures of the small
 /// size. All are logarithms over a light's own 99th percentile or that of the sum, so neither the exposure

@@ -15,15 +15,8 @@ constexpr double kTaught = 320;     // ... is brought to the size that most of i
 constexpr double kCoarse = .4;      // weight of what half as large pictures say
 constexpr double kFew = .005;       // share of the pixels beyond the ends of its range
 
-SmallSet resized(const SmallSet& set, cv::Size size) {
-  SmallSet small;
-  for (const cv::Mat& rgb : set.rgb) {
-    small.rgb.push_back(shrunk(rgb, size));
-    small.grey.push_back(greyOf(small.rgb.back()));
-  }
-  small.totalRgb = shrunk(set.totalRgb, size);
-  small.total = greyOf(small.totalRgb);
-  return small;
+bool isLargeEnough(cv::Size size) {
+  return std::min(size.width, size.height) >= kSmallest;
 }
 
 bool isEven(const cv::Mat& grey) {
@@ -33,17 +26,19 @@ bool isEven(const cv::Mat& grey) {
 
 }  // namespace
 
-LightOdds umbraOdds(const SmallSet& set, size_t light) {
-  const cv::Size full = set.total.size();
-  if (std::min(full.height, full.width) < kSmallest || isEven(set.grey[light])) return {};
-  const int longest = std::max(full.width, full.height);
-  const cv::Size size = longest <= kMostTaught ? full : sizeDivided(full, longest / kTaught);
-  const LightOdds fine = weighUmbra(umbraEvidence(size == full ? set : resized(set, size), light));
-  const cv::Size half = sizeDivided(size, 2);
-  const bool asked = std::min(half.height, half.width) >= kSmallest;
-  const LightOdds coarse = asked ? weighUmbra(umbraEvidence(resized(set, half), light)) : fine;
+UmbraOdds::UmbraOdds(const SmallSet& set) : m_full(set.size()) {
+  const int longest = std::max(m_full.width, m_full.height);
+  m_fine = longest <= kMostTaught ? set : smallerSetOf(set, sizeDivided(m_full, longest / kTaught));
+  m_coarse = smallerSetOf(m_fine, sizeDivided(m_fine.size(), 2));
+}
+
+LightOdds UmbraOdds::of(size_t light) const {
+  if (!isLargeEnough(m_full) || isEven(m_fine.grey[light])) return {};
+  const LightOdds fine = weighUmbra(umbraEvidence(m_fine, light));
+  const LightOdds coarse =
+      isLargeEnough(m_coarse.size()) ? weighUmbra(umbraEvidence(m_coarse, light)) : fine;
   const auto both = [&](const cv::Mat& one, const cv::Mat& other) {
-    return cv::Mat((1 - kCoarse) * grown(one, full) + kCoarse * grown(other, full));
+    return cv::Mat((1 - kCoarse) * grown(one, m_full) + kCoarse * grown(other, m_full));
   };
   return {both(fine.umbra, coarse.umbra), both(fine.lit, coarse.lit), both(fine.visible, coarse.visible)};
 }

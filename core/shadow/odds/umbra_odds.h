@@ -5,10 +5,20 @@
 
 namespace swaplight {
 
-/// The odds of one light's umbra at the size of `set`'s pictures, as the network sees them (larger ones at
+/// The odds of each light's umbra at the size of a set's pictures, as the network sees them (larger ones at
 /// the size that it was taught on) and half as large: there noise is half as strong and a dark wall one
-/// surface (what stays of noise in a solved set is blotches, which the network takes for shapes). Empty
-/// pictures where there is nothing to weigh: a light that is the same everywhere.
-[[nodiscard]] LightOdds umbraOdds(const SmallSet& set, size_t light);
+/// surface (what stays of noise in a solved set is blotches, which the network takes for shapes).
+class UmbraOdds {
+ public:
+  explicit UmbraOdds(const SmallSet& set);
+
+  /// Empty pictures where there is nothing to weigh: a light that is the same everywhere, a set of less than
+  /// eight pixels. May be called from several threads at a time.
+  [[nodiscard]] LightOdds of(size_t light) const;
+
+ private:
+  cv::Size m_full;
+  SmallSet m_fine, m_coarse;
+};
 
 }  // namespace swaplight

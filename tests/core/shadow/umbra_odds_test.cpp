@@ -55,19 +55,19 @@ TEST(UmbraOdds, DoNotAskHowTheOtherLightsAreOrdered) {
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
       for (int c = 0; c < 3; ++c) lights[2].span().at(c, x, y) = x < 60 ? .01F : .2F;
-  const LightOdds one = umbraOdds(smallSetOf(lights, {kWidth, kHeight}), 0);
+  const LightOdds one = UmbraOdds(smallSetOf(lights, {kWidth, kHeight})).of(0);
   std::swap(lights[1], lights[2]);
-  const LightOdds other = umbraOdds(smallSetOf(lights, {kWidth, kHeight}), 0);
+  const LightOdds other = UmbraOdds(smallSetOf(lights, {kWidth, kHeight})).of(0);
   EXPECT_LT(cv::norm(one.umbra, other.umbra, cv::NORM_INF), 1e-2);
 }
 
 TEST(UmbraOdds, AreOfAnySize) {
   for (const cv::Size size : {cv::Size(9, 31), cv::Size(33, 8), cv::Size(100, 64)})
-    EXPECT_EQ(umbraOdds(smallSetOf(shadowedFloor(), size), 0).visible.size(), size);
+    EXPECT_EQ(UmbraOdds(smallSetOf(shadowedFloor(), size)).of(0).visible.size(), size);
 }
 
 TEST(UmbraOdds, SpeakForAHardShadowAndAgainstWhatIsLit) {
-  const LightOdds odds = umbraOdds(smallSetOf(shadowedFloor(), {kWidth, kHeight}), 0);
+  const LightOdds odds = UmbraOdds(smallSetOf(shadowedFloor(), {kWidth, kHeight})).of(0);
   EXPECT_GT(cv::mean(odds.umbra(cv::Rect(100, 60, 40, 40)))[0], 1);
   EXPECT_LT(cv::mean(odds.umbra(cv::Rect(10, 10, 60, 140)))[0], -2);
   EXPECT_GT(cv::mean(odds.lit(cv::Rect(10, 10, 60, 140)))[0], 1);
@@ -75,8 +75,8 @@ TEST(UmbraOdds, SpeakForAHardShadowAndAgainstWhatIsLit) {
 
 TEST(UmbraOdds, DoNotHangOnHowStrongTheLightsAre) {
   const cv::Rect shadow(100, 60, 40, 40);
-  const LightOdds even = umbraOdds(smallSetOf(shadowedFloor(), {kWidth, kHeight}), 0);
-  const LightOdds weak = umbraOdds(smallSetOf(shadowedFloor(.3F, .9F), {kWidth, kHeight}), 0);
+  const LightOdds even = UmbraOdds(smallSetOf(shadowedFloor(), {kWidth, kHeight})).of(0);
+  const LightOdds weak = UmbraOdds(smallSetOf(shadowedFloor(.3F, .9F), {kWidth, kHeight})).of(0);
   EXPECT_GT(cv::mean(weak.umbra(shadow))[0], 1);
   EXPECT_NEAR(cv::mean(weak.umbra)[0], cv::mean(even.umbra)[0], .7);
 }
@@ -87,7 +87,7 @@ TEST(UmbraOdds, OfEvenLightAreNone) {
     lights.emplace_back(ImageSpec::rgb(kWidth, kHeight));
     for (int c = 0; c < 3; ++c) std::fill_n(lights.back().plane(c), lights.back().pixelCount(), .4F);
   }
-  EXPECT_TRUE(umbraOdds(smallSetOf(lights, {kWidth, kHeight}), 0).umbra.empty());
+  EXPECT_TRUE(UmbraOdds(smallSetOf(lights, {kWidth, kHeight})).of(0).umbra.empty());
 }
 
 }  // namespace
