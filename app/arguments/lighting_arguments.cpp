@@ -187,6 +187,7 @@ void LightingArguments::check(const ColorConfig& config, const std::optional<Ses
                      m_keys.empty() ? "--between" : "--key " + m_keys.front());
   checkSetColorSpace(workingSpace(session));
   const std::filesystem::path set = source(session);
+  m_solve.check(set);
   const bool moreLights = !m_edits.file.empty() || (session && !session->document.edits.newLights.empty());
   if (sourceKind(set) == SourceKind::Capture && !moreLights)
     static_cast<void>(rig(session, readCapture(config, sourceFile(set))));
@@ -212,6 +213,7 @@ SolvedSet LightingArguments::open(const ColorConfig& config, const std::optional
 
 SolvedSet LightingArguments::openUnedited(const ColorConfig& config, const std::optional<Session>& session,
                                           const Progress& progress) const {
+  m_solve.check(source(session));
   SolvedSet set = openSource(config, source(session), solveOptions(session), progress);
   warnOfRigFile(set);
   return inColorSpace(config, std::move(set), workingSpace(session));
@@ -236,6 +238,7 @@ void LightingArguments::takeAllFromSession(const std::string& option) const {
 
 SolvedSet LightingArguments::openFile(const ColorConfig& config, const std::filesystem::path& file,
                                       const std::optional<Session>& session, const Progress& progress) const {
+  m_solve.check(file);
   SolvedSet set = openSource(config, file, solveOptions(session), progress);
   warnOfRigFile(set);
   return m_edits.applyTo(inColorSpace(config, std::move(set), workingSpace(session)),

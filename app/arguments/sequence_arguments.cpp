@@ -177,6 +177,7 @@ void SequenceArguments::addTo(CLI::App& verb) {
                 "Play the session's cue list: SOURCE is the session; -F, where given, chooses frames of it")
       ->group(kGroup);
   addTimingOptions(verb, m_timing);
+  m_timingOptions = {verb.get_option("--cue-fps"), verb.get_option("--hold")};
   verb.add_flag("--cont", m_goOn, "Continue after a frame that fails")->group(kGroup);
   verb.add_flag("--skip-existing", m_skipExisting, "Skip frames whose file already exists")->group(kGroup);
   verb.add_option("--workers", m_workers, "Frames rendered in parallel")
@@ -193,13 +194,16 @@ void SequenceArguments::addTo(CLI::App& verb) {
       ->group(kGroup);
 }
 
-void SequenceArguments::checkStill() const {
+void SequenceArguments::check() const {
   const char* option = m_skipExisting       ? "--skip-existing"
                        : m_goOn             ? "--cont"
                        : m_index || m_count ? "--frame-index"
                                             : nullptr;
   if (option && !given())
     throw InputError("{}: is of a sequence's frames: give -F 1-24 or --cues, or leave it out", option);
+  for (const CLI::Option* timing : m_timingOptions)
+    if (timing->count() > 0 && !m_cues)
+      throw InputError("{}: is of a cue list: give --cues, or leave it out", timing->get_name());
 }
 
 std::vector<int> SequenceArguments::share(const std::vector<int>& all) const {

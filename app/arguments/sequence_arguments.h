@@ -21,9 +21,9 @@ class SequenceArguments {
   void addTo(CLI::App& verb);
   /// True where the command line asks for frames.
   [[nodiscard]] bool given() const { return m_cues || m_framesGiven; }
-  /// Throws InputError where options say how frames are made and none are asked for: a file that was to be
-  /// skipped would be replaced.
-  void checkStill() const;
+  /// Throws InputError where options say how frames are made and none are asked for (a file that was to be
+  /// skipped would be replaced), or how cues are played and none are.
+  void check() const;
 
   /// Makes the frames: of the range, or of the session's cue list. The exit code: 0, 1 where some failed, 2
   /// where none could be made. Throws InputError.
@@ -44,6 +44,7 @@ class SequenceArguments {
   bool m_framesGiven = false;  ///< an empty range, of a shell's variable, is a mistake, and no still
   bool m_cues = false;
   CueTiming m_timing;
+  std::vector<const CLI::Option*> m_timingOptions;
   bool m_goOn = false;
   bool m_skipExisting = false;
   int m_workers = 2;

@@ -8,10 +8,13 @@
 #include "app/arguments/place_text.h"
 #include "app/program/number_range.h"
 #include "core/base/error.h"
+#include "core/session/open_source.h"
 #include "core/solve/model/estimator.h"
 
 namespace swaplight {
 namespace {
+
+constexpr const char* kHighlights = "--highlights";
 
 /// True for the second of two words, false for the first.
 bool chosen(const char* option, const std::string& text, const char* off, const char* on) {
@@ -87,7 +90,7 @@ void SolveArguments::addTo(CLI::App& verb) {
                       "never"))
       ->type_name("HOW")
       ->capture_default_str();
-  add(verb.add_option("--highlights", m_highlights,
+  add(verb.add_option(kHighlights, m_highlights,
                       "on or off: keep what of each light is highlight, where the photographs show some (a "
                       "set with them takes up to twice the memory)"))
       ->type_name("HOW")
@@ -128,11 +131,24 @@ bool SolveArguments::given() const {
                      [](const CLI::Option* option) { return option->count() > 0; });
 }
 
+void SolveArguments::check(const std::filesystem::path& source) const {
+  for (const CLI::Option* option : m_options)  // a solved set is read with its highlights or without
+    if (option->count() > 0 && option->get_name() != kHighlights &&
+        sourceKind(source) == SourceKind::SolvedSet)
+      throw InputError("{}: {} is solved already; give its capture, or leave the option out",
+                       option->get_name(), source.string());
+}
+
+SolveOptions SolveArguments::resolveFor(const std::filesystem::path& source) const {
+  check(source);
+  return resolve();
+}
+
 SolveOptions SolveArguments::resolve() const {
   SolveOptions resolved = m_solve;
   resolved.model = modelFromName(m_model);
   resolved.align = remedyFromText("--align", m_align, "off", "on");
-  resolved.highlights = chosen("--highlights", m_highlights, "off", "on");
+  resolved.highlights = chosen(kHighlights, m_highlights, "off", "on");
   if (chosen("--denoise", m_denoise, "off", "guided")) resolved.denoise = Denoise::Guided;
   const int settled = !m_oneLamp.empty() + !m_grey.empty() + m_luminance.has_value() + m_position.has_value();
   if (settled > 1) throw InputError("--one-lamp, --grey, --gel-luminance, --open-color: give one of them");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,8 +24,12 @@ class SolveArguments {
   void addTo(CLI::App& verb);
   /// True where the command line has any of them.
   [[nodiscard]] bool given() const;
+  /// Throws InputError where the command line says how to solve a source that is a solved set.
+  void check(const std::filesystem::path& source) const;
   /// Throws InputError that quotes the option that is wrong.
   [[nodiscard]] SolveOptions resolve() const;
+  /// The same for a source, which check() looks at first.
+  [[nodiscard]] SolveOptions resolveFor(const std::filesystem::path& source) const;
 
  private:
   std::string m_model = "auto";

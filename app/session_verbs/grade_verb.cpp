@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <initializer_list>
 #include <sstream>
 
 #include "app/arguments/grade_arguments.h"
@@ -45,6 +47,25 @@ Triple tripleFromText(const std::string& option, const std::string& text) {
   if (numbers.size() == 1) return {numbers[0], numbers[0], numbers[0]};
   if (numbers.size() != 3) throw InputError("{} {}: give a number, or three as 1.1/1/0.9", option, text);
   return {numbers[0], numbers[1], numbers[2]};
+}
+
+/// Options that speak against each other, or of a file that is not there, are mistakes.
+void check(const GradeCommand& arguments) {
+  const auto firstOf = [&](std::initializer_list<const char*> options) {
+    const auto found = std::find_if(options.begin(), options.end(),
+                                    [&](const char* option) { return arguments.values.contains(option); });
+    return found != options.end() ? *found : nullptr;
+  };
+  const char* wheel = firstOf({"--lift", "--gamma", "--gain"});
+  const char* cdl = firstOf({"--slope", "--offset", "--power"});
+  if (wheel && cdl)
+    throw InputError(
+        "{} and {}: lift, gamma and gain are another way to say slope, offset and power; give those of one "
+        "kind",
+        wheel, cdl);
+  if (arguments.on && arguments.off) throw InputError("--on and --off: give one of them");
+  if (!arguments.id.empty() && arguments.from.empty() && isSessionFile(arguments.source))
+    throw InputError("--id {}: is of a .ccc or .cdl file: name it by --from", arguments.id);
 }
 
 ColorGrade changed(ColorGrade grade, const GradeCommand& arguments) {
@@ -120,6 +141,7 @@ void write(const ColorGrade& grade, std::optional<Session> session, const GradeC
 }
 
 int run(const GradeCommand& arguments, Terminal& terminal) {
+  check(arguments);
   std::optional<Session> session;
   ColorGrade grade;
   if (isSessionFile(arguments.source)) {

@@ -20,7 +20,7 @@ struct BetaCommand {
 };
 
 int run(const BetaCommand& arguments, Terminal& terminal) {
-  const SolveOptions options = arguments.solve.resolve();
+  const SolveOptions options = arguments.solve.resolveFor(arguments.source);
   std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
   inputs.emplace_back(arguments.edits.file);
   checkOutput(arguments.output, inputs);

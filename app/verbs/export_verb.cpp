@@ -53,6 +53,17 @@ LayerOptions optionsOf(const ExportCommand& arguments) {
   return options;
 }
 
+/// A look's file holds no layers.
+void checkLookFile(const ExportCommand& arguments) {
+  const LayerOptions& options = arguments.options;
+  const char* option = options.beta         ? "--beta"
+                       : options.quality    ? "--quality"
+                       : options.highlights ? "--spec"
+                       : options.multipart  ? "--multipart"
+                                            : nullptr;
+  if (option) throw InputError("{}: is of an EXR's layers, and {} has none", option, arguments.file);
+}
+
 int exportLook(const ColorConfig& config, const ExportCommand& arguments,
                const std::optional<Session>& session, const SolvedSet& set, const Rig& rig,
                Terminal& terminal) {
@@ -74,6 +85,7 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   if (session) sayWarnings(session->warnings, terminal);
   LayerOptions options = optionsOf(arguments);
   const bool look = isLookFile(arguments.file);
+  if (look) checkLookFile(arguments);
   if (look) config->checkView(displayOver(session, arguments.display));
   if (!options.colorSpace.empty()) config->checkColorSpace(options.colorSpace);
   const std::shared_ptr<CameraLook> seen = look ? nullptr : arguments.cameraLook.look(session, terminal);

@@ -153,7 +153,7 @@ void sayResult(const NormalsCommand& arguments, const SurfaceNormals& found, Ter
 
 int run(const NormalsCommand& arguments, Terminal& terminal) {
   const LampPlaces places = placesOf(arguments);
-  SolveOptions solving = arguments.solve.resolve();
+  SolveOptions solving = arguments.solve.resolveFor(arguments.source);
   solving.highlights = false;  // nothing here looks at them
   if (std::filesystem::path(arguments.file).extension() != ".exr")
     throw InputError("{}: normals are written as OpenEXR. Name it {}.", arguments.file,

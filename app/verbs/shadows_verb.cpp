@@ -123,7 +123,7 @@ int run(const ShadowsCommand& arguments, Terminal& terminal) {
   ShadowOptions given;
   for (const std::string& text : arguments.thresholds) applyThreshold(text, given);
   const std::vector<LabelledPlace> places = labelledPlaces(arguments);
-  SolveOptions solving = arguments.solve.resolve();
+  SolveOptions solving = arguments.solve.resolveFor(arguments.source);
   solving.highlights = false;  // nothing here looks at them
   std::filesystem::path overlay = arguments.overlay;
   if (overlay.empty()) overlay = std::filesystem::path(arguments.output).replace_extension(".png");

@@ -50,7 +50,7 @@ void addRows(std::vector<std::vector<std::string>>& rows, const std::string& lig
 }
 
 int run(const SinksCommand& arguments, Terminal& terminal) {
-  const SolveOptions options = arguments.solve.resolve();
+  const SolveOptions options = arguments.solve.resolveFor(arguments.source);
   const Progress progress = terminal.progress();
   const SolvedSet set = arguments.edits.applyTo(
       openSource(*programConfig(), arguments.source, options, progress.part(0, 0.7F)));

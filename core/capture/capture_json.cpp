@@ -361,6 +361,9 @@ Json jsonFromCapture(const Capture& capture) {
 }
 
 Capture readCapture(const ColorConfig& config, const std::filesystem::path& file) {
+  if (file.extension() == ".exr")
+    throw InputError("{}: is a picture or a solved set; give capture.json or the folder that holds it",
+                     file.string());
   return captureBy(&config, readJson(file), file.parent_path(), file);
 }
 

@@ -203,6 +203,45 @@ class BadInputTest(cli.CliTest):
         self.refuse('zero.png')
 
 
+class IdleOptionTest(cli.CliTest):
+    """An option that would do nothing is a mistake, and said."""
+
+    def setUp(self):
+        super().setUp()
+        self.capture = cli.Capture(self.path('set'))
+        self.solved = self.path('solved.exr')
+        self.succeed('solve', self.capture.path, '-o', self.solved)
+        self.out = self.path('out.png')
+
+    def test_how_to_solve_what_is_solved(self):
+        self.deny('relight', self.solved, '--model', 'lambert', '-o', self.out, naming=('--model', 'solved.exr'))
+        self.deny('shadows', self.solved, '--noise', 'read=.001', '-o', self.path('s.exr'), naming=('--noise',))
+        self.succeed('relight', self.solved, '--highlights', 'off', '-o', self.out)
+
+    def test_a_solved_set_as_capture(self):
+        for verb in (('linear',), ('solve', '-o', self.path('again.exr'))):
+            self.deny(verb[0], self.solved, *verb[1:], naming=('solved.exr', 'capture.json'))
+
+    def test_how_cues_are_played_without_cues(self):
+        self.deny('relight', self.solved, '--hold', '2', '-o', self.out, naming=('--hold', '--cues'))
+        self.deny('relight', self.solved, '-F', '1-2', '--cue-fps', '25', '-o', self.path('f.%04d.png'),
+                  naming=('--cue-fps', '--cues'))
+
+    def test_layers_of_a_look(self):
+        self.deny('export', self.solved, '--beta', '-o', self.path('look.cc'), naming=('--beta', 'look.cc'))
+
+    def test_scene_linear_primaries_of_a_picture_to_be_looked_at(self):
+        self.deny('relight', self.solved, '--color-space', 'acescg', '-o', self.out, naming=('--color-space',))
+        self.succeed('relight', self.solved, '--color-space', 'acescg', '-o', self.path('out.exr'))
+
+    def test_grades_said_in_two_ways(self):
+        grade = self.path('a.cc')
+        self.succeed('export', self.solved, '-o', grade)
+        new = ('-o', self.path('b.cc'))
+        self.deny('grade', grade, '--slope', '1.1', '--gain', '1.2', *new, naming=('--gain', '--slope'))
+        self.deny('grade', grade, '--on', '--off', *new, naming=('--on', '--off'))
+
+
 class DiskTest(cli.CliTest):
     def setUp(self):
         super().setUp()

@@ -135,8 +135,7 @@ std::vector<LightShadows> detectShadows(const SolvedSet& set, const ShadowOption
   std::vector<LightShadows> all(count);
   std::vector<float> thresholds(count);
   std::vector<LightOdds> odds(count);
-  const UmbraOdds umbraOdds(
-      smallSetOf(set.contributions, sizeWithin(evidence.known.size(), kUmbraLongest)));
+  const UmbraOdds umbraOdds(smallSetOf(set.contributions, sizeWithin(evidence.known.size(), kUmbraLongest)));
   forEachLight(count, progress.part(.3f, .4f), kFinding, [&](size_t i) {
     const ShadowEvidence& light = evidence.lights[i];
     const std::string& name = set.capture.lights[i].name;

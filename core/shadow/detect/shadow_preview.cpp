@@ -78,8 +78,7 @@ ShadowPreview::ShadowPreview(const SolvedSet& set, const Progress& progress)
                  : gatherShadowEvidence(set, gathering));
   m_scale = static_cast<float>(set.width()) / static_cast<float>(evidence->known.cols);
   std::vector<float> thresholds;
-  const UmbraOdds umbraOdds(
-      smallSetOf(set.contributions, sizeWithin(evidence->known.size(), kUmbraLongest)));
+  const UmbraOdds umbraOdds(smallSetOf(set.contributions, sizeWithin(evidence->known.size(), kUmbraLongest)));
   for (size_t i = 0; i < evidence->lights.size(); ++i) {
     const ShadowEvidence& light = evidence->lights[i];
     const float lit = litLevel(light, evidence->known);
