@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "ui/kit/hatch.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
 #include "ui/shadows/shadow_colors.h"
 

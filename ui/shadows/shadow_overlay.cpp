@@ -6,8 +6,8 @@
 #include <string>
 
 #include "ui/control/shadow_edit.h"
-#include "ui/kit/hatch.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
 #include "ui/shadows/shadow_colors.h"
 #include "ui/shadows/shadow_legend.h"
@@ -40,22 +40,21 @@ class OutlinePen {
     const ImU32 faint = (ink & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 150);
     for (const Outline& outline : outlines)
       for (const auto& [from, to] : shadowTicks(outline, px(kTickSpacing) / zoom, px(kTickLength) / zoom)) {
-        const ImVec2 foot = onScreen(from);
+        const ImVec2 foot = shown(from);
         if (foot.x > m_low.x && foot.x < m_high.x && foot.y > m_low.y && foot.y < m_high.y)
-          ImGui::GetWindowDrawList()->AddLine(foot, onScreen(to), faint, px(1.2F));
+          ImGui::GetWindowDrawList()->AddLine(foot, shown(to), faint, px(1.2F));
       }
   }
 
  private:
-  [[nodiscard]] ImVec2 onScreen(const std::array<float, 2>& point) const {
-    return {m_low.x + static_cast<float>(m_window.windowX(point[0])),
-            m_low.y + static_cast<float>(m_window.windowY(point[1]))};
+  [[nodiscard]] ImVec2 shown(const std::array<float, 2>& point) const {
+    return onScreen(m_window, m_low, point[0], point[1]);
   }
 
   void drawOne(const Outline& outline, ImU32 color, float width) {
     m_line.clear();
     for (size_t i = 0; i <= outline.size(); ++i) {
-      const ImVec2 at = onScreen(outline[i % outline.size()]);
+      const ImVec2 at = shown(outline[i % outline.size()]);
       const bool near = !m_line.empty() && std::abs(at.x - m_line.back().x) < kLeastStep &&
                         std::abs(at.y - m_line.back().y) < kLeastStep;
       if (near && i < outline.size()) continue;
@@ -96,8 +95,7 @@ void hatch(const UntoldPixels& untold, const ViewWindow& window, ImVec2 origin) 
 
 void drawMarks(const ShadowMarks& marks, const ViewWindow& window, ImVec2 origin) {
   for (size_t i = 0; i < marks.size(); ++i) {
-    const ImVec2 at(origin.x + static_cast<float>(window.windowX(marks[i].x + .5)),
-                    origin.y + static_cast<float>(window.windowY(marks[i].y + .5)));
+    const ImVec2 at = onScreen(window, origin, marks[i].x + .5, marks[i].y + .5);
     drawShadowMark(marks[i].is, at);
     markRect({"shadows.mark.", std::to_string(i)}, at.x - px(4), at.y - px(4), at.x + px(4), at.y + px(4));
   }

@@ -6,6 +6,7 @@
 #include "core/edit/guide/edge_guide.h"
 #include "core/edit/mask/selection.h"
 #include "ui/control/light_edit.h"
+#include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
 #include "ui/tools/new_light.h"
 #include "ui/tools/pointer.h"
@@ -239,8 +240,7 @@ void drawBrushRing(EditingContext& studio, const ViewWindow& window, ImVec2 orig
     draw->AddCircleFilled(mouse, px(1.5F), kText);
     return;
   }
-  const ImVec2 from(origin.x + static_cast<float>(window.windowX(brush.last->x)),
-                    origin.y + static_cast<float>(window.windowY(brush.last->y)));
+  const ImVec2 from = onScreen(window, origin, brush.last->x, brush.last->y);
   draw->AddLine(from, mouse, IM_COL32(0, 0, 0, 150), px(3));
   draw->AddLine(from, mouse, kText, px(1));
 }

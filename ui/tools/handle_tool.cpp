@@ -6,6 +6,7 @@
 
 #include "core/edit/mask/drag_shape.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
 #include "ui/tools/chosen_edit.h"
 #include "ui/tools/pointer.h"
@@ -20,11 +21,6 @@ constexpr float kRadius = 5;
 constexpr float kLeastHandleDrag = 1;
 constexpr ImU32 kHandleShade = IM_COL32(0, 0, 0, 190);
 
-ImVec2 onScreen(const Point& at, const ViewWindow& window, ImVec2 origin) {
-  return {origin.x + static_cast<float>(window.windowX(at[0])),
-          origin.y + static_cast<float>(window.windowY(at[1]))};
-}
-
 /// The handle under the mouse, or the shape itself.
 std::optional<ShapeHandle> underMouse(const EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
   const MaskShape& shape = chosenEdit(studio)->mask.front();
@@ -33,7 +29,7 @@ std::optional<ShapeHandle> underMouse(const EditingContext& studio, const ViewWi
   float nearest = px(kReach);
   std::vector<ShapeHandle> handles = handlesOf(shape);
   for (const ShapeHandle& handle : handles) {
-    const ImVec2 at = onScreen(handle.at, window, origin);
+    const ImVec2 at = onScreen(window, origin, handle.at[0], handle.at[1]);
     const float far = std::hypot(at.x - mouse.x, at.y - mouse.y);
     if (far >= nearest) continue;
     nearest = far;
@@ -66,14 +62,14 @@ void drawOutline(const MaskShape& shape, const ViewWindow& window, ImVec2 origin
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float thin = std::max(1.0F, px(1)), thick = px(3);
   if (const auto* line = std::get_if<LinearGradientShape>(&shape.shape)) {
-    const ImVec2 from = onScreen({line->x0, line->y0}, window, origin);
-    const ImVec2 to = onScreen({line->x1, line->y1}, window, origin);
+    const ImVec2 from = onScreen(window, origin, line->x0, line->y0);
+    const ImVec2 to = onScreen(window, origin, line->x1, line->y1);
     draw->AddLine(from, to, kHandleShade, thick);
     draw->AddLine(from, to, kText, thin);
     return;
   }
   if (const auto* ring = std::get_if<RadialGradientShape>(&shape.shape)) {
-    const ImVec2 middle = onScreen({ring->x, ring->y}, window, origin);
+    const ImVec2 middle = onScreen(window, origin, ring->x, ring->y);
     for (const float radius : {ring->inner, ring->outer}) {
       const float shown = radius * static_cast<float>(window.zoom);
       draw->AddCircle(middle, shown, kHandleShade, 0, thick);
@@ -82,8 +78,8 @@ void drawOutline(const MaskShape& shape, const ViewWindow& window, ImVec2 origin
   }
   const auto box = boxOf(shape);
   if (!box) return;
-  const ImVec2 low = onScreen({box->x0, box->y0}, window, origin);
-  const ImVec2 high = onScreen({box->x1, box->y1}, window, origin);
+  const ImVec2 low = onScreen(window, origin, box->x0, box->y0);
+  const ImVec2 high = onScreen(window, origin, box->x1, box->y1);
   markRect("stencil.frame", low.x, low.y, high.x, high.y);
   if (std::holds_alternative<RadialGradientShape>(shape.shape)) return;
   draw->AddRect(low, high, kHandleShade, 0, 0, thick);
@@ -157,7 +153,7 @@ void drawShapeHandles(EditingContext& studio, const ViewWindow& window, ImVec2 o
     lit = under->what;
   drawOutline(shape, window, origin);
   for (const ShapeHandle& handle : handlesOf(shape))
-    drawHandle(handle, onScreen(handle.at, window, origin), lit == handle.what);
+    drawHandle(handle, onScreen(window, origin, handle.at[0], handle.at[1]), lit == handle.what);
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 
 #include "core/edit/pool/lamp_gain.h"
 #include "core/edit/pool/lamp_handle.h"
-#include "ui/kit/hatch.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
 #include "ui/tools/chosen_edit.h"
 #include "ui/tools/pointer.h"
@@ -60,9 +60,8 @@ class LampView {
         m_height(studio.set()->original->height()),
         m_window(window),
         m_origin(origin) {}
-  [[nodiscard]] ImVec2 onScreen(const PlanePoint& at) const {
-    return {m_origin.x + static_cast<float>(m_window.windowX((at.x + .5) * m_width)),
-            m_origin.y + static_cast<float>(m_window.windowY(.5 * m_height - at.y * m_width))};
+  [[nodiscard]] ImVec2 shown(const PlanePoint& at) const {
+    return onScreen(m_window, m_origin, (at.x + .5) * m_width, .5 * m_height - at.y * m_width);
   }
   [[nodiscard]] PlanePoint onPlane(const std::array<float, 2>& pixel) const {
     return {pixel[0] / m_width - .5, (.5 * m_height - pixel[1]) / m_width};
@@ -136,7 +135,7 @@ bool dragLamp(EditingContext& studio, const ToolInput& input) {
   }
   const std::optional<PlanePoint> held = handleNow(studio, *prepared);
   if (!input.hovered || studio.editing.dragging() || !held) return false;
-  const ImVec2 handle = view.onScreen(*held);
+  const ImVec2 handle = view.shown(*held);
   if (!underMouse(handle)) return false;
   ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
@@ -176,8 +175,8 @@ void drawLamp(EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
   const std::optional<PlanePoint> held = handleNow(studio, *prepared);
   if (!held) return;
   const LampModel lamp = heldLamp(*prepared).lamp;
-  const ImVec2 from = view.onScreen({lamp.aim[0], lamp.aim[1]});
-  const ImVec2 to = view.onScreen(*held);
+  const ImVec2 from = view.shown({lamp.aim[0], lamp.aim[1]});
+  const ImVec2 to = view.shown(*held);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float radius = px(kLampRadius);
   if (isHeldByRing(chosenEdit(studio)->operation)) {

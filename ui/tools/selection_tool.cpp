@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/edit/mask/mask_outline.h"
 #include "ui/control/light_edit.h"
+#include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
 #include "ui/tools/pointer.h"
 
@@ -151,10 +152,7 @@ void drawDashes(const std::vector<Point>& line, bool closed, const ViewWindow& w
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 low = draw->GetClipRectMin(), high = draw->GetClipRectMax();
   const float dash = px(kDash), thick = std::max(1.0F, px(1.2F));
-  const auto at = [&](const Point& p) {
-    return ImVec2(origin.x + static_cast<float>(window.windowX(p[0])),
-                  origin.y + static_cast<float>(window.windowY(p[1])));
-  };
+  const auto at = [&](const Point& p) { return onScreen(window, origin, p[0], p[1]); };
   float along = 2 * dash * (1 - marched());
   for (size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
     const ImVec2 a = at(line[i]), b = at(line[(i + 1) % line.size()]);

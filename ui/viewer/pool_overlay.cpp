@@ -11,6 +11,7 @@
 
 #include "core/illumination/light_sinks.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
 
 namespace swaplight {
@@ -24,7 +25,7 @@ class PoolPen {
   PoolPen(const ViewWindow& window, ImVec2 origin) : m_window(window), m_origin(origin) {}
 
   void draw(const std::string& light, const LightSink& sink, ImU32 ink, bool first) const {
-    const ImVec2 at = onScreen(sink.x, sink.y);
+    const ImVec2 at = onScreen(m_window, m_origin, sink.x, sink.y);
     const auto radius = static_cast<float>(sink.radius * m_window.zoom);
     for (const auto& [color, width] : {std::pair(kPoolGround, px(4)), std::pair(ink, px(1.6F))}) {
       ImGui::GetWindowDrawList()->AddCircle(at, radius, color, 0, width);
@@ -42,11 +43,6 @@ class PoolPen {
   }
 
  private:
-  [[nodiscard]] ImVec2 onScreen(double x, double y) const {
-    return {m_origin.x + static_cast<float>(m_window.windowX(x)),
-            m_origin.y + static_cast<float>(m_window.windowY(y))};
-  }
-
   /// Its tip lies where the pool leaves the picture.
   static void arrow(ImVec2 tip, const LightSink::Direction& way, ImU32 color, float width) {
     const auto x = static_cast<float>(way.x);

@@ -6,6 +6,7 @@
 
 #include "ui/control/shadow_edit.h"
 #include "ui/control/viewer_request.h"
+#include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
 #include "ui/tools/picture_tool.h"
 #include "ui/tools/pointer.h"
@@ -115,8 +116,7 @@ void showCursor(const PictureTool* tool, Grab over) {
 WipeHandles wipeHandles(const Comparison& wipe, const ViewWindow& window, ImVec2 origin) {
   const double angle = wipe.angleDegrees * std::numbers::pi / 180;
   WipeHandles handles;
-  handles.center = ImVec2(origin.x + static_cast<float>(window.windowX(wipe.x)),
-                          origin.y + static_cast<float>(window.windowY(wipe.y)));
+  handles.center = onScreen(window, origin, wipe.x, wipe.y);
   handles.along = ImVec2(static_cast<float>(-std::sin(angle)), static_cast<float>(std::cos(angle)));
   handles.turn = ImVec2(handles.center.x + px(kTurnDistance) * handles.along.x,
                         handles.center.y + px(kTurnDistance) * handles.along.y);

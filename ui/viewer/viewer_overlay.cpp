@@ -10,6 +10,7 @@
 #include "core/view/subject_image.h"
 #include "ui/control/viewer_request.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 #include "ui/shadows/shadow_overlay.h"
@@ -151,11 +152,8 @@ void drawLegends(ViewerContext& studio, ImVec2 origin, ImVec2 size) {
 void drawRegion(ViewerContext& studio, const ViewWindow& window, ImVec2 origin) {
   if (!studio.viewer.region) return;
   const PictureRegion& region = *studio.viewer.region;
-  const auto at = [&](int x, int y) {
-    return ImVec2(origin.x + static_cast<float>(window.windowX(x)),
-                  origin.y + static_cast<float>(window.windowY(y)));
-  };
-  const ImVec2 low = at(region.x, region.y), high = at(region.x + region.width, region.y + region.height);
+  const ImVec2 low = onScreen(window, origin, region.x, region.y);
+  const ImVec2 high = onScreen(window, origin, region.x + region.width, region.y + region.height);
   ImGui::GetWindowDrawList()->AddRect(low, high, IM_COL32(0, 0, 0, 200), 0, 0, px(3));
   ImGui::GetWindowDrawList()->AddRect(low, high, kSolo, 0, 0, std::max(1.0F, px(1)));
 }

@@ -5,9 +5,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/view/view_window.h"
 #include "ui/kit/theme.h"
 
+// What is drawn over the picture in the viewer.
+
 namespace swaplight {
+
+/// The point of the screen that shows a picture's point (x, y), in pixels of the picture; `origin`: the upper
+/// left corner of the viewer.
+[[nodiscard]] inline ImVec2 onScreen(const ViewWindow& window, ImVec2 origin, double x, double y) {
+  return {origin.x + static_cast<float>(window.windowX(x)), origin.y + static_cast<float>(window.windowY(y))};
+}
 
 /// Hatches a part of a rectangle of the screen, what is a guess: rising lines wherever inside(x, y) holds.
 /// They stay where they are while that part changes.
