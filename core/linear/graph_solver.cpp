@@ -18,6 +18,7 @@ constexpr int kPairings = 3;         // one after another: eight nodes or so bec
 constexpr double kStalled = .75;     // of the nodes left by them: no coarser level is worth its work
 constexpr double kGoodEnough = .25;  // of the residual after one inner step: no second one
 constexpr int kMostSteps = 100;
+constexpr int kGridLinks = 4;  // of a pixel
 
 double dot(const std::vector<float>& a, const std::vector<float>& b) {
   const auto as = [](const std::vector<float>& x) {
@@ -40,8 +41,11 @@ std::vector<float> diagonalOf(const LinkedNodes& nodes) {
 
 /// What the links from `begin` to `end` give a node.
 float given(const LinkedNodes& nodes, int begin, int end, const std::vector<float>& x) {
+  const auto one = [&](int k) { return nodes.weight[size_t(k)] * x[size_t(nodes.neighbour[size_t(k)])]; };
+  if (end - begin == kGridLinks)  // nearly all: none waits for the one before
+    return (one(begin) + one(begin + 1)) + (one(begin + 2) + one(begin + 3));
   float sum = 0;
-  for (int k = begin; k < end; ++k) sum += nodes.weight[size_t(k)] * x[size_t(nodes.neighbour[size_t(k)])];
+  for (int k = begin; k < end; ++k) sum += one(k);
   return sum;
 }
 

@@ -132,10 +132,10 @@ struct ShadowCutTuning {
   float partingCost = 4;  ///< of neighbours on either side where there is no border
   float leastParting = .02F;  ///< the same where there is one
   float oddsPartingCost = 2;  ///< log-odds of one pixel: as partingCost, in the cut by odds
-  float border = 1;   ///< units, a pixel at least: where two cuts part by less than twice this, they mean
-                      ///< one border
-  float unsure = 2;   ///< log-odds of umbra, either way, that cannot be told ...
-  float seen = .85F;  ///< ... where no more of the light than this is seen
+  float border = 1;     ///< units, a pixel at least: where two cuts part by less than twice this, they mean
+                        ///< one border
+  float unsure = 2.5F;  ///< log-odds of umbra, either way, that cannot be told ...
+  float seen = .85F;    ///< ... where no more of the light than this is seen
 
   static constexpr auto fields() {
     using T = ShadowCutTuning;

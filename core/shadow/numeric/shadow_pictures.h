@@ -115,9 +115,15 @@ inline cv::Mat sizeOf(const Slopes& slopes) {
 /// chooses none.
 inline float percentile(const cv::Mat& picture, double share, const cv::Mat& mask = {}) {
   std::vector<float> values;
-  for (int y = 0; y < picture.rows; ++y)
-    for (int x = 0; x < picture.cols; ++x)
-      if (mask.empty() || mask.at<uchar>(y, x)) values.push_back(picture.at<float>(y, x));
+  values.reserve(picture.total());
+  for (int y = 0; y < picture.rows; ++y) {
+    const auto* row = picture.ptr<float>(y);
+    if (mask.empty())
+      values.insert(values.end(), row, row + picture.cols);
+    else
+      for (int x = 0; x < picture.cols; ++x)
+        if (mask.at<uchar>(y, x)) values.push_back(row[x]);
+  }
   if (values.empty()) return 0;
   const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
