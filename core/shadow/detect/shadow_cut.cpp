@@ -91,11 +91,13 @@ ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowS
   cv::morphologyEx(contested, contested, cv::MORPH_OPEN,
                    disk(std::max(tuning.border * referenceUnit(contested), 1.F)));
   byOdds.copyTo(division.shadow, contested);
-  division.untold = (cv::abs(division.odds.umbra) < tuning.unsure) & (division.odds.visible < tuning.seen);
+  cv::Mat unsure(level.size(), CV_32F, cv::Scalar(tuning.unsure));
+  if (!word.empty())
+    unsure -= tuning.unsure / all.marks.settled * cv::abs(word);  // a person's word is an answer
+  division.untold = (cv::abs(division.odds.umbra) < unsure) & (division.odds.visible < tuning.seen);
   if (!word.empty()) {
     division.shadow.setTo(255, word <= -all.marks.hard);  // opening may have taken the place for a border's
     division.shadow.setTo(0, word >= all.marks.hard);
-    division.untold.setTo(0, cv::abs(word) >= all.marks.settled);
   }
   return division;
 }
