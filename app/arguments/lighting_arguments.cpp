@@ -173,8 +173,12 @@ Rig LightingArguments::rig(const std::optional<Session>& session, const Capture&
   return rig;
 }
 
+void LightingArguments::checkSolving(const std::filesystem::path& file) const {
+  m_solve.check(file);
+}
+
 SolveOptions LightingArguments::solveOptions(const std::optional<Session>& session) const {
-  return session && !m_solve.given() ? session->document.solve : m_solve.resolve();
+  return session ? m_solve.resolveOver(session->document.solve) : m_solve.resolve();
 }
 
 std::string LightingArguments::workingSpace(const std::optional<Session>& session) const {
@@ -187,7 +191,7 @@ void LightingArguments::check(const ColorConfig& config, const std::optional<Ses
                      m_keys.empty() ? "--between" : "--key " + m_keys.front());
   checkSetColorSpace(workingSpace(session));
   const std::filesystem::path set = source(session);
-  m_solve.check(set);
+  checkSolving(set);
   const bool moreLights = !m_edits.file.empty() || (session && !session->document.edits.newLights.empty());
   if (sourceKind(set) == SourceKind::Capture && !moreLights)
     static_cast<void>(rig(session, readCapture(config, sourceFile(set))));
@@ -213,7 +217,6 @@ SolvedSet LightingArguments::open(const ColorConfig& config, const std::optional
 
 SolvedSet LightingArguments::openUnedited(const ColorConfig& config, const std::optional<Session>& session,
                                           const Progress& progress) const {
-  m_solve.check(source(session));
   SolvedSet set = openSource(config, source(session), solveOptions(session), progress);
   warnOfRigFile(set);
   return inColorSpace(config, std::move(set), workingSpace(session));
@@ -238,7 +241,6 @@ void LightingArguments::takeAllFromSession(const std::string& option) const {
 
 SolvedSet LightingArguments::openFile(const ColorConfig& config, const std::filesystem::path& file,
                                       const std::optional<Session>& session, const Progress& progress) const {
-  m_solve.check(file);
   SolvedSet set = openSource(config, file, solveOptions(session), progress);
   warnOfRigFile(set);
   return m_edits.applyTo(inColorSpace(config, std::move(set), workingSpace(session)),

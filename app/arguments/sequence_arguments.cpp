@@ -56,6 +56,8 @@ class Inputs {
         m_withText(withText) {
     const std::filesystem::path source = lighting.source(session);
     m_pattern = source.string();
+    lighting.checkSolving(hasFrameNumber(m_pattern) ? std::filesystem::path(frameName(m_pattern, firstFrame))
+                                                    : source);
     if (!hasFrameNumber(m_pattern)) m_shared = open(source, progress);
     if (m_shared)
       for (const auto& [light, keys] : m_animation.lights)  // say now what is wrong in a key
@@ -237,6 +239,7 @@ int SequenceArguments::runCues(const ColorConfig& config, const LightingArgument
   lighting.takeAllFromSession("--cues");
   if (hasFrameNumber(lighting.source(session).string()))
     throw InputError("--cues: the session is of a set a frame: cues are played on one set");
+  lighting.checkSolving(lighting.source(session));
   Document document = session->document;
   document.source = lighting.source(session);
   // Say what is wrong with the cues before the work.

@@ -126,17 +126,27 @@ void SolveArguments::addTo(CLI::App& verb) {
       ->type_name("read=X,full_well=X");
 }
 
-bool SolveArguments::given() const {
-  return std::any_of(m_options.begin(), m_options.end(),
-                     [](const CLI::Option* option) { return option->count() > 0; });
+const CLI::Option* SolveArguments::given() const {
+  const auto found = std::find_if(m_options.begin(), m_options.end(), [](const CLI::Option* option) {
+    return option->count() > 0 && option->get_name() != kHighlights;  // solved sets are read without, too
+  });
+  return found != m_options.end() ? *found : nullptr;
 }
 
 void SolveArguments::check(const std::filesystem::path& source) const {
-  for (const CLI::Option* option : m_options)  // a solved set is read with its highlights or without
-    if (option->count() > 0 && option->get_name() != kHighlights &&
-        sourceKind(source) == SourceKind::SolvedSet)
-      throw InputError("{}: {} is solved already; give its capture, or leave the option out",
-                       option->get_name(), source.string());
+  if (const CLI::Option* option = given(); option && sourceKind(source) == SourceKind::SolvedSet)
+    throw InputError("{}: {} is solved already; give its capture, or leave the option out",
+                     option->get_name(), source.string());
+}
+
+SolveOptions SolveArguments::resolveOver(const SolveOptions& session) const {
+  const SolveOptions own = resolve();
+  if (given()) return own;
+  SolveOptions options = session;
+  const bool said = std::any_of(m_options.begin(), m_options.end(),
+                                [](const CLI::Option* option) { return option->count() > 0; });
+  if (said) options.highlights = own.highlights;
+  return options;
 }
 
 SolveOptions SolveArguments::resolveFor(const std::filesystem::path& source) const {

@@ -22,16 +22,19 @@ namespace swaplight {
 class SolveArguments {
  public:
   void addTo(CLI::App& verb);
-  /// True where the command line has any of them.
-  [[nodiscard]] bool given() const;
   /// Throws InputError where the command line says how to solve a source that is a solved set.
   void check(const std::filesystem::path& source) const;
   /// Throws InputError that quotes the option that is wrong.
   [[nodiscard]] SolveOptions resolve() const;
+  /// The same for a session's set: as the session has it where the command line does not say how to solve.
+  [[nodiscard]] SolveOptions resolveOver(const SolveOptions& session) const;
   /// The same for a source, which check() looks at first.
   [[nodiscard]] SolveOptions resolveFor(const std::filesystem::path& source) const;
 
  private:
+  /// The first option that the command line has and that says how to solve; nullptr where it has none.
+  [[nodiscard]] const CLI::Option* given() const;
+
   std::string m_model = "auto";
   std::string m_highlights = "on";
   std::string m_align = "sure";

@@ -26,6 +26,7 @@ struct ExportCommand {
   std::string window;
   DisplayChoice display;
   LayerOptions options;
+  std::vector<const CLI::Option*> ofLayers;  ///< what only an EXR has
 };
 
 PixelType floatTypeOf(const std::string& option, const std::string& name) {
@@ -55,13 +56,10 @@ LayerOptions optionsOf(const ExportCommand& arguments) {
 
 /// A look's file holds no layers.
 void checkLookFile(const ExportCommand& arguments) {
-  const LayerOptions& options = arguments.options;
-  const char* option = options.beta         ? "--beta"
-                       : options.quality    ? "--quality"
-                       : options.highlights ? "--spec"
-                       : options.multipart  ? "--multipart"
-                                            : nullptr;
-  if (option) throw InputError("{}: is of an EXR's layers, and {} has none", option, arguments.file);
+  for (const CLI::Option* option : arguments.ofLayers)
+    if (option->count() > 0)
+      throw InputError("{}: is of layers, and {} has none; write an EXR, or leave it out", option->get_name(),
+                       arguments.file);
 }
 
 int exportLook(const ColorConfig& config, const ExportCommand& arguments,
@@ -136,28 +134,33 @@ void addExportVerb(Program& program) {
           "of the look is the same for every pixel")
       ->required()
       ->type_name("FILE");
-  verb.add_option("--naming", a->naming, "layers (LIGHT.R) or blender (ViewLayer.Combined_LIGHT.R)")
+  const auto layers = [a](CLI::Option* option) {
+    a->ofLayers.push_back(option);
+    return option;
+  };
+  layers(verb.add_option("--naming", a->naming, "layers (LIGHT.R) or blender (ViewLayer.Combined_LIGHT.R)"))
       ->type_name("HOW")
       ->capture_default_str();
-  verb.add_flag("--multipart", a->options.multipart, "Multi-part EXR, one part per layer");
-  verb.add_option("--compression", a->options.compression,
-                  "none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab")
+  layers(verb.add_flag("--multipart", a->options.multipart, "Multi-part EXR, one part per layer"));
+  layers(verb.add_option("--compression", a->options.compression,
+                         "none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab"))
       ->type_name("NAME")
       ->capture_default_str();
-  verb.add_option("--type", a->pictures, "half or float: the colour layers")
+  layers(verb.add_option("--type", a->pictures, "half or float: the colour layers"))
       ->type_name("TYPE")
       ->capture_default_str();
-  verb.add_option("--color-space", a->options.colorSpace,
-                  "Of the colour layers: lin_rec709, acescg, aces2065_1 ... (default: the set's)")
+  layers(verb.add_option("--color-space", a->options.colorSpace,
+                         "Of the colour layers: lin_rec709, acescg, aces2065_1 ... (default: the set's)"))
       ->type_name("NAME");
-  verb.add_flag("--beta", a->options.beta, "Include the lights' beta maps (beta.LIGHT)");
-  verb.add_flag("--spec", a->options.highlights,
-                "Include LIGHT.spec: what of each light is highlight, where the set knows it");
-  verb.add_flag("--quality", a->options.quality, "Include the solver's residual, sigma and flags");
-  verb.add_option("--data-type", a->data, "half or float: beta and quality")
+  layers(verb.add_flag("--beta", a->options.beta, "Include the lights' beta maps (beta.LIGHT)"));
+  layers(verb.add_flag("--spec", a->options.highlights,
+                       "Include LIGHT.spec: what of each light is highlight, where the set knows it"));
+  layers(verb.add_flag("--quality", a->options.quality, "Include the solver's residual, sigma and flags"));
+  layers(verb.add_option("--data-type", a->data, "half or float: beta and quality"))
       ->type_name("TYPE")
       ->capture_default_str();
-  verb.add_option("--data-window", a->window, "shots (as the photographs have it), full, or X,Y,WIDTH,HEIGHT")
+  layers(verb.add_option("--data-window", a->window,
+                         "shots (as the photographs have it), full, or X,Y,WIDTH,HEIGHT"))
       ->type_name("WINDOW");
   a->cameraLook.addTo(verb);
   a->memory.addTo(verb);

@@ -45,11 +45,6 @@ FrameOptions outputOf(const RelightCommand& arguments, const std::optional<Sessi
         "--tone {}: looks at each frame by itself, so that a sequence would flicker; take a view, as --view "
         "Hable",
         arguments.tone);
-  if (!output.colorSpace.empty() && !output.linear && !isSceneLinear(arguments.frame))
-    throw InputError(
-        "--color-space {}: is of scene-linear frames: write EXR or HDR, or add --linear; for a picture to be "
-        "looked at, give --display and --view",
-        output.colorSpace);
   return frameOptionsFor(session ? session->document.display : DisplayChoice{}, arguments.frame, output);
 }
 
@@ -88,6 +83,11 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
 
   // Say what is wrong before the work, not after it.
   checkFrame(*config, arguments.frame, output);
+  if (!arguments.output.colorSpace.empty() && !arguments.output.linear && !isSceneLinear(arguments.frame))
+    throw InputError(
+        "--color-space {}: is of scene-linear frames: write EXR or HDR, or add --linear; for a picture to be "
+        "looked at, give --display and --view",
+        arguments.output.colorSpace);
   arguments.sequence.check();
   if (arguments.sequence.given() && !arguments.histogram.empty())
     throw InputError("--histogram is of one frame: leave it out, or --frames");

@@ -10,6 +10,7 @@
 #include "core/capture/lightings.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
+#include "core/image/io/image_format.h"
 #include "core/ocio/color_config.h"
 
 namespace swaplight {
@@ -332,6 +333,15 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
   return capture;
 }
 
+/// By its first bytes; false where there is no such file.
+bool isPicture(const std::filesystem::path& file) {
+  try {
+    return file.extension() != ".json" && !imageFormatOf(file).empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 Capture captureFromJson(const Json& json, const std::filesystem::path& folder,
@@ -361,7 +371,7 @@ Json jsonFromCapture(const Capture& capture) {
 }
 
 Capture readCapture(const ColorConfig& config, const std::filesystem::path& file) {
-  if (file.extension() == ".exr")
+  if (isPicture(file))
     throw InputError("{}: is a picture or a solved set; give capture.json or the folder that holds it",
                      file.string());
   return captureBy(&config, readJson(file), file.parent_path(), file);

@@ -204,7 +204,7 @@ class BadInputTest(cli.CliTest):
 
 
 class IdleOptionTest(cli.CliTest):
-    """An option that would do nothing is a mistake, and said."""
+    """Options that would do nothing, where a person who gives them expects something."""
 
     def setUp(self):
         super().setUp()
@@ -218,9 +218,31 @@ class IdleOptionTest(cli.CliTest):
         self.deny('shadows', self.solved, '--noise', 'read=.001', '-o', self.path('s.exr'), naming=('--noise',))
         self.succeed('relight', self.solved, '--highlights', 'off', '-o', self.out)
 
-    def test_a_solved_set_as_capture(self):
-        for verb in (('linear',), ('solve', '-o', self.path('again.exr'))):
-            self.deny(verb[0], self.solved, *verb[1:], naming=('solved.exr', 'capture.json'))
+    def test_how_to_solve_a_sequence_of_solved_sets(self):
+        for frame in (1, 2):
+            shutil.copy(self.solved, self.path(f'solved.{frame}.exr'))
+        self.deny('relight', self.path('solved.%d.exr'), '-F', '1-2', '--model', 'lambert', '-o', self.path('f.%d.png'),
+                  naming=('--model', 'solved.1.exr'))
+
+    def test_a_picture_as_capture(self):
+        photograph = os.path.join(self.capture.folder, 'shot_01.exr')
+        shutil.copy(photograph, self.path('upper.EXR'))
+        for picture in (self.solved, photograph, self.path('upper.EXR')):
+            self.deny('linear', picture, naming=(os.path.basename(picture), 'capture.json'))
+        self.deny('solve', self.solved, '-o', self.path('again.exr'), naming=('solved.exr', 'capture.json'))
+        self.deny('linear', self.path('none.exr'), naming=('none.exr', 'no such file'))
+
+    def test_highlights_leave_a_session_its_way_to_solve(self):
+        session = self.path('a.swaplight')
+        frames = []
+        for model in ('single', 'transport'):
+            with open(session, 'w') as file:
+                json.dump({'format': 'swaplight-session', 'version': 1, 'source': self.capture.path,
+                           'solve': {'model': model}}, file)
+            frames.append(self.path(model + '.exr'))
+            self.succeed('relight', session, '--highlights', 'off', '-o', frames[-1], '--light', 'key=off')
+        one, other = map(cli.read_rgb, frames)
+        self.assertGreater(np.abs(one - other).max(), 1e-4)
 
     def test_how_cues_are_played_without_cues(self):
         self.deny('relight', self.solved, '--hold', '2', '-o', self.out, naming=('--hold', '--cues'))
@@ -228,7 +250,8 @@ class IdleOptionTest(cli.CliTest):
                   naming=('--cue-fps', '--cues'))
 
     def test_layers_of_a_look(self):
-        self.deny('export', self.solved, '--beta', '-o', self.path('look.cc'), naming=('--beta', 'look.cc'))
+        for option in (('--beta',), ('--type', 'half'), ('--color-space', 'acescg')):
+            self.deny('export', self.solved, *option, '-o', self.path('look.cc'), naming=(option[0], 'look.cc'))
 
     def test_scene_linear_primaries_of_a_picture_to_be_looked_at(self):
         self.deny('relight', self.solved, '--color-space', 'acescg', '-o', self.out, naming=('--color-space',))

@@ -327,10 +327,7 @@ class StudioTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.display = Display(*cls.size)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.display.close()
+        cls.addClassCleanup(cls.display.close)  # also where a class that is set up further fails there
 
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix='swaplight-studio-')

@@ -1,4 +1,5 @@
 """What the command line finds of a light's shadows, for tests that click on them."""
+import json
 import os
 import subprocess
 
@@ -13,6 +14,19 @@ def labels_of(capture, light, folder, *arguments):
     subprocess.run([PROGRAM, 'shadows', capture, '-o', out, '-q', *arguments], check=True)
     pixels, names = read_float(out)
     return np.rint(pixels[..., list(names).index(f'shadow_{light}.label')]).astype(int)
+
+
+def missing_of(capture, light, folder):
+    """height x width: how much brighter the set is without the light's shadows."""
+    edits, frames = os.path.join(folder, 'lighten.json'), []
+    with open(edits, 'w') as file:
+        lighten = {'lights': [light], 'operation': 'shadow', 'kind': 'lighten'}
+        json.dump({'format': 'swaplight-edits', 'version': 1, 'edits': [lighten]}, file)
+    for arguments in ((), ('--edits', edits)):
+        out = os.path.join(folder, 'frame.exr')
+        subprocess.run([PROGRAM, 'relight', capture, '-o', out, '-q', '--type', 'float', *arguments], check=True)
+        frames.append(read_float(out)[0].mean(2))
+    return frames[1] - frames[0]
 
 
 def deepest(mask):

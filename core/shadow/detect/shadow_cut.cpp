@@ -92,12 +92,15 @@ ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowS
                    disk(std::max(tuning.border * referenceUnit(contested), 1.F)));
   byOdds.copyTo(division.shadow, contested);
   cv::Mat unsure(level.size(), CV_32F, cv::Scalar(tuning.unsure));
-  if (!word.empty())
-    unsure -= tuning.unsure / all.marks.settled * cv::abs(word);  // a person's word is an answer
+  if (!word.empty()) {  // where a person says the same, less has to speak for it
+    const cv::Mat agrees = cv::max(word.mul(asFloat(division.odds.umbra < 0) * 2 - 1), 0);
+    unsure -= tuning.unsure / all.marks.settled * agrees;
+  }
   division.untold = (cv::abs(division.odds.umbra) < unsure) & (division.odds.visible < tuning.seen);
   if (!word.empty()) {
     division.shadow.setTo(255, word <= -all.marks.hard);  // opening may have taken the place for a border's
     division.shadow.setTo(0, word >= all.marks.hard);
+    division.untold.setTo(0, cv::abs(word) >= all.marks.settled);
   }
   return division;
 }

@@ -34,7 +34,8 @@ struct ShadowDivision {
 /// no more than the width of a border the level's is taken, and where they part by more that of the odds.
 /// Where they are near even it cannot be told, unless most of the light is seen there anyway. Odds of empty
 /// pictures say nothing: then the level decides alone. What a person's marks say (`word`, or an empty
-/// picture) both cuts obey, and where it is strong it is told.
+/// picture) both cuts obey; where it is strong it is told, and where a weaker one agrees with what the odds
+/// say then, less of them is enough.
 [[nodiscard]] ShadowDivision divideShadow(const cv::Mat& level, float threshold, const ShadowSides& sides,
                                           const LightOdds& odds, const cv::Mat& word = {},
                                           const ShadowTuning& tuning = {});

@@ -9,7 +9,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kLeastWeight = 1e-3f;  // keeps every pixel connected
-constexpr double kTolerance = 1e-3;    // of the pull: fills differ by as much of what they continue
+constexpr double kTolerance = 1e-3;    // residual, of the pull of what differs from the mean
 constexpr std::pair<int, int> kNeighbours[] = {{0, -1}, {-1, 0}, {1, 0}, {0, 1}};
 
 // Minus the divergence of the gradients.
@@ -91,14 +91,15 @@ cv::Mat SmoothFill::of(const cv::Mat& values) const {
   cv::Mat filled = values.clone();
   if (!m_solver) return filled;
   const size_t count = m_fixed.total() - static_cast<size_t>(cv::countNonZero(m_fixed));
-  std::vector<float> pull(count, 0), solution(count, static_cast<float>(cv::mean(values, m_fixed)[0]));
+  const auto mean = static_cast<float>(cv::mean(values, m_fixed)[0]);
+  std::vector<float> pull(count, 0), solution(count, 0);  // less the mean: no offset makes a residual small
   for (const Pull& each : m_pulls)
-    pull[static_cast<size_t>(each.node)] += each.weight * values.at<float>(each.from);
+    pull[static_cast<size_t>(each.node)] += each.weight * (values.at<float>(each.from) - mean);
   m_solver->solve(pull, solution, kTolerance);
   size_t next = 0;
   for (int y = 0; y < values.rows; ++y)
     for (int x = 0; x < values.cols; ++x)
-      if (!m_fixed.at<uchar>(y, x)) filled.at<float>(y, x) = solution[next++];
+      if (!m_fixed.at<uchar>(y, x)) filled.at<float>(y, x) = mean + solution[next++];
   return filled;
 }
 

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check.h"
 #include "core/shadow/numeric/shadow_pictures.h"
 
 namespace swaplight {
 namespace {
 
-// tests/train/train_umbra.py prepares what it learns from in the same way, with the same numbers.
+// tests/train/umbra_net.py prepares what it learns from in the same way, with the same numbers.
 constexpr float kFloor = 5e-4F;     // of the brightest: what is darker is all alike
 constexpr float kMostColour = 2;    // log
 constexpr double kBrightest = .99;  // share of the pixels that are not above
@@ -33,6 +34,7 @@ void addColour(const cv::Mat& rgb, float brightest, std::vector<cv::Mat>& eviden
 }
 
 SmallSet setOf(std::vector<cv::Mat> rgb) {
+  SWAPLIGHT_CHECK(!rgb.empty());
   SmallSet set;
   set.rgb = std::move(rgb);
   set.totalRgb = cv::Mat::zeros(set.rgb.front().size(), CV_32FC3);

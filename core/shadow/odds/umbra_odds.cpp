@@ -33,7 +33,7 @@ UmbraOdds::UmbraOdds(const SmallSet& set) : m_full(set.size()) {
 }
 
 LightOdds UmbraOdds::of(size_t light) const {
-  if (!isLargeEnough(m_full) || isEven(m_fine.grey[light])) return {};
+  if (!isLargeEnough(m_fine.size()) || isEven(m_fine.grey[light])) return {};
   const LightOdds fine = weighUmbra(umbraEvidence(m_fine, light));
   const LightOdds coarse = isLargeEnough(m_coarse.size()) ? weighUmbra(umbraEvidence(m_coarse, light)) : fine;
   const auto both = [&](const cv::Mat& one, const cv::Mat& other) {

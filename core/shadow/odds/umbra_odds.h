@@ -12,8 +12,8 @@ class UmbraOdds {
  public:
   explicit UmbraOdds(const SmallSet& set);
 
-  /// Empty pictures where there is nothing to weigh: a light that is the same everywhere, a set of less than
-  /// eight pixels. May be called from several threads at a time.
+  /// Empty pictures where there is nothing to weigh: a light that is the same everywhere, pictures of
+  /// less than eight pixels in width or height. May be called from several threads at a time.
   [[nodiscard]] LightOdds of(size_t light) const;
 
  private:

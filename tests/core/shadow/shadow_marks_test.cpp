@@ -149,6 +149,19 @@ TEST(DivideShadow, AMarkTellsWhatCouldNotBeTold) {
   }
 }
 
+// How many pixels stay untold with a word of .3 for light, and odds of umbra.
+int untoldWith(float oddsOfUmbra) {
+  const cv::Size size(60, 40);
+  const auto even = [&](float value) { return cv::Mat(size, CV_32F, cv::Scalar(value)); };
+  const LightOdds odds{even(oddsOfUmbra), even(-oddsOfUmbra), even(.5F)};
+  return cv::countNonZero(divideShadow(even(0), 0, {even(0), even(0), even(0)}, odds, even(.3F)).untold);
+}
+
+TEST(DivideShadow, AWordThatSaysTheSameLeavesLessDoubtOneThatDoesNotLeavesMore) {
+  EXPECT_EQ(untoldWith(.5F), 0) << "the word outweighs what hardly speaks for umbra";
+  EXPECT_GT(untoldWith(4.5F), 0) << "umbra is likely, but a person says that it is lit near by";
+}
+
 constexpr int kWidth = 320, kHeight = 160;
 constexpr int kLeft = 90, kRight = 230;  // the middles of two discs' shadows
 
