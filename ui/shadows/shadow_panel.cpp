@@ -159,7 +159,7 @@ void labels(EditingContext& studio, const std::string& light) {
   markState("shadows.untold", fmt::format("{:.4f}", untold));
   tooltip(
       "Hatched in the picture: the light is too weak there, or shadow and dim light look alike. Such places "
-      "count as lit. Take \"This is shadow\" or \"This is lit\" and click there.");
+      "count as what is likelier. Take \"This is shadow\" or \"This is lit\" and click there.");
   if (made == 0) return;
   const float button = px(64);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);

@@ -12,7 +12,7 @@ namespace swaplight {
 
 /// What a pixel is to a light.
 enum class ShadowLabel : uint8_t {
-  Unknown = 0,   ///< too dark to tell
+  Unknown = 0,   ///< cannot be told: too dark, or shadow and dim light look alike
   Umbra = 1,     ///< the light does not reach it
   Penumbra = 2,  ///< part of the light does
   Lit = 3,
