@@ -76,10 +76,15 @@ Json JsonFields::unknown() const {
   return rest;
 }
 
+void JsonFields::takeIn(const JsonFields& part) {
+  part.warnOfUnknown(m_ofParts);
+}
+
 void JsonFields::warnOfUnknown(std::vector<std::string>& warnings) const {
   const Json strangers = unknown();
   for (const auto& [key, value] : strangers.items())
     warnings.push_back(fmt::format("{}: the unknown key \"{}\" is not used", m_where, key));
+  warnings.insert(warnings.end(), m_ofParts.begin(), m_ofParts.end());
 }
 
 }  // namespace swaplight

@@ -29,8 +29,10 @@ class JsonFields {
 
   /// The fields that nobody asked for.
   [[nodiscard]] Json unknown() const;
-  /// Adds a sentence for each of them: a key may be misspelt.
+  /// Adds a sentence for each of them, and of the parts taken in: a key may be misspelt.
   void warnOfUnknown(std::vector<std::string>& warnings) const;
+  /// Takes in an object within this one that has been read: its unknown fields are warned of with these.
+  void takeIn(const JsonFields& part);
   [[nodiscard]] const std::string& where() const { return m_where; }
   /// Once more is known about the object.
   void setWhere(std::string where) { m_where = std::move(where); }
@@ -39,6 +41,7 @@ class JsonFields {
   const Json& m_object;
   std::string m_where;
   std::set<std::string> m_known;
+  std::vector<std::string> m_ofParts;  ///< warnings
 };
 
 /// What a JSON value is, in words: "a text", "a list of 3", "null".

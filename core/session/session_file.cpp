@@ -92,7 +92,8 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& folder, c
   if (const Json* edits = fields.find("edits"))
     session.document.edits = editsFromJson(*edits, folder, name + ": edits");
   if (const Json* selection = fields.find("selection"))
-    session.document.selection = selectionOf(maskFromJson(*selection, 1, 1, name + ": selection"));
+    session.document.selection =
+        selectionOf(maskFromJson(*selection, 1, 1, name + ": selection", &session.warnings));
   if (const Json* rig = fields.find("rig")) session.document.rig = rigFromJson(*rig, name + ": rig");
   session.document.colorConfig = readPath(fields.text("color_config").value_or(""), folder);
   session.document.workingSpace = workingSpaceFrom(fields);

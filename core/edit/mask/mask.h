@@ -71,7 +71,9 @@ struct SelectionPart {
 using Mask = std::vector<MaskShape>;
 
 [[nodiscard]] Json jsonFromMask(const Mask& mask);
-/// Paintings are replayed in the size given. Throws InputError.
-[[nodiscard]] Mask maskFromJson(const Json& json, int width, int height, const std::string& where);
+/// Paintings are replayed in the size given. `warnings`: gets a sentence for each key that is not used.
+/// Throws InputError.
+[[nodiscard]] Mask maskFromJson(const Json& json, int width, int height, const std::string& where,
+                                std::vector<std::string>* warnings = nullptr);
 
 }  // namespace swaplight

@@ -44,13 +44,15 @@ MaskShape shapeFromFields(JsonFields& fields, int width, int height) {
   return *found;
 }
 
-SelectionPart partFromJson(const Json& json, int width, int height, const std::string& where) {
+SelectionPart partFromJson(const Json& json, int width, int height, JsonFields& selection, size_t number) {
+  const std::string where = fmt::format("{}: part {}", selection.where(), number);
   JsonFields fields(json, where);
   SelectionPart part{shapeFromFields(fields, width, height), {}};
   if (std::holds_alternative<PaintShape>(part.shape.shape) ||
       std::holds_alternative<ImageShape>(part.shape.shape))
     throw InputError("{}: painted shapes and gobo images cannot be parts of a selection.", where);
   part.how = static_cast<SelectionPart::Combine>(choiceFromJson(fields, "combine", kCombineNames));
+  selection.takeIn(fields);
   return part;
 }
 
@@ -65,8 +67,7 @@ void SelectionShape::writeMore(Json& json) const {
 void SelectionShape::readMore(JsonFields& fields, int width, int height) {
   std::vector<SelectionPart> read;
   for (const Json& part : fields.list("parts", "a list of shapes"))
-    read.push_back(
-        partFromJson(part, width, height, fields.where() + ": part " + std::to_string(read.size() + 1)));
+    read.push_back(partFromJson(part, width, height, fields, read.size() + 1));
   parts = std::make_shared<const std::vector<SelectionPart>>(std::move(read));
 }
 
@@ -76,12 +77,14 @@ Json jsonFromMask(const Mask& mask) {
   return json;
 }
 
-Mask maskFromJson(const Json& json, int width, int height, const std::string& where) {
+Mask maskFromJson(const Json& json, int width, int height, const std::string& where,
+                  std::vector<std::string>* warnings) {
   if (!json.is_array()) throw InputError("{}: is {}, expected a list of shapes.", where, describeJson(json));
   Mask mask;
   for (const Json& item : json) {
     JsonFields fields(item, where + ": shape " + std::to_string(mask.size() + 1));
     mask.push_back(shapeFromFields(fields, width, height));
+    if (warnings) fields.warnOfUnknown(*warnings);
   }
   return mask;
 }

@@ -125,7 +125,8 @@ EditStack editStackFromJson(const Json& json, int width, int height, const std::
       throw InputError("{}: the meaning is \"{}\", expected share or add.", one.where(), meaning);
     edit.energy = meaning == "add" ? EnergyMode::Add : EnergyMode::Redistribute;
     edit.operation = readOperation(one);
-    if (const Json* mask = one.find("mask")) edit.mask = maskFromJson(*mask, width, height, one.where());
+    if (const Json* mask = one.find("mask"))
+      edit.mask = maskFromJson(*mask, width, height, one.where(), warnings);
     if (warnings) one.warnOfUnknown(*warnings);
     stack.append(std::move(edit));
   }

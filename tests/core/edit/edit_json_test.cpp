@@ -86,6 +86,23 @@ TEST(EditJson, RoundTripKeepsEverything) {
 }
 
 // Files that are out there have to open, and what is written has to be read by older programs.
+TEST(EditJson, WarnsOfKeysThatMasksDoNotUse) {
+  Json json = jsonFromEditStack(everyKind());
+  const auto warningsOf = [&] {
+    std::vector<std::string> warnings;
+    static_cast<void>(editStackFromJson(json, 200, 100, "a.json", &warnings));
+    return warnings;
+  };
+  EXPECT_THAT(warningsOf(), testing::IsEmpty()) << "all that is written is read";
+  for (Json& edit : json["edits"])
+    for (Json& shape : edit["mask"]) {
+      if (shape["shape"] == "ellipse") shape["fether"] = 3;
+      if (shape.contains("parts")) shape["parts"][1]["cmobine"] = "add";
+    }
+  EXPECT_THAT(warningsOf(), testing::Contains(HasSubstr("\"fether\"")));
+  EXPECT_THAT(warningsOf(), testing::Contains(testing::AllOf(HasSubstr("part 2"), HasSubstr("\"cmobine\""))));
+}
+
 TEST(EditJson, TheFormatIsKeptToTheByte) {
   std::ifstream file(SWAPLIGHT_TEST_DATA "/edits/every_kind.json");
   ASSERT_TRUE(file);
