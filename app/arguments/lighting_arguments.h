@@ -37,9 +37,9 @@ class LightingArguments {
                         const SolvedSet* set = nullptr) const;
   /// The primaries to work in: as the command line says, else as the session does.
   [[nodiscard]] std::string workingSpace(const std::optional<Session>& session) const;
-  /// How a capture is solved: as the command line says, else as the session does.
   /// Throws InputError where the command line says how to solve a file that is solved.
   void checkSolving(const std::filesystem::path& file) const;
+  /// How a capture is solved: as the command line says, else as the session does.
   [[nodiscard]] SolveOptions solveOptions(const std::optional<Session>& session) const;
   /// Says what is wrong with the rig or the working space of one frame before a capture is solved, where that
   /// can be known; and that keyframes are for sequences.

@@ -333,7 +333,7 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
   return capture;
 }
 
-/// By its first bytes; false where there is no such file.
+/// By its first bytes, where it is not called .json; false where there is no such file.
 bool isPicture(const std::filesystem::path& file) {
   try {
     return file.extension() != ".json" && !imageFormatOf(file).empty();
