@@ -63,8 +63,9 @@ class Display:
 
     def __init__(self, width, height):
         read, write = os.pipe()
+        # It resets itself when its last program ends, and would throw out the next test's that comes at that moment.
         self.process = subprocess.Popen(
-            ['Xvfb', '-displayfd', str(write), '-screen', '0', f'{width}x{height}x24', '-nolisten', 'tcp', '-r'],
+            ['Xvfb', '-displayfd', str(write), '-screen', '0', f'{width}x{height}x24', '-nolisten', 'tcp', '-r', '-noreset'],
             pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as numbers:
