@@ -127,6 +127,7 @@ Description describeSolvedSet(const fs::path& file) {
   if (report && !report->message.empty()) {
     d.line("solved", report->message);
     d.line("verdict", verdictLine(verdictOf(*report)));
+    if (const std::string unseen = unseenWords(report->causes); !unseen.empty()) d.line("unseen", unseen);
   }
   d.json = {{"kind", "solved"}, {"file", file.string()}};
   d.json.update(pictureJson(spec, info));

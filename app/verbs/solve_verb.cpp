@@ -107,9 +107,10 @@ int run(const SolveCommand& arguments, Terminal& terminal) {
   json["verdict"] = {{"word", verdictWord(verdict.word)}, {"reasons", verdict.reasons}};
   terminal.say("wrote {}, {} x {} pixels, {} lights", arguments.output, set.width(), set.height(),
                set.lightCount());
-  terminal.result(
-      fmt::format("{}\n{} {:.2f} s.\n", verdictLine(verdict), set.report->message, set.report->seconds),
-      json);
+  const std::string unseen = unseenWords(set.report->causes);
+  terminal.result(fmt::format("{}\n{} {:.2f} s.\n{}{}", verdictLine(verdict), set.report->message,
+                              set.report->seconds, unseen, unseen.empty() ? "" : "\n"),
+                  json);
   return codeWithLook(0, look.get());
 }
 

@@ -64,6 +64,28 @@ double spokenSize(const CauseEvidence& evidence) {
   return 100 * evidence.size;
 }
 
+/// What of a cause goes unseen.
+std::string unseenOf(const CauseSight& sight) {
+  const double from = sight.from.value_or(0);
+  switch (sight.cause) {
+    case Cause::Colors:
+      return "wrong colours of the lights";
+    case Cause::Ambient:
+      return sight.from ? fmt::format("ambient light below {:.0f} % of the lamps' light", 100 * from)
+                        : "ambient light";
+    case Cause::Tone:
+      return sight.from
+                 ? fmt::format("a tone curve (light to the power of {:.2f} to {:.2f})", 1 - from, 1 + from)
+                 : "a tone curve";
+    case Cause::Field:
+      return sight.from ? fmt::format("lamps whose colour drifts by less than {:.0f} %", 100 * from)
+                        : "lamps whose colour drifts";
+    case Cause::Moved:
+      break;
+  }
+  return "";
+}
+
 std::optional<Cause> causeFromName(const std::string& name) {
   for (const CauseText& text : kTexts)
     if (name == text.name) return text.cause;
@@ -95,7 +117,10 @@ Json jsonFromMisfitCauses(const MisfitCauses& causes) {
                    {"behind", one.behind},
                    {"size", one.size}});
   for (const Cause cause : causes.likely) likely.push_back(causeName(cause));
-  return {{"likely", likely}, {"unnamed", causes.unnamed}, {"all", all}};
+  Json json = {{"likely", likely}, {"unnamed", causes.unnamed}, {"all", all}};
+  for (const CauseSight& one : causes.sight)
+    json["seen_from"][causeName(one.cause)] = one.from ? Json(*one.from) : Json();
+  return json;
 }
 
 MisfitCauses misfitCausesFromJson(const Json& json) {
@@ -109,6 +134,10 @@ MisfitCauses misfitCausesFromJson(const Json& json) {
       if (const auto cause = name.is_string() ? causeFromName(name.get<std::string>()) : std::nullopt)
         causes.likely.push_back(*cause);
   causes.unnamed = json.contains("unnamed") && json["unnamed"] == true;
+  if (json.contains("seen_from") && json["seen_from"].is_object())
+    for (const auto& [name, from] : json["seen_from"].items())
+      if (const auto cause = causeFromName(name); cause && (from.is_number() || from.is_null()))
+        causes.sight.push_back({*cause, from.is_number() ? std::optional(from.get<double>()) : std::nullopt});
   return causes;
 }
 
@@ -134,6 +163,14 @@ std::string wordsFor(const MisfitCauses& causes, const TriedRemedies& tried) {
     return fmt::format("the photographs look as under {}: {}", found.front(), remedies.front());
   return fmt::format("the photographs look as under {}, it cannot be told which: {}",
                      fmt::join(found, " or "), fmt::join(remedies, "; or "));
+}
+
+std::string unseenWords(const MisfitCauses& causes) {
+  std::vector<std::string> unseen;
+  for (const CauseSight& one : causes.sight)
+    if (std::string words = unseenOf(one); !words.empty()) unseen.push_back(std::move(words));
+  if (unseen.empty()) return "";
+  return fmt::format("Might go unseen in these photographs: {}.", fmt::join(unseen, "; "));
 }
 
 }  // namespace swaplight

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,13 @@ struct CauseEvidence {
   double size = 0;
 };
 
+/// From what size on a cause would not go unsaid in photographs like these (CauseEvidence::size, of Tone its
+/// magnitude); nothing: it may, however large it is.
+struct CauseSight {
+  Cause cause = Cause::Colors;
+  std::optional<double> from;
+};
+
 /// All causes, held against each other.
 struct MisfitCauses {
   std::vector<CauseEvidence> all;  ///< the best first; empty: not looked for, or nothing to see them by
@@ -36,6 +44,8 @@ struct MisfitCauses {
   std::vector<Cause> likely;
   /// Something is wrong all over the picture, and none of them is surely it.
   bool unnamed = false;
+  /// What would not go unsaid. Empty: not looked for, as where something is said.
+  std::vector<CauseSight> sight;
 
   /// The one cause there is evidence for.
   [[nodiscard]] bool is(Cause cause) const { return likely.size() == 1 && likely.front() == cause; }
@@ -56,5 +66,8 @@ struct TriedRemedies {
 /// For a person: what the photographs look like, and what to do about it. Empty where
 /// nothing is wrong.
 [[nodiscard]] std::string wordsFor(const MisfitCauses& causes, const TriedRemedies& tried = {});
+
+/// For a person: what may be wrong all the same. Empty where that was not looked for.
+[[nodiscard]] std::string unseenWords(const MisfitCauses& causes);
 
 }  // namespace swaplight

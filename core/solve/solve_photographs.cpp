@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/solve/causes/cause_evidence.h"
+#include "core/solve/causes/cause_sight.h"
 #include "core/solve/causes/tone_correction.h"
 #include "core/solve/even_lamps.h"
 #include "core/solve/highlights/highlights.h"
@@ -105,6 +106,10 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
     set.report->warnings.emplace_back(
         "the photographs surely hold a tone curve that was not told: it was taken off "
         "(--tone declared leaves it)");
+  MisfitCauses& causes = set.report->causes;
+  const bool asTaken = !tone && !isMoved(set) && !isPartlyCrossed(capture) && fields.empty();
+  if (asTaken && !causes.all.empty() && causes.likely.empty() && !causes.unnamed)
+    causes.sight = causeSight(capture, photographs, options.noise);
   return set;
 }
 

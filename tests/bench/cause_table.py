@@ -4,7 +4,8 @@
 usage: cause_table.py SWAPLIGHT SHARED [--sets A,B] [--cases clean,tone] [--size 320] [--lights 2] [--remedy=--field]
 
 Photographs are composed of SHARED/captures' pictures of one light each, with one thing wrong that the capture does not
-tell. The noise is not told. Columns: relative RMSE of the contributions (exposure, which nothing tells under an unknown
+tell. The noise is not told. With --sight two tables more: what each set's photographs are said not to show, and how often
+that was so of what was planted. Columns: relative RMSE of the contributions (exposure, which nothing tells under an unknown
 curve, taken off) and mean CIEDE2000 of SHARED/tools/score.py, nothing done about it; the causes that the report names, with
 the best one's size and certainty; both errors of a solve that is asked for nothing, and what it did; then both with the remedy
 that the named cause offers, where that did nothing and `solve` has it, or with --remedy.
@@ -22,12 +23,13 @@ from solve_table import one_light_sets
 
 COLORS = [[.9, .2, .15], [.15, .8, .25], [.2, .25, .9], [.85, .75, .1]]
 READ, FULL_WELL = .002, 20000
+DRIFT_RMS = .3  # of a field's size: its colours' RMS over the picture
 # What is planted, how much of it, and the bits of the files (None: floating point with noise).
 CASES = {
     'clean': (0, None), 'clean 8 bit': (0, 8),
-    'ambient .4 %': (.004, None), 'ambient 1.4 %': (.014, None), 'ambient 4.2 %': (.042, None), 'ambient 14 %': (.14, None),
+    'ambient .4 %': (.004, None), 'ambient 1.4 %': (.014, None), 'ambient 4.2 %': (.042, None), 'ambient 8 %': (.08, None), 'ambient 14 %': (.14, None),
     'field 5 %': (.05, None), 'field 10 %': (.1, None), 'field 20 %': (.2, None), 'field 10 % 8 bit': (.1, 8),
-    'field of one 5 %': (.05, None), 'field of one 10 %': (.1, None), 'field of one 20 %': (.2, None), 'tone S mild': (.3, 8), 'tone S strong': (.8, 8), 'tone gamma .9': (.9, 8),
+    'field of one 5 %': (.05, None), 'field of one 10 %': (.1, None), 'field of one 20 %': (.2, None), 'tone S mild': (.3, 8), 'tone S strong': (.8, 8), 'tone gamma .9': (.9, 8), 'tone gamma .8': (.8, 8), 'tone gamma 1.1': (1.1, 8),
     'colors 2 %': (.02, None), 'colors 5 %': (.05, None), 'colors 15 %': (.15, None), 'colors 30 %': (.3, None), 'moved 1 px': (1, 8), 'turned 2 px': (2, 8),
 }
 REMEDY = {'tone': ['--tone', 'auto'], 'moved': ['--align', 'on'], 'colors': ['--refine-colors'], 'field': ['--field']}
@@ -176,6 +178,38 @@ def row(score, program, truth, ambient, names, case, label, always):
     return causes
 
 
+def planted(case):
+    """The cause that a case plants, and its size as the report has it; None: another."""
+    kind, *rest = case.split()
+    if kind == 'ambient':
+        return 'ambient', float(rest[0]) / 100
+    if kind == 'field' and rest[0] != 'of':
+        return 'field', DRIFT_RMS * float(rest[0]) / 100
+    return ('tone', abs(1 - float(rest[1]))) if 'gamma' in case else None
+
+
+def print_sight(found):
+    """`found`: (set, case) -> causes."""
+    told = {'would be seen': [0, 0], 'would not': [0, 0]}
+    print('\n| set | ambient | tone | field |\n|---|---|---|---|')
+    for label in dict.fromkeys(label for label, _ in found):
+        seen = {case: found.get((label, case), {}).get('seen_from') for case in ('clean', 'clean 8 bit')}
+        if seen['clean']:
+            print('|', label, '|', ' | '.join(f'{f:.3f}' if f else '-' for f in
+                                              (seen['clean'].get(name) for name in ('ambient', 'tone', 'field'))), '|')
+        for case in (case for of, case in found if of == label):
+            what = planted(case)
+            limits = seen['clean 8 bit' if CASES[case][1] else 'clean']
+            if what and limits:
+                limit = limits.get(what[0])
+                causes = found[label, case]
+                told['would be seen' if limit and what[1] >= limit else 'would not'][
+                    bool(causes['likely'] or causes.get('unnamed'))] += 1
+    print('\n| planted | said | not said |\n|---|---|---|')
+    for name, (silent, said) in told.items():
+        print(f'| what {name} | {said} | {silent} |')
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('swaplight')
@@ -186,6 +220,7 @@ def main():
     parser.add_argument('--lights', type=int, default=2)
     parser.add_argument('--evidence', help='append every cause of every row to this file')
     parser.add_argument('--remedy', help='the same remedy in every row, as --remedy=--field')
+    parser.add_argument('--sight', action='store_true', help='what the photographs are said not to show, and how often that was so')
     options = parser.parse_args()
     always = options.remedy.split() if options.remedy else None
     sys.path.insert(0, os.path.join(options.shared, 'tools'))
@@ -194,15 +229,19 @@ def main():
     print('| set | defect | rel. RMSE | dE00 | named | best (certainty, explained) | by itself: RMSE | dE00 | done '
           '| RMSE with remedy | dE00 |')
     print('|---|---|---|---|---|---|---|---|---|---|---|')
+    found = {}
     for label in options.sets.split(',') if options.sets else sets:
         folder, lights = sets[label]
         names = lights[:options.lights]
         truth, ambient = load(folder, names, options.size)
         for case in options.cases.split(','):
             causes = row(score, os.path.abspath(options.swaplight), truth, ambient, names, case, label, always)
+            found[label, case] = causes
             if options.evidence:
                 with open(options.evidence, 'a') as file:
                     file.write(json.dumps({'set': label, 'case': case, 'lights': len(names), **causes}) + '\n')
+    if options.sight:
+        print_sight(found)
 
 
 if __name__ == '__main__':

@@ -57,6 +57,13 @@ class SolveTest(cli.CliTest):
         report = self.succeed_json('solve', capture.path, '-o', self.path('solved.exr'), '--tone', 'auto')
         self.assertNotIn('tone_correction', report, 'the photographs are as told')
         self.assertEqual(report['misfit_causes']['likely'], [])
+        # What might have gone unseen is said, too, where there are pixels enough to see by.
+        capture = cli.Capture(self.path('large'), height=96, width=128)
+        report = self.succeed_json('solve', capture.path, '-o', self.path('solved.exr'))
+        unseen = 'Might go unseen in these photographs: '
+        self.assertIn('ambient', report['misfit_causes']['seen_from'])
+        self.assertIn(unseen, self.succeed('solve', capture.path, '-o', self.path('solved.exr')).stdout)
+        self.assertIn(unseen, self.succeed('info', self.path('solved.exr')).stdout)
 
     def test_a_tone_curve_that_was_not_told_is_named_and_taken_off(self):
         capture = cli.Capture(self.path('set'), height=96, width=128)

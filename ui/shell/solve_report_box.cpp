@@ -82,6 +82,8 @@ void drawReport(const SolveReport& report, const SolveVerdict& verdict) {
   }
   ImGui::Separator();
   ImGui::TextUnformatted(report.message.c_str());
+  if (const std::string unseen = unseenWords(report.causes); !unseen.empty())
+    ImGui::TextUnformatted(unseen.c_str());
   ImGui::Separator();
   figures(report);
   if (!report.warnings.empty()) ImGui::Separator();

@@ -7,6 +7,9 @@
 
 namespace swaplight {
 
+class CauseComparison;
+struct MisfitRows;
+
 /// Why the photographs do not fit the matte model: each cause is fitted to a sample of pixels whose own
 /// unknowns (beta, rho) are projected out, and held against the others by the likelihood of parts of the
 /// picture that it was not fitted to. So a cause with many unknowns gains nothing by them, and what is in one
@@ -25,9 +28,9 @@ namespace swaplight {
 [[nodiscard]] MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& signal,
                                         const CauseTuning& tuning = {});
 
-/// How many pixels of a capture are held against each other: as many as a pass over them may cost. 0: so many
-/// unknowns, or so little freedom, that nothing is said.
-[[nodiscard]] int causeSampleSize(const EstimatorContext& context, const CauseTuning& tuning = {});
+/// The same of any residuals of a comparison's sample.
+[[nodiscard]] MisfitCauses causesOf(const CauseComparison& comparison, const MisfitRows& rows,
+                                    const CauseTuning& tuning);
 
 /// Whether it is a tone curve beyond doubt: the one likely cause, surer than what is only said, and all
 /// others surely worse, but for negative ambient light, which is none. Ambient light of a glossy set has been

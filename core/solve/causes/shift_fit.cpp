@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/solve/causes/cause_comparison.h"
 #include "core/solve/causes/cause_context.h"
-#include "core/solve/causes/cause_evidence.h"
 #include "core/solve/causes/cause_fit.h"
 #include "core/solve/causes/cause_slopes.h"
 #include "core/solve/registration/align_shots.h"

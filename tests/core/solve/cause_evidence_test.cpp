@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "core/base/json.h"
 #include "core/set/solve_verdict.h"
@@ -230,6 +232,41 @@ TEST(CauseEvidence, IsKeptWithTheReportAndLowersTheVerdict) {
   EXPECT_NE(verdict.reasons.front().find("--tone auto"), std::string::npos);
   causes.likely.push_back(Cause::Colors);
   EXPECT_NE(wordsFor(causes).find("cannot be told which"), std::string::npos);
+}
+
+std::optional<double> seenFrom(const MisfitCauses& causes, Cause cause) {
+  const auto found = std::ranges::find(causes.sight, cause, &CauseSight::cause);
+  return found == causes.sight.end() ? std::nullopt : found->from;
+}
+
+// What is not said is no proof that nothing is wrong: how much could be is measured on the photographs
+// themselves.
+TEST(CauseEvidence, KnowsWhatWouldGoUnseen) {
+  const auto solved = [](const Defect& defect) {
+    SolveOptions options;
+    options.align = options.correctTone = Remedy::Off;
+    return solvePhotographs(swappedCapture(), photographed(defect), {}, options).report->causes;
+  };
+  const MisfitCauses clean = solved({});
+  ASSERT_TRUE(clean.likely.empty()) << told(clean);
+  const std::optional<double> drift = seenFrom(clean, Cause::Field);
+  ASSERT_TRUE(drift && seenFrom(clean, Cause::Ambient)) << told(clean);
+  EXPECT_FALSE(seenFrom(clean, Cause::Colors)) << "of two lights they seldom show";
+  // Really photographed like that, more is said, and less is not. Of all lamps and channels one drifts.
+  const double ofOne = *drift * std::sqrt(6. * 3);
+  for (const auto& [times, isSaid] : {std::pair{.5, false}, std::pair{1.5, true}}) {
+    const MisfitCauses causes = solved({.drift = times * ofOne});
+    EXPECT_EQ(!causes.likely.empty(), isSaid) << times << ' ' << *drift << ' ' << told(causes);
+    EXPECT_EQ(causes.sight.empty(), isSaid) << "where something is said it is not looked for";
+  }
+
+  SolveReport report;
+  report.causes = clean;
+  const MisfitCauses read = solveReportFromJson(jsonFromSolveReport(report), "report").causes;
+  EXPECT_EQ(seenFrom(read, Cause::Field), drift);
+  EXPECT_EQ(unseenWords(read), unseenWords(clean));
+  EXPECT_NE(unseenWords(clean).find("ambient light below"), std::string::npos) << unseenWords(clean);
+  EXPECT_EQ(unseenWords({}), "");
 }
 
 // Light that the colours as told make negative, all over the picture, is no bounced light: something is

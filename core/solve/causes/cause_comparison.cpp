@@ -1,0 +1,149 @@
+#include "core/solve/causes/cause_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/solve/estimators/matte_fit.h"
+
+namespace swaplight {
+namespace {
+
+/// The part of the picture that a pixel lies in; parts are named like the fields of a chessboard.
+struct Tile {
+  int column, row;
+  [[nodiscard]] bool isWhite() const { return (column + row) % 2 == 0; }
+};
+
+Tile tileOf(const PixelMisfit& pixel, const CapturePixels& pixels, int across) {
+  return {pixel.x * across / pixels.width(), pixel.y * across / pixels.height()};
+}
+
+/// Puts the pixels of white parts first.
+PictureParts partsOf(std::vector<PixelMisfit>& sample, const CapturePixels& pixels, int across) {
+  const auto isWhite = [&](const PixelMisfit& pixel) { return tileOf(pixel, pixels, across).isWhite(); };
+  const auto black = std::stable_partition(sample.begin(), sample.end(), isWhite);
+  PictureParts parts;
+  std::vector<int> name(size_t(across) * size_t(across), -1);
+  for (const PixelMisfit& pixel : sample) {
+    const Tile tile = tileOf(pixel, pixels, across);
+    int& named = name[size_t(tile.row) * size_t(across) + size_t(tile.column)];
+    if (named < 0) named = parts.count++;
+    parts.of.push_back(named);
+  }
+  parts.all = {0, int(sample.size())};
+  parts.half[0] = {0, int(black - sample.begin())};
+  parts.half[1] = {parts.half[0].end, parts.all.end};
+  return parts;
+}
+
+/// The log likelihood of every part of the picture under a cause that was fitted to others.
+std::vector<double> heldOut(const MisfitRows& rows, const PictureParts& parts, const Eigen::MatrixXd& slopes,
+                            double prior, const CauseTuning& tuning) {
+  std::vector<double> sums(size_t(parts.count), 0.0);
+  for (int half = 0; half < 2; ++half) {
+    const PixelSpan& judged = parts.half[half];
+    const CauseFit fit = fitCause(rows, slopes, parts.half[1 - half], prior, tuning);
+    const std::vector<double> logs = logLikelihoods(rows, slopes, judged, fit, tuning);
+    for (size_t j = 0; j < logs.size(); ++j) sums[size_t(parts.of[size_t(judged.begin) + j])] += logs[j];
+  }
+  return sums;
+}
+
+/// A sum over the parts of the picture, and its standard error.
+struct Difference {
+  double sum = 0, error = 0;
+  [[nodiscard]] double deviations() const { return error > 0 ? sum / error : 0; }
+};
+
+Difference difference(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto count = double(a.size());
+  double sum = 0, squares = 0;
+  for (size_t j = 0; j < a.size(); ++j) {
+    sum += a[j] - b[j];
+    squares += (a[j] - b[j]) * (a[j] - b[j]);
+  }
+  return {sum, std::sqrt(std::max(squares - sum * sum / count, 0.0) * count / std::max(count - 1, 1.0))};
+}
+
+/// Ambient light that is white and as strong everywhere, over the median pixel's light: the other unknowns of
+/// the Ambient model cannot be told from the lamps' own light.
+double ambientLevel(const MisfitRows& rows, const Eigen::MatrixXd& slopes, const PixelSpan& pixels,
+                    double prior, const CauseTuning& tuning) {
+  const Eigen::MatrixXd level = slopes.middleCols<3>(3).rowwise().sum();
+  return fitCause(rows, level, pixels, prior, tuning).unknowns[0];
+}
+
+}  // namespace
+
+std::optional<CauseComparison> CauseComparison::of(const EstimatorContext& context, const ShotSignal& signal,
+                                                   const CauseTuning& tuning) {
+  const int count = causeSampleSize(context, tuning);
+  if (count == 0) return std::nullopt;
+  CauseComparison comparison(context, signal);
+  comparison.m_sample = misfitSample(context, signal, count, tuning);
+  comparison.m_parts = partsOf(comparison.m_sample, signal.pixels(), tuning.tiles);
+  if (int(comparison.m_sample.size()) < tuning.fewestPixels || comparison.m_parts.count < tuning.fewestTiles)
+    return std::nullopt;
+  comparison.m_rows = misfitRows(comparison.m_sample);
+  comparison.m_models = causeModels(context, signal, comparison.m_sample);
+  comparison.m_slopes.resize(comparison.m_models.size());
+  parallelEach(int(comparison.m_models.size()), [&](int j) {
+    comparison.m_slopes[size_t(j)] =
+        visibleSlopes(comparison.m_models[size_t(j)], comparison.m_sample, comparison.m_rows);
+  });
+  return comparison;
+}
+
+size_t CauseComparison::indexOf(Cause cause) const {
+  return size_t(std::ranges::find(m_models, cause, &CauseModel::cause) - m_models.begin());
+}
+
+const Eigen::MatrixXd& CauseComparison::slopesOf(Cause cause) const {
+  return m_slopes[indexOf(cause)];
+}
+
+std::vector<CauseEvidence> CauseComparison::fitted(const MisfitRows& rows, const CauseTuning& tuning) const {
+  const Eigen::MatrixXd nothing(rows.residual.size(), 0);
+  const double noneScale = fitCause(rows, nothing, m_parts.all, 1, tuning).squaredScale;
+  std::vector<CauseEvidence> causes(m_models.size());
+  parallelEach(int(m_models.size()), [&](int j) {
+    const CauseModel& model = m_models[size_t(j)];
+    CauseEvidence& evidence = causes[size_t(j)];
+    evidence.cause = model.cause;
+    const CauseFit fit = fitCause(rows, m_slopes[size_t(j)], m_parts.all, model.prior, tuning);
+    evidence.explained = std::clamp(1 - fit.squaredScale / noneScale, 0.0, 1.0);
+    evidence.size = model.cause == Cause::Ambient
+                        ? ambientLevel(rows, m_slopes[size_t(j)], m_parts.all, model.prior, tuning)
+                        : causeSize(model, fit.unknowns, m_sample);
+  });
+  return causes;
+}
+
+void CauseComparison::compare(const MisfitRows& rows, std::vector<CauseEvidence>& causes,
+                              const CauseTuning& tuning) const {
+  const std::vector<double> none =
+      heldOut(rows, m_parts, Eigen::MatrixXd(rows.residual.size(), 0), 1, tuning);
+  std::vector<std::vector<double>> sums(m_models.size());  // of each part of the picture
+  parallelEach(int(m_models.size()), [&](int j) {
+    sums[size_t(j)] = heldOut(rows, m_parts, m_slopes[size_t(j)], m_models[size_t(j)].prior, tuning);
+  });
+  for (CauseEvidence& one : causes) {
+    const Difference gain = difference(sums[indexOf(one.cause)], none);
+    one.gain = gain.sum / double(m_parts.of.size());
+    one.certainty = gain.deviations();
+  }
+  std::ranges::sort(causes, std::greater<>(), &CauseEvidence::gain);
+  for (CauseEvidence& one : causes)
+    one.behind = difference(sums[indexOf(causes.front().cause)], sums[indexOf(one.cause)]).deviations();
+}
+
+int causeSampleSize(const EstimatorContext& context, const CauseTuning& tuning) {
+  const MatteFit matte(context);
+  if (context.lighting.lights < 2 || matte.freedom() < 1) return 0;
+  const double cost = double(matte.freedom()) * std::pow(mostCauseUnknowns(context.lighting), 2);
+  const int count = int(std::min(double(tuning.pixels), tuning.work / cost));
+  return count < tuning.fewestPixels ? 0 : count;
+}
+
+}  // namespace swaplight
