@@ -180,29 +180,28 @@ void SequenceArguments::addTo(CLI::App& verb) {
       ->group(kGroup);
   addTimingOptions(verb, m_timing);
   m_timingOptions = {verb.get_option("--cue-fps"), verb.get_option("--hold")};
-  verb.add_flag("--cont", m_goOn, "Continue after a frame that fails")->group(kGroup);
-  verb.add_flag("--skip-existing", m_skipExisting, "Skip frames whose file already exists")->group(kGroup);
-  verb.add_option("--workers", m_workers, "Frames rendered in parallel")
+  const auto ofFrames = [&](CLI::Option* option) {
+    m_frameOptions.push_back(option->group(kGroup));
+    return option;
+  };
+  ofFrames(verb.add_flag("--cont", m_goOn, "Continue after a frame that fails"));
+  ofFrames(verb.add_flag("--skip-existing", m_skipExisting, "Skip frames whose file already exists"));
+  ofFrames(verb.add_option("--workers", m_workers, "Frames rendered in parallel"))
       ->check(CLI::Range(1, 64).description(""))
       ->type_name("N")
-      ->capture_default_str()
-      ->group(kGroup);
-  verb.add_option("--frame-index", m_index,
-                  "Render only this part of the frames, counted from 0 (default: the Slurm task)")
-      ->type_name("I")
-      ->group(kGroup);
-  verb.add_option("--frame-count", m_count, "Number of parts that the frames are split into")
-      ->type_name("N")
-      ->group(kGroup);
+      ->capture_default_str();
+  ofFrames(verb.add_option("--frame-index", m_index,
+                           "Render only this part of the frames, counted from 0 (default: the Slurm task)"))
+      ->type_name("I");
+  ofFrames(verb.add_option("--frame-count", m_count, "Number of parts that the frames are split into"))
+      ->type_name("N");
 }
 
 void SequenceArguments::check() const {
-  const char* option = m_skipExisting       ? "--skip-existing"
-                       : m_goOn             ? "--cont"
-                       : m_index || m_count ? "--frame-index"
-                                            : nullptr;
-  if (option && !given())
-    throw InputError("{}: is of a sequence's frames: give -F 1-24 or --cues, or leave it out", option);
+  for (const CLI::Option* option : m_frameOptions)
+    if (option->count() > 0 && !given())
+      throw InputError("{}: is of a sequence's frames: give -F 1-24 or --cues, or leave it out",
+                       option->get_name());
   for (const CLI::Option* timing : m_timingOptions)
     if (timing->count() > 0 && !m_cues)
       throw InputError("{}: is of a cue list: give --cues, or leave it out", timing->get_name());

@@ -44,7 +44,7 @@ class SequenceArguments {
   bool m_framesGiven = false;  ///< an empty range, of a shell's variable, is a mistake, and no still
   bool m_cues = false;
   CueTiming m_timing;
-  std::vector<const CLI::Option*> m_timingOptions;
+  std::vector<const CLI::Option*> m_timingOptions, m_frameOptions;
   bool m_goOn = false;
   bool m_skipExisting = false;
   int m_workers = 2;

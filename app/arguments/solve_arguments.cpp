@@ -15,6 +15,7 @@ namespace swaplight {
 namespace {
 
 constexpr const char* kHighlights = "--highlights";
+constexpr const char* kGroup = "Solving";
 
 /// True for the second of two words, false for the first.
 bool chosen(const char* option, const std::string& text, const char* off, const char* on) {
@@ -65,8 +66,19 @@ SensorNoise noiseFromText(const std::string& text) {
 }
 
 void SolveArguments::addTo(CLI::App& verb) {
+  addWithoutHighlightsTo(verb);
+  m_options.push_back(
+      verb.add_option(kHighlights, m_highlights,
+                      "on or off: keep what of each light is highlight, where the photographs show some (a "
+                      "set with them takes up to twice the memory)")
+          ->type_name("HOW")
+          ->capture_default_str()
+          ->group(kGroup));
+}
+
+void SolveArguments::addWithoutHighlightsTo(CLI::App& verb) {
   const auto add = [&](CLI::Option* option) {
-    m_options.push_back(option->group("Solving"));
+    m_options.push_back(option->group(kGroup));
     return option;
   };
   add(verb.add_option("--model", m_model, "Model of a pixel: auto, single, lambert, gloss or transport"))
@@ -88,11 +100,6 @@ void SolveArguments::addTo(CLI::App& verb) {
                       "on: register the photographs to the first. sure: where they surely show that the "
                       "camera moved. off: "
                       "never"))
-      ->type_name("HOW")
-      ->capture_default_str();
-  add(verb.add_option(kHighlights, m_highlights,
-                      "on or off: keep what of each light is highlight, where the photographs show some (a "
-                      "set with them takes up to twice the memory)"))
       ->type_name("HOW")
       ->capture_default_str();
   add(verb.add_flag("--refine-colors", m_solve.refineColors,

@@ -22,6 +22,8 @@ namespace swaplight {
 class SolveArguments {
  public:
   void addTo(CLI::App& verb);
+  /// For verbs that look at no highlights.
+  void addWithoutHighlightsTo(CLI::App& verb);
   /// Throws InputError where the command line says how to solve a source that is a solved set.
   void check(const std::filesystem::path& source) const;
   /// Throws InputError that quotes the option that is wrong.

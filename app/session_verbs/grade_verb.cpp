@@ -64,6 +64,8 @@ void check(const GradeCommand& arguments) {
         "kind",
         wheel, cdl);
   if (arguments.on && arguments.off) throw InputError("--on and --off: give one of them");
+  if (arguments.reset && !arguments.from.empty())
+    throw InputError("--from and --reset: each begins anew; give one of them");
   if (!arguments.id.empty() && arguments.from.empty() && isSessionFile(arguments.source))
     throw InputError("--id {}: is of a .ccc or .cdl file: name it by --from", arguments.id);
 }

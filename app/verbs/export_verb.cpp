@@ -27,6 +27,7 @@ struct ExportCommand {
   DisplayChoice display;
   LayerOptions options;
   std::vector<const CLI::Option*> ofLayers;  ///< what only an EXR has
+  const CLI::Option* type = nullptr;         ///< of these, --type
 };
 
 PixelType floatTypeOf(const std::string& option, const std::string& name) {
@@ -87,6 +88,11 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   if (look) config->checkView(displayOver(session, arguments.display));
   if (!options.colorSpace.empty()) config->checkColorSpace(options.colorSpace);
   const std::shared_ptr<CameraLook> seen = look ? nullptr : arguments.cameraLook.look(session, terminal);
+  if (!look && !seen && !arguments.display.empty())
+    throw InputError(
+        "--view, --display, --view-look: layers are light, which no view changes: give --camera-look, write "
+        "a "
+        ".cube, or leave them out");
   std::vector<std::filesystem::path> inputs = arguments.lighting.inputs(session);
   for (const std::filesystem::path& file : arguments.cameraLook.inputs(seen.get())) inputs.push_back(file);
   checkOutput(arguments.file, inputs);
@@ -103,7 +109,10 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   options.cameraLook = seen;
   options.seenThrough = displayOver(session, arguments.display).withoutGrade();
   options.frameNumber = arguments.cameraLook.frame();
-  exportLayers(*config, set, rig, arguments.file, options, progress.part(0.6F, 1));
+  const PixelType type = exportLayers(*config, set, rig, arguments.file, options, progress.part(0.6F, 1));
+  if (arguments.type->count() > 0 && type != options.pictures)
+    sayWarnings({"--type half: light is brighter than half can hold: the colour layers are 32-bit float"},
+                terminal);
   if (options.highlights && set.highlights.empty())
     sayWarnings({"this set has no highlights: no layers LIGHT.spec are written"}, terminal);
   const std::vector<std::string> layers = exportedLayers(set, options);
@@ -146,9 +155,9 @@ void addExportVerb(Program& program) {
                          "none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab"))
       ->type_name("NAME")
       ->capture_default_str();
-  layers(verb.add_option("--type", a->pictures, "half or float: the colour layers"))
-      ->type_name("TYPE")
-      ->capture_default_str();
+  a->type = layers(verb.add_option("--type", a->pictures, "half or float: the colour layers"))
+                ->type_name("TYPE")
+                ->capture_default_str();
   layers(verb.add_option("--color-space", a->options.colorSpace,
                          "Of the colour layers: lin_rec709, acescg, aces2065_1 ... (default: the set's)"))
       ->type_name("NAME");

@@ -79,7 +79,8 @@ void write(const ColorConfig& config, const LightmapCommand& arguments, const So
     LayerOptions layers;
     layers.text = text;
     if (output.write.pixelType == "float") layers.pictures = PixelType::Float;
-    return exportLayers(config, grey, rig, arguments.file, layers, progress);
+    exportLayers(config, grey, rig, arguments.file, layers, progress);
+    return;
   }
   if (isSceneLinear(arguments.file)) output.write.text = text;
   exportFrame(config, grey, rig, arguments.file, output, progress);

@@ -98,6 +98,11 @@ int run(const LightsCommand& arguments, Terminal& terminal) {
   Json json{{"source", arguments.source}, {"photograph", arguments.photograph}};
   json.update(jsonFromReading(*config, set, reading));
   if (!arguments.rig.empty()) {
+    for (const auto& [name, lamp] : json["lights"].items())
+      if (!lamp["known"].get<bool>())
+        sayWarnings(
+            {"the photograph does not tell the colour of " + name + ": the rig leaves it on and white"},
+            terminal);
     writeJson(json["rig"], arguments.rig);
     terminal.say("wrote {}", arguments.rig);
   }

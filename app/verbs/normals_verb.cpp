@@ -198,7 +198,7 @@ void addNormalsVerb(Program& program) {
                   "EXR: normal.X right, normal.Y up, normal.Z to the camera; depth.Z; reflectance.R, G, B")
       ->required()
       ->type_name("FILE.exr");
-  a->solve.addTo(verb);
+  a->solve.addWithoutHighlightsTo(verb);
 }
 
 }  // namespace swaplight

@@ -183,7 +183,7 @@ void addShadowsVerb(Program& program) {
   verb.add_option("--overlay", a->overlay,
                   "The outlines over the picture (default: the output's name with .png)")
       ->type_name("FILE.png");
-  a->solve.addTo(verb);
+  a->solve.addWithoutHighlightsTo(verb);
 }
 
 }  // namespace swaplight

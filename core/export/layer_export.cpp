@@ -195,8 +195,9 @@ std::vector<std::string> exportedLayers(const SolvedSet& set, const LayerOptions
   return names;
 }
 
-void exportLayers(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
-                  const std::filesystem::path& file, const LayerOptions& options, const Progress& progress) {
+PixelType exportLayers(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
+                       const std::filesystem::path& file, const LayerOptions& options,
+                       const Progress& progress) {
   check(options, file, options.dataWindow.value_or(PixelRect{0, 0, set.width(), set.height()}), set);
   progress.update(0, "relighting");
   const std::string& colorSpace = options.colorSpace.empty() ? set.colorSpace() : options.colorSpace;
@@ -222,6 +223,7 @@ void exportLayers(const ColorConfig& config, const SolvedSet& set, const Rig& ri
   contents.dataWindow = options.dataWindow;
   if (set.carried) addCarried(contents, *set.carried);
   writeChannels(contents, file, progress.part(0.4F, 1));
+  return written.pictures;
 }
 
 }  // namespace swaplight

@@ -48,10 +48,11 @@ struct LayerOptions {
 /// Combined) is their sum: layers are rounded to their type first and added in their order, in float, so that
 /// who adds them up gets it to the bit in float, and within half a step of its type in half. Scene-linear, in
 /// the primaries asked for. Half becomes float where light is brighter than half can hold. What the
-/// photographs' files held beside their colour goes along. Throws InputError where it cannot be written.
-void exportLayers(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
-                  const std::filesystem::path& file, const LayerOptions& options,
-                  const Progress& progress = {});
+/// photographs' files held beside their colour goes along. Returns the type of the lights' layers. Throws
+/// InputError where it cannot be written.
+PixelType exportLayers(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
+                       const std::filesystem::path& file, const LayerOptions& options,
+                       const Progress& progress = {});
 
 /// The names of the layers in their order, ambient last where there is one: they add up to R G B.
 [[nodiscard]] std::vector<std::string> exportedLayers(const SolvedSet& set, const LayerOptions& options);

@@ -249,6 +249,22 @@ class IdleOptionTest(cli.CliTest):
         self.deny('relight', self.solved, '-F', '1-2', '--cue-fps', '25', '-o', self.path('f.%04d.png'),
                   naming=('--cue-fps', '--cues'))
 
+    def test_frames_of_a_still(self):
+        for option in (('--workers', '4'), ('--cont',), ('--skip-existing',), ('--frame-index', '0'), ('--frame-count', '2')):
+            self.deny('relight', self.solved, *option, '-o', self.out, naming=(option[0], '-F'))
+
+    def test_highlights_where_nothing_looks_at_them(self):
+        self.deny('shadows', self.capture.path, '--highlights', 'off', '-o', self.path('x.exr'), naming=('--highlights',))
+        self.assertNotIn('--highlights', self.succeed('normals', '--help').stdout)
+
+    def test_a_view_of_layers(self):
+        self.deny('export', self.solved, '--view', 'AgX', '-o', self.path('layers.exr'), naming=('--view', '--camera-look'))
+
+    def test_half_that_cannot_hold_the_light_is_said(self):
+        layers = ('export', self.solved, '--light', 'key=+30st', '-o', self.path('layers.exr'))
+        self.assertIn('--type half', self.succeed(*layers, '--type', 'half').stderr)
+        self.assertNotIn('--type', self.succeed(*layers).stderr)
+
     def test_layers_of_a_look(self):
         for option in (('--beta',), ('--type', 'half'), ('--color-space', 'acescg')):
             self.deny('export', self.solved, *option, '-o', self.path('look.cc'), naming=(option[0], 'look.cc'))
@@ -263,6 +279,7 @@ class IdleOptionTest(cli.CliTest):
         new = ('-o', self.path('b.cc'))
         self.deny('grade', grade, '--slope', '1.1', '--gain', '1.2', *new, naming=('--gain', '--slope'))
         self.deny('grade', grade, '--on', '--off', *new, naming=('--on', '--off'))
+        self.deny('grade', grade, '--from', grade, '--reset', *new, naming=('--from', '--reset'))
 
 
 class DiskTest(cli.CliTest):
