@@ -17,6 +17,7 @@
 #include "core/balance/white_point.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/export/frame_file.h"
 #include "core/file/json_file.h"
 #include "core/file/same_file.h"
@@ -109,7 +110,7 @@ void balanceWithColors(const BalanceCommand& arguments, BalanceWork& work) {
 }
 
 bool isRig(const BalanceCommand& arguments) {
-  return std::filesystem::path(arguments.photograph).extension() == ".json";
+  return lowerExtension(arguments.photograph) == ".json";
 }
 
 /// A rig's lights become white: what the studio's Neutralize does.

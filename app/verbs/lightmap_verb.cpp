@@ -7,6 +7,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/capture/no_such_light.h"
 #include "core/export/frame_export.h"
 #include "core/export/layer_export.h"
@@ -75,7 +76,7 @@ void check(const ColorConfig& config, const LightmapCommand& arguments, const Fr
 void write(const ColorConfig& config, const LightmapCommand& arguments, const SolvedSet& grey, const Rig& rig,
            FrameOptions output, const std::filesystem::path& source, const Progress& progress) {
   const auto text = provenanceOf(grey, rig, source);
-  if (std::filesystem::path(arguments.file).extension() == ".exr" && output.display == DisplayChoice{}) {
+  if (lowerExtension(arguments.file) == ".exr" && output.display == DisplayChoice{}) {
     LayerOptions layers;
     layers.text = text;
     if (output.write.pixelType == "float") layers.pictures = PixelType::Float;

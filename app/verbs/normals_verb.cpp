@@ -8,6 +8,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/base/number_text.h"
 #include "core/capture/no_such_light.h"
 #include "core/file/same_file.h"
@@ -155,7 +156,7 @@ int run(const NormalsCommand& arguments, Terminal& terminal) {
   const LampPlaces places = placesOf(arguments);
   SolveOptions solving = arguments.solve.resolveFor(arguments.source);
   solving.highlights = false;  // nothing here looks at them
-  if (std::filesystem::path(arguments.file).extension() != ".exr")
+  if (lowerExtension(arguments.file) != ".exr")
     throw InputError("{}: normals are written as OpenEXR. Name it {}.", arguments.file,
                      std::filesystem::path(arguments.file).replace_extension(".exr").string());
   checkOutput(arguments.file, filesOfSource(arguments.source));

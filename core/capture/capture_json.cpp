@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/capture/capture.h"
 #include "core/capture/flat_fields.h"
 #include "core/capture/left_out.h"
@@ -336,7 +337,7 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
 /// By its first bytes, where it is not called .json; false where there is no such file.
 bool isPicture(const std::filesystem::path& file) {
   try {
-    return file.extension() != ".json" && !imageFormatOf(file).empty();
+    return lowerExtension(file) != ".json" && !imageFormatOf(file).empty();
   } catch (const InputError&) {
     return false;
   }

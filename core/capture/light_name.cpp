@@ -1,10 +1,10 @@
 #include "core/capture/light_name.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 
 namespace swaplight {
 namespace {
@@ -15,11 +15,6 @@ bool isLetter(char c) {
 
 bool isNameCharacter(char c) {
   return isLetter(c) || (c >= '0' && c <= '9') || c == '_';
-}
-
-std::string lowerCase(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
 }
 
 /// The nearest name that is allowed.

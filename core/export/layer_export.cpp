@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/base/parallel.h"
 #include "core/export/filtered_frame.h"
 #include "core/export/layer_names.h"
@@ -169,7 +170,7 @@ PartToWrite merged(const std::vector<PartToWrite>& parts) {
 
 void check(const LayerOptions& options, const std::filesystem::path& file, const PixelRect& window,
            const SolvedSet& set) {
-  if (file.extension() != ".exr")
+  if (lowerExtension(file) != ".exr")
     throw InputError("{}: layers are written as OpenEXR. Name it {}.", file.string(),
                      std::filesystem::path(file).replace_extension(".exr").string());
   if (options.multipart && options.naming == LayerNaming::Blender)

@@ -6,16 +6,13 @@
 #include <set>
 #include <string_view>
 
+#include "core/base/lower_case.h"
+
 namespace swaplight {
 namespace {
 
 bool isDigit(char c) {
   return c >= '0' && c <= '9';
-}
-
-std::string lowerCase(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
 }
 
 bool isReserved(const std::string& name) {

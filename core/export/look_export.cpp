@@ -1,6 +1,7 @@
 #include "core/export/look_export.h"
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/export/frame_file.h"
 #include "core/file/atomic_file.h"
 #include "core/relight/relight.h"
@@ -92,14 +93,15 @@ GlobalLook globalLook(const ColorConfig& config, const SolvedSet& set, const Rig
 }
 
 bool isLookFile(const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
+  const std::string extension = lowerExtension(file);
   return extension == ".cube" || extension == ".ccc" || extension == ".cc";
 }
 
 void writeLook(const ColorConfig& config, const GlobalLook& look, const DisplayChoice& display,
                const std::filesystem::path& file) {
-  const bool cube = file.extension() == ".cube";
-  writeFile(file, cube ? cubeText(config, look, display) : correctionXml(look, file.extension() == ".ccc"));
+  const std::string extension = lowerExtension(file);
+  writeFile(file, extension == ".cube" ? cubeText(config, look, display)
+                                       : correctionXml(look, extension == ".ccc"));
 }
 
 }  // namespace swaplight

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/capture/left_out.h"
 #include "core/image/io/image_io.h"
 #include "core/set/solved_file.h"
@@ -18,11 +19,6 @@ namespace {
 constexpr std::string_view kFlatPrefix = "flat_";
 constexpr std::string_view kChartPrefix = "chart_";
 constexpr const char* kResponse = "response.csv";
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 bool isDigit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
@@ -83,17 +79,16 @@ bool looksLikePicture(const fs::path& file) {
   static const std::set<std::string> others = {".json", ".txt",        ".csv", ".xmp", ".swaplight",
                                                ".md",   ".swaplight~", ".thm", ".pp3", ".db"};
   const std::string name = file.filename().string();
-  return fs::is_regular_file(file) && name.front() != '.' &&
-         others.count(lower(file.extension().string())) == 0;
+  return fs::is_regular_file(file) && name.front() != '.' && others.count(lowerExtension(file)) == 0;
 }
 
 /// Of a raw file and the camera's own JPEG of it, the raw file.
 void dropTwins(std::vector<FoundShot>& shots, std::vector<std::string>& notes) {
   std::set<std::string> raws;
   for (const FoundShot& shot : shots)
-    if (shot.format == "raw") raws.insert(lower(fs::path(shot.file).stem().string()));
+    if (shot.format == "raw") raws.insert(lowerCase(fs::path(shot.file).stem().string()));
   std::erase_if(shots, [&](const FoundShot& shot) {
-    const bool twin = shot.format == "jpeg" && raws.count(lower(fs::path(shot.file).stem().string())) > 0;
+    const bool twin = shot.format == "jpeg" && raws.count(lowerCase(fs::path(shot.file).stem().string())) > 0;
     if (twin) notes.push_back(shot.file + " is left out: its raw file is there");
     return twin;
   });
@@ -176,15 +171,15 @@ ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
         found.notes.push_back(name + " is left out: it is a solved set");
       else if (isExport(info))
         found.notes.push_back(name + " is left out: Swaplight has made it");
-      else if (lower(name).starts_with("ambient"))
+      else if (lowerCase(name).starts_with("ambient"))
         found.ambient = name;
-      else if (lower(name).starts_with("dark"))
+      else if (lowerCase(name).starts_with("dark"))
         found.dark = name;
-      else if (lower(name).starts_with("vignetting"))
+      else if (lowerCase(name).starts_with("vignetting"))
         found.vignetting = name;
-      else if (lower(name).starts_with(kFlatPrefix))
+      else if (lowerCase(name).starts_with(kFlatPrefix))
         found.flats[file.stem().string().substr(kFlatPrefix.size())] = name;
-      else if (lower(name).starts_with(kChartPrefix))
+      else if (lowerCase(name).starts_with(kChartPrefix))
         charts.push_back(std::move(shot));
       else
         found.shots.push_back(std::move(shot));

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/file/atomic_file.h"
 #include "core/file/user_folders.h"
 
@@ -42,7 +43,7 @@ std::vector<std::filesystem::path> personsTables() {
   if (std::filesystem::exists(dataFolder() / "gels.csv")) files.push_back(dataFolder() / "gels.csv");
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(tablesFolder(), none))
-    if (entry.path().extension() == ".csv") files.push_back(entry.path());
+    if (lowerExtension(entry.path()) == ".csv") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/color/chromaticity.h"
 #include "core/lamp/gel.h"
 
@@ -45,11 +46,6 @@ std::vector<std::string> fieldsOf(const std::string& line) {
   }
   for (std::string& field : fields) field = trimmed(field);
   return fields;
-}
-
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
 }
 
 struct Columns {

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/image/io/image_io.h"
 #include "core/plot/plot.h"
 
@@ -25,10 +26,7 @@ Files picturesBelow(const fs::path& folder) {
   Files files;
   for (const fs::directory_entry& entry :
        fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied)) {
-    std::string extension = entry.path().extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (!entry.is_regular_file() || extensions.count(extension) == 0) continue;
+    if (!entry.is_regular_file() || extensions.count(lowerExtension(entry.path())) == 0) continue;
     const fs::path name = fs::relative(entry.path(), folder).replace_extension();
     files.emplace(name.generic_string(), entry.path());
   }

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/file/atomic_file.h"
 #include "core/ocio/grade_transform.h"
 
@@ -26,9 +27,7 @@ constexpr std::array<Format, 3> kFormats = {
     {{".cc", "ColorCorrection"}, {".ccc", "ColorCorrectionCollection"}, {".cdl", "ColorDecisionList"}}};
 
 const Format* formatOf(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lowerExtension(file);
   const auto found = std::find_if(kFormats.begin(), kFormats.end(),
                                   [&](const Format& format) { return extension == format.extension; });
   return found == kFormats.end() ? nullptr : &*found;

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 
 namespace swaplight {
 namespace {
@@ -79,7 +80,7 @@ std::vector<size_t> rangeTo(const Rig& rig, size_t from, LightWordReader& words)
 
 bool sameWord(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+                    [](char x, char y) { return lowerCase(x) == lowerCase(y); });
 }
 
 std::vector<LightWord> lightWords(std::string_view line) {

@@ -1,10 +1,10 @@
 #include "core/session/open_source.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/capture/capture_pixels.h"
 #include "core/capture/response_curve.h"
 #include "core/edit/apply/edited_set.h"
@@ -20,13 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr float kReadingShare = 0.2F;  // of the time that opening a capture takes
-
-std::string lowerExtension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 }  // namespace
 

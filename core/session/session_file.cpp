@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/cue/cue_list.h"
 #include "core/edit/mask/selection.h"
 #include "core/file/json_fields.h"
@@ -131,7 +132,7 @@ void writeSession(const Session& session, const std::filesystem::path& file) {
 }
 
 bool isSessionFile(const std::filesystem::path& file) {
-  return file.extension() == ".swaplight";
+  return lowerExtension(file) == ".swaplight";
 }
 
 }  // namespace swaplight

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/base/parallel.h"
 #include "core/capture/light_name.h"
 #include "core/file/json_file.h"
@@ -283,7 +284,7 @@ bool holdsHighlights(const ImageSpec& spec, const std::string& light) {
 }
 
 void checkSolvedFile(const fs::path& file) {
-  if (file.extension() != ".exr")
+  if (lowerExtension(file) != ".exr")
     throw InputError("{}: a solved set is written as OpenEXR. Name it {}.", file.string(),
                      fs::path(file).replace_extension(".exr").string());
 }

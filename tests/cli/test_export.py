@@ -66,6 +66,15 @@ class ExportTest(cli.CliTest):
             total = total + channels[f'{layer}.{color}']
         return total
 
+    def test_extensions_in_capitals(self):
+        self.solve()
+        for name, begins in (('LOOK.CUBE', b'# The global'), ('look.Cc', b'<?xml'), ('LAYERS.EXR', b'\x76\x2f\x31\x01')):
+            self.succeed('export', self.solved, '-o', self.path(name))
+            with open(self.path(name), 'rb') as file:
+                self.assertTrue(file.read(200).lstrip().startswith(begins), name)
+        shutil.copy(self.solved, self.path('SOLVED.EXR'))
+        self.succeed('relight', self.path('SOLVED.EXR'), '-o', self.path('FRAME.PNG'))
+
     def test_float_layers_add_up_to_the_picture_to_the_bit(self):
         self.solve()
         for more in ([], ['--multipart'], ['--compression', 'piz'], ['--light', 'key=3200K,+1.3st', '--light', 'back=#4060ff']):

@@ -1,8 +1,9 @@
 #include "ui/actions/action_table.h"
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
+
+#include "core/base/lower_case.h"
 
 namespace swaplight {
 namespace {
@@ -25,13 +26,8 @@ std::string keysName(const KeyPress& press) {
 }
 
 bool matchesWords(const std::string& text, const std::string& search) {
-  const auto lower = [](std::string words) {
-    std::transform(words.begin(), words.end(), words.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return words;
-  };
-  const std::string in = lower(text);
-  std::istringstream words(lower(search));
+  const std::string in = lowerCase(text);
+  std::istringstream words(lowerCase(search));
   for (std::string word; words >> word;)
     if (in.find(word) == std::string::npos) return false;
   return true;

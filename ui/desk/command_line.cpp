@@ -6,10 +6,10 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "ui/desk/studio_command.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
@@ -32,9 +32,8 @@ constexpr const char* kTip =
 std::string commonBeginning(const std::vector<std::string>& words) {
   std::string common = words.front();
   for (const std::string& word : words) {
-    const auto differs =
-        std::mismatch(common.begin(), common.end(), word.begin(), word.end(),
-                      [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+    const auto differs = std::mismatch(common.begin(), common.end(), word.begin(), word.end(),
+                                       [](char a, char b) { return lowerCase(a) == lowerCase(b); });
     common.erase(differs.first, common.end());
   }
   return common;

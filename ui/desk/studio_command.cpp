@@ -7,6 +7,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/base/number_text.h"
 #include "core/look/look.h"
 #include "core/look/look_place.h"
@@ -28,16 +29,10 @@ std::string trimmedLine(const std::string& line) {
   return from == std::string::npos ? "" : line.substr(from, to - from + 1);
 }
 
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /// What stands after a first word; nothing where the line begins otherwise.
 std::optional<std::string> after(const std::string& line, const std::string& word) {
   const bool begins =
-      lowered(line).starts_with(word) && (line.size() == word.size() || line[word.size()] == ' ');
+      lowerCase(line).starts_with(word) && (line.size() == word.size() || line[word.size()] == ' ');
   return begins ? std::optional(trimmedLine(line.substr(word.size()))) : std::nullopt;
 }
 
@@ -92,7 +87,7 @@ std::string runOnLights(const LightsContext& studio, const std::string& line) {
 }
 
 void addEnd(StudioCommandEnds& ends, const std::string& beginning, const std::string& word) {
-  if (lowered(word).starts_with(lowered(beginning)) && ends.words.size() < kMostEnds)
+  if (lowerCase(word).starts_with(lowerCase(beginning)) && ends.words.size() < kMostEnds)
     ends.words.push_back(word);
 }
 
@@ -123,7 +118,8 @@ std::string runStudioCommand(const LightsContext& studio, CuePlayer& cues, const
   if (const auto words = after(command, "record")) return runRecord(studio, cues, *words);
   if (const auto look = after(command, "look")) return runLook(studio, *look);
   for (const char* word : {"undo", "redo"})
-    if (lowered(command) == word) return runAction(studio, *studio.actions.find(std::string("edit.") + word));
+    if (lowerCase(command) == word)
+      return runAction(studio, *studio.actions.find(std::string("edit.") + word));
   if (const Action* action = studio.actions.find(command)) return runAction(studio, *action);
   return runOnLights(studio, command);
 }

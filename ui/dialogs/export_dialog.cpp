@@ -8,6 +8,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/cue/cue_timeline.h"
 #include "core/file/frame_range.h"
 #include "core/ocio/color_config.h"
@@ -122,7 +123,7 @@ void ExportDialog::suggest() {
 void ExportDialog::take(const std::string& file) {
   m_file = file;
   const std::vector<std::string>& known = formatsOf(m_choices.kind);
-  const std::string extension = fs::path(file).extension().string();
+  const std::string extension = lowerExtension(file);
   if (std::find(known.begin(), known.end(), extension) != known.end()) m_choices.format() = extension;
 }
 
@@ -143,7 +144,7 @@ std::string ExportDialog::mistake() const {
   if (m_choices.kind == ExportKind::Sequence && !hasFrameNumber(m_file))
     return "The name needs a place for the frame's number: name.####.exr";
   const std::vector<std::string>& known = formatsOf(m_choices.kind);
-  if (std::find(known.begin(), known.end(), file.extension().string()) == known.end())
+  if (std::find(known.begin(), known.end(), lowerExtension(file)) == known.end())
     return "The name must end in " + fmt::format("{}", fmt::join(known, ", ")) + ".";
   return {};
 }

@@ -5,9 +5,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
+#include "core/base/lower_case.h"
 #include "core/file/user_folders.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
@@ -19,15 +19,9 @@ namespace swaplight {
 namespace fs = std::filesystem;
 namespace {
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool listed(const fs::path& file, const std::vector<std::string>& extensions) {
-  return extensions.empty() || std::find(extensions.begin(), extensions.end(),
-                                         lower(file.extension().string())) != extensions.end();
+  return extensions.empty() ||
+         std::find(extensions.begin(), extensions.end(), lowerExtension(file)) != extensions.end();
 }
 
 std::string sizeText(uintmax_t bytes) {
@@ -71,7 +65,7 @@ void FileChooser::goTo(const fs::path& folder) {
   }
   if (error) m_error = "Cannot read this folder: " + error.message();
   std::sort(m_entries.begin(), m_entries.end(), [](const Entry& a, const Entry& b) {
-    return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+    return a.folder != b.folder ? a.folder : lowerCase(a.name) < lowerCase(b.name);
   });
   m_tabStop = m_entries.empty() ? "" : m_entries.front().name;
 }

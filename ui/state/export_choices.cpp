@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/file/json_file.h"
 #include "ui/state/enum_names.h"
 
@@ -35,7 +36,7 @@ ExportRequest requestOf(const ExportChoices& choices, const std::filesystem::pat
   ExportRequest request;
   request.kind = choices.kind;
   request.file = file;
-  const std::string extension = file.extension().string();
+  const std::string extension = lowerExtension(file);
   const bool picture = request.kind == ExportKind::Frame || request.kind == ExportKind::Sequence;
   const bool sceneLinear = picture && isSceneLinear(file);
   if (extension == ".exr" && choices.floatFrame) request.frame.write.pixelType = "float";

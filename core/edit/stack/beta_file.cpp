@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/image/io/image_io.h"
 
 namespace swaplight {
@@ -67,7 +68,7 @@ void findSums(BetaMaps& beta) {
 
 std::vector<std::filesystem::path> writeBetaMaps(const SolvedSet& set, const std::filesystem::path& file) {
   WriteOptions options;
-  if (file.extension() != ".png") {
+  if (lowerExtension(file) != ".png") {
     options.pixelType = "float";
     writeImage(set.beta, file, options);
     return {file};

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/image/images_in_files.h"
 
 namespace swaplight {
@@ -19,9 +19,8 @@ constexpr std::array<std::string_view, 26> kRawExtensions = {
     "mrw", "nef", "nrw", "orf", "pef", "raf", "raw", "rw2", "rwl", "sr2", "srf", "srw", "x3f"};
 
 std::string extensionOf(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
+  std::string extension = lowerExtension(file);
   if (!extension.empty()) extension.erase(0, 1);
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
 }
 

@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/image/io/image_write.h"
 
 namespace swaplight {
 
 void checkShadowFile(const std::filesystem::path& file) {
-  if (file.extension() != ".exr")
+  if (lowerExtension(file) != ".exr")
     throw InputError("{}: shadows are written as OpenEXR. Name it {}.", file.string(),
                      std::filesystem::path(file).replace_extension(".exr").string());
 }
