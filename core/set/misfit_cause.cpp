@@ -21,6 +21,9 @@ struct CauseText {
   const char* remedy;  ///< what to do
 };
 
+/// Of two channels at the picture's edges, over the RMS of all three over the picture, of a drift across it.
+constexpr double kEdgeOfDrift = 2.1;
+
 constexpr std::array<CauseText, 5> kTexts = {{
     {Cause::Colors, "colors", "lights of other colours than told (by about {:.0f} %)",
      "check which lamp had which gel, and the gels' colours"},
@@ -64,22 +67,24 @@ double spokenSize(const CauseEvidence& evidence) {
   return 100 * evidence.size;
 }
 
-/// What of a cause goes unseen.
+/// What of a cause goes unseen, rounded up.
 std::string unseenOf(const CauseSight& sight) {
   const double from = sight.from.value_or(0);
+  const double percent = std::ceil(100 * from);
   switch (sight.cause) {
     case Cause::Colors:
       return "wrong colours of the lights";
     case Cause::Ambient:
-      return sight.from ? fmt::format("ambient light below {:.0f} % of the lamps' light", 100 * from)
-                        : "ambient light";
+      return sight.from ? fmt::format("ambient light below {:.0f} % of the lamps' light", percent)
+                        : "ambient light of any strength";
     case Cause::Tone:
-      return sight.from
-                 ? fmt::format("a tone curve (light to the power of {:.2f} to {:.2f})", 1 - from, 1 + from)
-                 : "a tone curve";
+      return sight.from ? fmt::format("a tone curve (light to the power of {:.2f} to {:.2f})",
+                                      1 - percent / 100, 1 + percent / 100)
+                        : "a tone curve of any strength";
     case Cause::Field:
-      return sight.from ? fmt::format("lamps whose colour drifts by less than {:.0f} %", 100 * from)
-                        : "lamps whose colour drifts";
+      return sight.from ? fmt::format("lamps whose colour drifts over the picture by less than ±{:.0f} %",
+                                      std::ceil(kEdgeOfDrift * 100 * from))
+                        : "lamps whose colour drifts by any amount";
     case Cause::Moved:
       break;
   }
@@ -90,6 +95,11 @@ std::optional<Cause> causeFromName(const std::string& name) {
   for (const CauseText& text : kTexts)
     if (name == text.name) return text.cause;
   return std::nullopt;
+}
+
+/// Above 0, and at most 1.
+bool isPart(const Json& json) {
+  return json.is_number() && json.get<double>() > 0 && json.get<double>() <= 1;
 }
 
 /// Nothing where it is not as this program writes it.
@@ -136,8 +146,8 @@ MisfitCauses misfitCausesFromJson(const Json& json) {
   causes.unnamed = json.contains("unnamed") && json["unnamed"] == true;
   if (json.contains("seen_from") && json["seen_from"].is_object())
     for (const auto& [name, from] : json["seen_from"].items())
-      if (const auto cause = causeFromName(name); cause && (from.is_number() || from.is_null()))
-        causes.sight.push_back({*cause, from.is_number() ? std::optional(from.get<double>()) : std::nullopt});
+      if (const auto cause = causeFromName(name); cause && (from.is_null() || isPart(from)))
+        causes.sight.push_back({*cause, from.is_null() ? std::nullopt : std::optional(from.get<double>())});
   return causes;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/solve/causes/cause_context.h"
 #include "core/solve/causes/cause_evidence.h"
 #include "core/solve/causes/cause_sight.h"
 #include "core/solve/causes/tone_correction.h"
@@ -11,6 +12,7 @@
 #include "core/solve/model/crossed_shots.h"
 #include "core/solve/registration/align_shots.h"
 #include "core/solve/registration/moved_shots.h"
+#include "core/solve/signal_scale.h"
 #include "core/solve/solve_crossed.h"
 
 namespace swaplight {
@@ -19,6 +21,10 @@ namespace {
 
 constexpr float kSolving = 0.9F;  // of the work; the rest finds highlights
 constexpr int kMostPasses = 2;    // more, for what a curve has left
+
+double secondsSince(std::chrono::steady_clock::time_point started) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+}
 
 bool isMoved(const SolvedSet& set) {
   const std::vector<ShotShift>& shifts = set.report->shifts;
@@ -49,6 +55,16 @@ std::optional<FoundTone> toneOf(const Capture& capture, CapturePixels& photograp
   return moved ? found(capture, movedShots(photographs, shifts)) : found(capture, photographs);
 }
 
+/// Of photographs that were solved as they were taken: what they are by then is not what was compared else.
+std::vector<CauseSight> sightOf(const Capture& capture, const CapturePixels& photographs,
+                                const std::optional<SensorNoise>& noise, const Progress& progress) {
+  const float scale = signalScale(photographs, capture.calledName());
+  if (scale == 1) return causeSight(capture, photographs, noise, progress);
+  const std::optional<SensorNoise> told = toldNoise(capture, noise);
+  return causeSight(capture, scaledSignal(photographs, scale),
+                    told ? std::optional(scaledNoise(*told, scale)) : std::nullopt, progress);
+}
+
 }  // namespace
 
 SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, const FlatFields& fields,
@@ -60,7 +76,7 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
     SolvedSet set = solveUneven(capture, photographs, fields, options, progress.part(0, kSolving));
     const auto started = std::chrono::steady_clock::now();
     if (showsHighlights(set)) findHighlights(set, progress.part(kSolving, 1));
-    set.report->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    set.report->seconds += secondsSince(started);
     return set;
   };
   std::optional<FoundTone> tone;
@@ -107,9 +123,15 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
         "the photographs surely hold a tone curve that was not told: it was taken off "
         "(--tone declared leaves it)");
   MisfitCauses& causes = set.report->causes;
-  const bool asTaken = !tone && !isMoved(set) && !isPartlyCrossed(capture) && fields.empty();
-  if (asTaken && !causes.all.empty() && causes.likely.empty() && !causes.unnamed)
-    causes.sight = causeSight(capture, photographs, options.noise);
+  const bool asTold = !options.solveAmbient && !options.refineColors && set.report->lampFields.empty();
+  const bool asTaken = asTold && !tone && !isMoved(set) && !isPartlyCrossed(capture) && fields.empty();
+  if (asTaken && !causes.all.empty() && causes.likely.empty() && !causes.unnamed) {
+    const auto started = std::chrono::steady_clock::now();
+    causes.sight = sightOf(capture, photographs, options.noise, progress);
+    if (capture.ambient)
+      std::erase_if(causes.sight, [](const CauseSight& one) { return one.cause == Cause::Ambient; });
+    set.report->seconds += secondsSince(started);
+  }
   return set;
 }
 

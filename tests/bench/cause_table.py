@@ -190,7 +190,7 @@ def planted(case):
 
 def print_sight(found):
     """`found`: (set, case) -> causes."""
-    told = {'would be seen': [0, 0], 'would not': [0, 0]}
+    told = dict.fromkeys(('said', 'not said, nor that it would be', 'not said, nor what would be', 'said that it would be seen'), 0)
     print('\n| set | ambient | tone | field |\n|---|---|---|---|')
     for label in dict.fromkeys(label for label, _ in found):
         seen = {case: found.get((label, case), {}).get('seen_from') for case in ('clean', 'clean 8 bit')}
@@ -198,16 +198,18 @@ def print_sight(found):
             print('|', label, '|', ' | '.join(f'{f:.3f}' if f else '-' for f in
                                               (seen['clean'].get(name) for name in ('ambient', 'tone', 'field'))), '|')
         for case in (case for of, case in found if of == label):
-            what = planted(case)
-            limits = seen['clean 8 bit' if CASES[case][1] else 'clean']
-            if what and limits:
-                limit = limits.get(what[0])
-                causes = found[label, case]
-                told['would be seen' if limit and what[1] >= limit else 'would not'][
-                    bool(causes['likely'] or causes.get('unnamed'))] += 1
-    print('\n| planted | said | not said |\n|---|---|---|')
-    for name, (silent, said) in told.items():
-        print(f'| what {name} | {said} | {silent} |')
+            what, causes = planted(case), found[label, case]
+            if what and (causes['likely'] or causes.get('unnamed')):
+                told['said'] += 1
+            elif what and 'seen_from' not in causes:
+                told['not said, nor what would be'] += 1
+            elif what:
+                # What the photographs with it say, which nobody knows to hold it.
+                limit = causes['seen_from'].get(what[0])
+                told['not said, nor that it would be' if not limit or what[1] < limit else 'said that it would be seen'] += 1
+    print('\n| planted | captures |\n|---|---|')
+    for name, count in told.items():
+        print(f'| {name} | {count} |')
 
 
 def main():

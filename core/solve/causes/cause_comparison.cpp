@@ -103,6 +103,14 @@ const Eigen::MatrixXd& CauseComparison::slopesOf(Cause cause) const {
   return m_slopes[indexOf(cause)];
 }
 
+MisfitRows CauseComparison::rowsWithout(Cause cause, const CauseTuning& tuning) const {
+  const size_t j = indexOf(cause);
+  MisfitRows rows = m_rows;
+  rows.residual -=
+      m_slopes[j] * fitCause(m_rows, m_slopes[j], m_parts.all, m_models[j].prior, tuning).unknowns;
+  return rows;
+}
+
 std::vector<CauseEvidence> CauseComparison::fitted(const MisfitRows& rows, const CauseTuning& tuning) const {
   const Eigen::MatrixXd nothing(rows.residual.size(), 0);
   const double noneScale = fitCause(rows, nothing, m_parts.all, 1, tuning).squaredScale;

@@ -33,6 +33,8 @@ class CauseComparison {
   [[nodiscard]] const EstimatorContext& context() const { return *m_context; }
   [[nodiscard]] const ShotSignal& signal() const { return *m_signal; }
   [[nodiscard]] const MisfitRows& rows() const { return m_rows; }
+  /// Less what this cause explains of them.
+  [[nodiscard]] MisfitRows rowsWithout(Cause cause, const CauseTuning& tuning) const;
   [[nodiscard]] const std::vector<PixelMisfit>& sample() const { return m_sample; }
   [[nodiscard]] const std::vector<CauseModel>& models() const { return m_models; }
   /// What a model's unknowns do to the rows, a column each.

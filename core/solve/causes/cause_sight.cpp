@@ -19,8 +19,10 @@ struct SizeRange {
 };
 
 constexpr SizeRange kRanges[] = {{Cause::Ambient, .01, .6}, {Cause::Tone, .02, .5}, {Cause::Field, .005, .2}};
-constexpr double kStep = 1.6;  // between sizes that are tried
-constexpr int kPixels = 1000;  // of the sample: what is said of sizes is rough anyway
+constexpr double kStep = 2;  // between sizes that are tried
+// Of the sample (CauseTuning): what is said of sizes is rough, and the comparison is made some twenty times.
+constexpr int kPixels = 1000;
+constexpr double kWork = 6e6;
 
 /// What a cause of size 1 does to the rows of a sample, to first order.
 Eigen::VectorXd slopeOf(const CauseComparison& comparison, Cause cause) {
@@ -48,11 +50,13 @@ std::vector<Plant> plantsOf(const CauseComparison& comparison, Cause cause) {
 }
 
 /// The least size that is tried from which on all are said.
-std::optional<double> saidFrom(const CauseComparison& comparison, const Plant& plant, const SizeRange& range,
-                               const CauseTuning& tuning) {
+std::optional<double> saidFrom(const CauseComparison& comparison, const MisfitRows& without,
+                               const Plant& plant, const SizeRange& range, const CauseTuning& tuning,
+                               const Progress& progress) {
   std::optional<double> from;
   for (double size = range.most; size > range.least; size /= kStep) {
-    MisfitRows rows = comparison.rows();
+    progress.stopIfAsked();
+    MisfitRows rows = without;
     rows.residual += plant(size);
     if (causesOf(comparison, rows, tuning).likely.empty()) break;
     from = size;
@@ -62,27 +66,32 @@ std::optional<double> saidFrom(const CauseComparison& comparison, const Plant& p
 
 }  // namespace
 
-std::vector<CauseSight> causeSight(const CauseComparison& comparison, const CauseTuning& tuning) {
+std::vector<CauseSight> causeSight(const CauseComparison& comparison, const CauseTuning& tuning,
+                                   const Progress& progress) {
+  if (!causesOf(comparison, comparison.rows(), tuning).likely.empty()) return {};
   std::vector<CauseSight> sight;
   for (const SizeRange& range : kRanges) {
+    const MisfitRows without = comparison.rowsWithout(range.cause, tuning);
     CauseSight seen{range.cause, 0.0};
     for (const Plant& plant : plantsOf(comparison, range.cause)) {
-      const std::optional<double> from = saidFrom(comparison, plant, range, tuning);
+      const std::optional<double> from = saidFrom(comparison, without, plant, range, tuning, progress);
       seen.from = seen.from && from ? std::optional(std::max(*seen.from, *from)) : std::nullopt;
     }
     sight.push_back(seen);
   }
-  if (comparison.context().lighting.lights == 2) sight.push_back({Cause::Colors, std::nullopt});
+  const LightingMatrix& lighting = comparison.context().lighting;
+  if (lighting.lights == 2 && lighting.shots == 2) sight.push_back({Cause::Colors, std::nullopt});
   return sight;
 }
 
 std::vector<CauseSight> causeSight(const Capture& capture, const CapturePixels& photographs,
-                                   const std::optional<SensorNoise>& told) {
-  const CauseContext context = causeContext(capture, photographs, told);
+                                   const std::optional<SensorNoise>& told, const Progress& progress) {
+  const CauseContext context = causeContext(capture, photographs, toldNoise(capture, told));
   CauseTuning tuning;
   tuning.pixels = kPixels;
+  tuning.work = kWork;
   const auto comparison = CauseComparison::of(context.estimator, context.signal, tuning);
-  return comparison ? causeSight(*comparison, tuning) : std::vector<CauseSight>();
+  return comparison ? causeSight(*comparison, tuning, progress) : std::vector<CauseSight>();
 }
 
 }  // namespace swaplight

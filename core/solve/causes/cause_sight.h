@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/base/progress.h"
 #include "core/capture/capture_pixels.h"
 #include "core/set/misfit_cause.h"
 #include "core/solve/causes/cause_tuning.h"
@@ -10,18 +11,23 @@ namespace swaplight {
 
 class CauseComparison;
 
-/// From what size on each cause would not go unsaid in these photographs: it is planted in what the matte
-/// model leaves of a sample, and less and less of it, until nothing is named by the rules of misfitCauses().
+/// From what size on some causes would not go unsaid in these photographs, of which nothing is said: what the
+/// cause explains is taken off what the matte model leaves of a sample (it may be what goes unsaid), and it
+/// is planted there, strong, and less and less of it, until nothing is named by the rules of misfitCauses().
 /// Planted is: Ambient, white light of the same strength everywhere behind the reflectance; Tone, an exponent
-/// below 1 and above; Moved, every other shot to the right, and down; Field, lamps that get redder across the
-/// picture or down it, in turns. Of two ways that counts which takes more. Wrong colours are named by the
-/// light that they make negative, whatever their size: of two lights they seldom make any, and may go unsaid;
-/// of more nothing is said of them. Empty where misfitCauses() compares nothing.
+/// below 1, and one above, of which that counts which takes more; Field, lamps that get redder and less blue
+/// across the picture or down it, in turns. Negative light, by which the rules know some curves and drifts,
+/// is that of the photographs as they are. A camera that moved seldom goes unsaid, and is left out. Wrong
+/// colours are named by negative light: two shots of two lights seldom have any, and they may go unsaid; of
+/// more nothing is said. Empty where misfitCauses() compares nothing, or names a cause.
 [[nodiscard]] std::vector<CauseSight> causeSight(const CauseComparison& comparison,
-                                                 const CauseTuning& tuning = {});
+                                                 const CauseTuning& tuning = {},
+                                                 const Progress& progress = {});
 
-/// The same of a capture's photographs. `told`: the sensor's noise; else it is estimated as in a solve.
+/// The same of a capture's photographs, which lie around full scale 1. `told`: the sensor's noise; else it is
+/// estimated as in a solve.
 [[nodiscard]] std::vector<CauseSight> causeSight(const Capture& capture, const CapturePixels& photographs,
-                                                 const std::optional<SensorNoise>& told);
+                                                 const std::optional<SensorNoise>& told,
+                                                 const Progress& progress = {});
 
 }  // namespace swaplight

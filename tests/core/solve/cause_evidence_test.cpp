@@ -251,14 +251,38 @@ TEST(CauseEvidence, KnowsWhatWouldGoUnseen) {
   ASSERT_TRUE(clean.likely.empty()) << told(clean);
   const std::optional<double> drift = seenFrom(clean, Cause::Field);
   ASSERT_TRUE(drift && seenFrom(clean, Cause::Ambient)) << told(clean);
-  EXPECT_FALSE(seenFrom(clean, Cause::Colors)) << "of two lights they seldom show";
+  EXPECT_EQ(clean.sight.back().cause, Cause::Colors) << "of two lights they seldom show";
+  EXPECT_FALSE(clean.sight.back().from);
   // Really photographed like that, more is said, and less is not. Of all lamps and channels one drifts.
   const double ofOne = *drift * std::sqrt(6. * 3);
   for (const auto& [times, isSaid] : {std::pair{.5, false}, std::pair{1.5, true}}) {
     const MisfitCauses causes = solved({.drift = times * ofOne});
     EXPECT_EQ(!causes.likely.empty(), isSaid) << times << ' ' << *drift << ' ' << told(causes);
     EXPECT_EQ(causes.sight.empty(), isSaid) << "where something is said it is not looked for";
+    // What is in them unsaid does not make them seem to show more.
+    if (!isSaid) {
+      EXPECT_GT(seenFrom(causes, Cause::Field).value_or(1), .7 * *drift);
+    }
   }
+
+  // Not where the photographs were solved as something else than what they were compared as.
+  SolveOptions refined;
+  refined.refineColors = true;
+  EXPECT_TRUE(solvePhotographs(swappedCapture(), photographed(), {}, refined).report->causes.sight.empty());
+  Capture dark = swappedCapture();
+  dark.ambient = "dark.exr";
+  const MisfitCauses without = solvePhotographs(dark, photographed(), {}, {}).report->causes;
+  EXPECT_FALSE(without.sight.empty());
+  EXPECT_EQ(std::ranges::count(without.sight, Cause::Ambient, &CauseSight::cause), 0) << "was taken off";
+
+  // In whatever units.
+  CapturePixels dim = photographed();
+  for (Image& shot : dim.shots)
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < shot.pixelCount(); ++p) shot.plane(c)[p] *= 0x1p-20F;
+  Capture less = swappedCapture();
+  less.noise = SensorNoise{kSensor.read * 0x1p-20F, kSensor.fullWell * 0x1p20F};
+  EXPECT_EQ(unseenWords(solvePhotographs(less, std::move(dim), {}, {}).report->causes), unseenWords(clean));
 
   SolveReport report;
   report.causes = clean;
