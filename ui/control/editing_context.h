@@ -29,6 +29,7 @@ struct EditingContext : ChosenLights {
   const Keyboard& keyboard;
 
   [[nodiscard]] const OpenSet* set() const { return session.set(); }
+  [[nodiscard]] bool hasLights() const { return set() && !document().rig.lights.empty(); }
 };
 
 }  // namespace swaplight

@@ -28,6 +28,7 @@ struct LightsContext : ChosenLights {
   LookShelf& shelf;  ///< camera looks
 
   [[nodiscard]] const OpenSet* set() const { return session.set(); }
+  [[nodiscard]] bool hasLights() const { return set() && !document().rig.lights.empty(); }
 };
 
 }  // namespace swaplight

@@ -22,8 +22,8 @@ Mask chosenMask(const EditingContext& studio, const std::string& light) {
 
 bool shadowsShown(const EditingContext& studio) {
   const bool ownPanel = studio.tool && studio.tool->edits;
-  return studio.layout.shadows && studio.layout.edits && !studio.layout.hidden && !ownPanel && studio.set() &&
-         !studio.document().rig.lights.empty();
+  return studio.layout.shadows && studio.layout.edits && !studio.layout.hidden && !ownPanel &&
+         studio.hasLights();
 }
 
 int shadowLight(const ChosenLights& lights, const OpenSet& set) {

@@ -42,7 +42,7 @@ void addDeskActions(ActionTable& actions, const LightsContext& studio, CommandLi
          cues.stand(recordCueLine(studio, ""));
          studio.layout.cues = true;
        },
-       [&studio] { return studio.set() && !studio.document().rig.lights.empty(); }});
+       [&studio] { return studio.hasLights(); }});
 }
 
 }  // namespace swaplight

@@ -15,8 +15,8 @@ constexpr float kHardnessStep = 0.1F;
 }  // namespace
 
 void addBrushActions(ActionTable& actions, EditingContext& studio) {
-  const auto hasLights = [&studio] { return studio.set() && !studio.document().rig.lights.empty(); };
-  const auto painting = [&studio, hasLights] { return studio.tool == &kBrush && hasLights(); };
+  const auto hasLights = [&studio] { return studio.hasLights(); };
+  const auto painting = [&studio] { return studio.tool == &kBrush && studio.hasLights(); };
   BrushState& brush = studio.editing.brush;
   actions.add({"edit.cancel_drag", "Cancel drag", "Escape",
                "While dragging: cancel the stroke, stencil, handle or lasso.",

@@ -38,7 +38,7 @@ void addEditActions(ActionTable& actions, EditingContext& studio, FileChooser& c
                  askForBetaMap(studio, chooser,
                                [&studio](const std::string& file) { addPictureEdit(studio, file); });
                },
-               [&studio] { return studio.set() && !studio.document().rig.lights.empty(); }});
+               [&studio] { return studio.hasLights(); }});
   actions.add({"edits.choose_picture", "Replace beta map \u2026", "",
                "Choose another file for the selected beta map edit.",
                [&studio, &chooser, index] {

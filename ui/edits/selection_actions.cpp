@@ -22,7 +22,7 @@ void askForStencilPicture(EditingContext& studio, FileChooser& chooser) {
 }  // namespace
 
 void addSelectionActions(ActionTable& actions, EditingContext& studio, FileChooser& chooser) {
-  const auto hasLights = [&studio] { return studio.set() && !studio.document().rig.lights.empty(); };
+  const auto hasLights = [&studio] { return studio.hasLights(); };
   const auto selected = [&studio] { return studio.set() && !studio.document().selection.empty(); };
   actions.add({"stencil.choose_picture", "Gobo from image \u2026", "",
                "Choose an image: bright parts let the light through.",

@@ -11,14 +11,14 @@ void addLookActions(ActionTable& actions, LightsContext& studio) {
                  keepLook(studio);
                  studio.layout.gallery = true;
                },
-               [&studio] { return studio.set() && !studio.document().rig.lights.empty(); }});
+               [&studio] { return studio.hasLights(); }});
   actions.add({"looks.keep_version", "Save all as a version", "Shift+V",
                "Adds a version to the gallery: lighting, light edits, view and camera look.",
                [&studio] {
                  keepVersion(studio);
                  studio.layout.gallery = true;
                },
-               [&studio] { return studio.set() && !studio.document().rig.lights.empty(); }});
+               [&studio] { return studio.hasLights(); }});
 }
 
 }  // namespace swaplight

@@ -12,8 +12,7 @@ void addShadowActions(ActionTable& actions, EditingContext& studio) {
                  studio.tool = nullptr;
                  if (studio.layout.shadows) studio.layout.edits = true;
                },
-               [&studio] { return studio.set() && !studio.document().rig.lights.empty(); },
-               [&studio] { return shadowsShown(studio); }});
+               [&studio] { return studio.hasLights(); }, [&studio] { return shadowsShown(studio); }});
   actions.add({"shadows.outlines", "Shadow outlines", "Shift+F3",
                "Outline the selected light's shadows in the picture.",
                [&studio] { studio.editing.shadow.outlines = !studio.editing.shadow.outlines; },

@@ -32,7 +32,7 @@ void addToolActions(ActionTable& actions, EditingContext& studio) {
                     tool->keys,
                     tool->tooltip,
                     [&studio, tool] { take(studio, *tool); },
-                    [&studio] { return studio.set() && !studio.document().rig.lights.empty(); },
+                    [&studio] { return studio.hasLights(); },
                     [&studio, tool] { return studio.tool == tool; }};
       action.keysTake = true;
       actions.add(std::move(action));
