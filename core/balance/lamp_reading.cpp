@@ -175,10 +175,11 @@ void warnOfMisfit(const LampReading& reading, std::vector<std::string>& warnings
     warnings.push_back(
         reading.shift->isTurned()
             ? fmt::format("the photograph is turned by {:+.2f} degrees against the set, or zoomed: "
-                          "--align moves it",
+                          "aligning moves it (--align)",
                           double(reading.shift->turn) * 180 / std::numbers::pi)
-            : fmt::format("the photograph lies {:+.1f}, {:+.1f} pixels beside the set: --align moves it",
-                          reading.shift->x, reading.shift->y));
+            : fmt::format(
+                  "the photograph lies {:+.1f}, {:+.1f} pixels beside the set: aligning moves it (--align)",
+                  reading.shift->x, reading.shift->y));
 }
 
 /// The part of the blocks that weighs less than half of what it would.

@@ -164,10 +164,11 @@ Brackets findBrackets(const ShotFolder& folder, const CapturePixels& pixels) {
 
 Brackets statedBrackets(const ShotFolder& folder) {
   const auto stated = statedStops(folder);
-  if (!stated) throw InputError("the photographs do not say their exposures: tell them, --exposures 0,-3,+2");
+  if (!stated)
+    throw InputError("the photographs do not say their exposures: tell them (--exposures 0,-3,+2)");
   for (size_t length = 2; length <= stated->size(); ++length)
     if (repeats(*stated, length)) return bracketsOf(*stated, length, "by the files");
-  throw InputError("the exposures in the files are no brackets: tell them, --exposures 0,-3,+2");
+  throw InputError("the exposures in the files are no brackets: tell them (--exposures 0,-3,+2)");
 }
 
 std::vector<std::string> bracketWarnings(const ShotFolder& folder, const CapturePixels& pixels,

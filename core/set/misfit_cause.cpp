@@ -28,13 +28,14 @@ constexpr std::array<CauseText, 5> kTexts = {{
     {Cause::Colors, "colors", "lights of other colours than told (by about {:.0f} %)",
      "check which lamp had which gel, and the gels' colours"},
     {Cause::Ambient, "ambient", "ambient light, about {:.1f} % of the lamps' light",
-     "take a picture with all lamps off, or one more photograph under other light and --solve-ambient"},
+     "take a picture with all lamps off, or one more photograph under other light and solve for ambient "
+     "light (--solve-ambient)"},
     {Cause::Tone, "tone", "a tone curve that was not told (light to the power of about {:.2f})",
      "let the solve take the curve off (--tone auto), or photograph raw"},
     {Cause::Moved, "moved", "a camera that moved (by {:.1f} pixels or more)",
      "align the photographs (--align on)"},
     {Cause::Field, "field", "lamps whose colour is not the same over the picture (by about {:.0f} %)",
-     "solve with --field, or photograph a grey card under each lamp (--flat)"},
+     "even them in the solve (--field), or photograph a grey card under each lamp (--flat)"},
 }};
 
 const CauseText& textOf(Cause cause) {

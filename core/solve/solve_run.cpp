@@ -362,7 +362,7 @@ void SolveRun::separateLights() {
         registered
             ? "the photographs still disagree along edges: trusted less there"
             : "the photographs disagree along edges, as if the camera had moved by a fraction of a pixel: "
-              "trusted less there; --align may help");
+              "trusted less there; aligning may help (--align on)");
 }
 
 std::vector<float> SolveRun::exposures() const {

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/option_hints.h"
 #include "core/capture/light_name.h"
 #include "core/intake/photograph_choice.h"
 #include "ui/kit/icons.h"
@@ -170,7 +171,7 @@ void CaptureWizard::oneLampAShot(bool on) {
 
 /// What has to be put right before it can be solved; empty where nothing has.
 std::string CaptureWizard::mistake() const {
-  if (!m_exposuresWrong.empty()) return m_exposuresWrong;
+  if (!m_exposuresWrong.empty()) return withoutOptionHints(m_exposuresWrong);
   try {
     checkLightNames(m_lights, "the lights");
     for (const size_t row : lightings())
@@ -330,6 +331,7 @@ std::vector<std::string> CaptureWizard::warnings() const {
   std::vector<std::string> warnings = m_found->warnings;
   if (mistake().empty())
     for (std::string& warning : colorWarnings(draft())) warnings.push_back(std::move(warning));
+  for (std::string& warning : warnings) warning = withoutOptionHints(warning);
   return warnings;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/option_hints.h"
 #include "core/diagnosis/program_log.h"
 
 namespace swaplight {
@@ -21,7 +22,8 @@ Clock::time_point endOf(Messages::Kind kind, const std::string& text) {
 
 void Messages::say(Kind kind, const std::string& text) {
   logLine((kind == Kind::Error ? "error: " : kind == Kind::Warning ? "warning: " : "") + text);
-  m_messages.push_back({kind, text, endOf(kind, text)});
+  const std::string shown = withoutOptionHints(text);
+  m_messages.push_back({kind, shown, endOf(kind, shown)});
   if (m_messages.size() > kMostShown) m_messages.pop_front();
 }
 

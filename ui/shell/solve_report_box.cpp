@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/option_hints.h"
 #include "core/set/solve_verdict.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
@@ -78,10 +79,10 @@ void drawReport(const SolveReport& report, const SolveVerdict& verdict) {
   ImGui::PushTextWrapPos(px(kWidth));
   for (const std::string& reason : verdict.reasons) {
     ImGui::Bullet();
-    ImGui::TextUnformatted(reason.c_str());
+    ImGui::TextUnformatted(withoutOptionHints(reason).c_str());
   }
   ImGui::Separator();
-  ImGui::TextUnformatted(report.message.c_str());
+  ImGui::TextUnformatted(withoutOptionHints(report.message).c_str());
   if (const std::string unseen = unseenWords(report.causes); !unseen.empty())
     ImGui::TextUnformatted(unseen.c_str());
   ImGui::Separator();
@@ -89,7 +90,7 @@ void drawReport(const SolveReport& report, const SolveVerdict& verdict) {
   if (!report.warnings.empty()) ImGui::Separator();
   for (const std::string& warning : report.warnings)
     if (std::find(verdict.reasons.begin(), verdict.reasons.end(), warning) == verdict.reasons.end())
-      ImGui::TextUnformatted(warning.c_str());
+      ImGui::TextUnformatted(withoutOptionHints(warning).c_str());
   ImGui::PopTextWrapPos();
 }
 
@@ -105,7 +106,7 @@ void drawSolveWord(const SolveReport& report) {
   ImGui::PopStyleColor(2);
   markItem("status.solve");
   markState("status.solve_word", verdictWord(verdict.word));
-  tooltip((verdictLine(verdict) + "\nClick for the figures.").c_str());
+  tooltip((withoutOptionHints(verdictLine(verdict)) + "\nClick for the figures.").c_str());
   if (!ImGui::BeginPopup("##solve report")) return;
   ImGui::PushStyleColor(ImGuiCol_Text, kText);  // the status bar's is faint
   drawReport(report, verdict);
