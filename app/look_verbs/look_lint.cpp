@@ -5,7 +5,6 @@
 #include "app/look_verbs/look_actions.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
-#include "core/base/lower_case.h"
 #include "core/filter/filter_file.h"
 #include "render/filter/filter_check.h"
 #include "render/gl/egl_context.h"
@@ -25,7 +24,7 @@ std::vector<fs::path> filesOf(const std::vector<std::string>& names) {
       continue;
     }
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(name))
-      if (lowerExtension(entry.path()) == ".fs") files.push_back(entry.path());
+      if (entry.path().extension() == ".fs") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;

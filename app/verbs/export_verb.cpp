@@ -7,6 +7,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/export/layer_export.h"
 #include "core/export/look_export.h"
 #include "core/export/provenance.h"
@@ -88,11 +89,10 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   if (look) config->checkView(displayOver(session, arguments.display));
   if (!options.colorSpace.empty()) config->checkColorSpace(options.colorSpace);
   const std::shared_ptr<CameraLook> seen = look ? nullptr : arguments.cameraLook.look(session, terminal);
-  if (!look && !seen && !arguments.display.empty())
+  if (!look && !seen && !arguments.display.empty() && lowerExtension(arguments.file) == ".exr")
     throw InputError(
-        "--view, --display, --view-look: layers are light, which no view changes: give --camera-look, write "
-        "a "
-        ".cube, or leave them out");
+        "--view, --display, --view-look: layers are light, which no view changes: give --camera-look, "
+        "write a .cube, or leave them out");
   std::vector<std::filesystem::path> inputs = arguments.lighting.inputs(session);
   for (const std::filesystem::path& file : arguments.cameraLook.inputs(seen.get())) inputs.push_back(file);
   checkOutput(arguments.file, inputs);

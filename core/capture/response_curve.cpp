@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/file/atomic_file.h"
@@ -101,7 +102,7 @@ void ResponseCurve::apply(const ImageSpan& pixels) const {
 }
 
 bool isResponseFile(const std::string& colorSpace) {
-  return colorSpace.size() > 4 && colorSpace.ends_with(".csv");
+  return colorSpace.size() > 4 && lowerCase(colorSpace).ends_with(".csv");
 }
 
 void checkResponseFile(const std::string& name, const std::string& where) {

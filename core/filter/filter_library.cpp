@@ -8,7 +8,6 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
-#include "core/base/lower_case.h"
 #include "core/file/user_folders.h"
 #include "core/filter/filter_file.h"
 
@@ -23,7 +22,7 @@ std::vector<fs::path> filesIn(const fs::path& folder, const char* extension) {
   std::error_code error;
   for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end;
        !error && at != end; at.increment(error))
-    if (lowerExtension(at->path()) == extension) files.push_back(at->path());
+    if (at->path().extension() == extension) files.push_back(at->path());
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -77,15 +77,15 @@ std::string unseenOf(const CauseSight& sight) {
       return "wrong colours of the lights";
     case Cause::Ambient:
       return sight.from ? fmt::format("ambient light below {:.0f} % of the lamps' light", percent)
-                        : "ambient light of any strength";
+                        : "ambient light, even if it is strong";
     case Cause::Tone:
       return sight.from ? fmt::format("a tone curve (light to the power of {:.2f} to {:.2f})",
                                       1 - percent / 100, 1 + percent / 100)
-                        : "a tone curve of any strength";
+                        : "a tone curve, even a strong one";
     case Cause::Field:
       return sight.from ? fmt::format("lamps whose colour drifts over the picture by less than ±{:.0f} %",
                                       std::ceil(kEdgeOfDrift * 100 * from))
-                        : "lamps whose colour drifts by any amount";
+                        : "lamps whose colour drifts over the picture, even by much";
     case Cause::Moved:
       break;
   }

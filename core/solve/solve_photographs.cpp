@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 
 #include "core/solve/causes/cause_context.h"
 #include "core/solve/causes/cause_evidence.h"
@@ -127,7 +128,11 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
   const bool asTaken = asTold && !tone && !isMoved(set) && !isPartlyCrossed(capture) && fields.empty();
   if (asTaken && !causes.all.empty() && causes.likely.empty() && !causes.unnamed) {
     const auto started = std::chrono::steady_clock::now();
-    causes.sight = sightOf(capture, photographs, options.noise, progress);
+    try {
+      causes.sight = sightOf(capture, photographs, options.noise, progress);
+    } catch (const std::bad_alloc&) {
+      causes.sight.clear();  // what is solved is not lost by it
+    }
     if (capture.ambient)
       std::erase_if(causes.sight, [](const CauseSight& one) { return one.cause == Cause::Ambient; });
     set.report->seconds += secondsSince(started);

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/color/srgb.h"
 #include "core/file/atomic_file.h"
 #include "core/image/io/image_io.h"
@@ -70,7 +71,7 @@ Image withAlpha(Image&& image, const std::filesystem::path& file) {
 }  // namespace
 
 Image readFilterPicture(const std::filesystem::path& file, FilterSpace space) {
-  if (file.extension() == ".cube") return cubeImage(file);
+  if (lowerExtension(file) == ".cube") return cubeImage(file);
   ImageFile read = readImage(file);
   const bool light = read.info.isFloat || read.info.format == "raw";
   Image image = withAlpha(std::move(read.image), file);

@@ -193,10 +193,10 @@ def print_sight(found):
     told = dict.fromkeys(('said', 'not said, nor that it would be', 'not said, nor what would be', 'said that it would be seen'), 0)
     print('\n| set | ambient | tone | field |\n|---|---|---|---|')
     for label in dict.fromkeys(label for label, _ in found):
-        seen = {case: found.get((label, case), {}).get('seen_from') for case in ('clean', 'clean 8 bit')}
-        if seen['clean']:
+        seen = found.get((label, 'clean'), {}).get('seen_from')
+        if seen:
             print('|', label, '|', ' | '.join(f'{f:.3f}' if f else '-' for f in
-                                              (seen['clean'].get(name) for name in ('ambient', 'tone', 'field'))), '|')
+                                              (seen.get(name) for name in ('ambient', 'tone', 'field'))), '|')
         for case in (case for of, case in found if of == label):
             what, causes = planted(case), found[label, case]
             if what and (causes['likely'] or causes.get('unnamed')):

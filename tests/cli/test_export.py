@@ -74,6 +74,8 @@ class ExportTest(cli.CliTest):
                 self.assertTrue(file.read(200).lstrip().startswith(begins), name)
         shutil.copy(self.solved, self.path('SOLVED.EXR'))
         self.succeed('relight', self.path('SOLVED.EXR'), '-o', self.path('FRAME.PNG'))
+        os.rename(self.path('LOOK.CUBE'), self.path('TABLE.CUBE'))
+        self.succeed('relight', self.solved, '--filter', 'lut,table=' + self.path('TABLE.CUBE'), '-o', self.path('seen.png'))
 
     def test_float_layers_add_up_to_the_picture_to_the_bit(self):
         self.solve()

@@ -1,7 +1,6 @@
 #include "ui/camera_look/camera_look_actions.h"
 
 #include "core/base/error.h"
-#include "core/base/lower_case.h"
 #include "core/file/user_folders.h"
 #include "ui/camera/camera_look_edit.h"
 #include "ui/camera_look/filter_list.h"
@@ -46,8 +45,8 @@ void loadCameraLook(ViewerContext& studio, const fs::path& file) {
 }
 
 bool takeDroppedLook(ViewerContext& studio, const fs::path& file) {
-  const bool filter = lowerExtension(file) == ".fs";
-  if (!studio.set() || (!filter && lowerExtension(file) != kLookEnding)) return false;
+  const bool filter = file.extension() == ".fs";
+  if (!studio.set() || (!filter && file.extension() != kLookEnding)) return false;
   if (!filter) {
     loadCameraLook(studio, file);
     return true;

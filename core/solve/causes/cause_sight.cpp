@@ -19,10 +19,9 @@ struct SizeRange {
 };
 
 constexpr SizeRange kRanges[] = {{Cause::Ambient, .01, .6}, {Cause::Tone, .02, .5}, {Cause::Field, .005, .2}};
-constexpr double kStep = 2;  // between sizes that are tried
-// Of the sample (CauseTuning): what is said of sizes is rough, and the comparison is made some twenty times.
-constexpr int kPixels = 1000;
-constexpr double kWork = 6e6;
+constexpr double kStep = 2;    // between sizes that are tried
+constexpr int kPixels = 1000;  // of the sample: what is said of sizes is rough anyway
+constexpr int kLights = 2;
 
 /// What a cause of size 1 does to the rows of a sample, to first order.
 Eigen::VectorXd slopeOf(const CauseComparison& comparison, Cause cause) {
@@ -68,7 +67,9 @@ std::optional<double> saidFrom(const CauseComparison& comparison, const MisfitRo
 
 std::vector<CauseSight> causeSight(const CauseComparison& comparison, const CauseTuning& tuning,
                                    const Progress& progress) {
-  if (!causesOf(comparison, comparison.rows(), tuning).likely.empty()) return {};
+  const LightingMatrix& lighting = comparison.context().lighting;
+  if (lighting.lights != kLights || !causesOf(comparison, comparison.rows(), tuning).likely.empty())
+    return {};
   std::vector<CauseSight> sight;
   for (const SizeRange& range : kRanges) {
     const MisfitRows without = comparison.rowsWithout(range.cause, tuning);
@@ -79,8 +80,7 @@ std::vector<CauseSight> causeSight(const CauseComparison& comparison, const Caus
     }
     sight.push_back(seen);
   }
-  const LightingMatrix& lighting = comparison.context().lighting;
-  if (lighting.lights == 2 && lighting.shots == 2) sight.push_back({Cause::Colors, std::nullopt});
+  if (lighting.shots == 2) sight.push_back({Cause::Colors, std::nullopt});
   return sight;
 }
 
@@ -89,7 +89,6 @@ std::vector<CauseSight> causeSight(const Capture& capture, const CapturePixels& 
   const CauseContext context = causeContext(capture, photographs, toldNoise(capture, told));
   CauseTuning tuning;
   tuning.pixels = kPixels;
-  tuning.work = kWork;
   const auto comparison = CauseComparison::of(context.estimator, context.signal, tuning);
   return comparison ? causeSight(*comparison, tuning, progress) : std::vector<CauseSight>();
 }

@@ -18,8 +18,9 @@ class CauseComparison;
 /// below 1, and one above, of which that counts which takes more; Field, lamps that get redder and less blue
 /// across the picture or down it, in turns. Negative light, by which the rules know some curves and drifts,
 /// is that of the photographs as they are. A camera that moved seldom goes unsaid, and is left out. Wrong
-/// colours are named by negative light: two shots of two lights seldom have any, and they may go unsaid; of
-/// more nothing is said. Empty where misfitCauses() compares nothing, or names a cause.
+/// colours are named by negative light: two shots of two lights seldom have any, and they may go unsaid.
+/// Empty where misfitCauses() compares nothing, or names a cause; and with more than two lights, of which
+/// those that do not reach a pixel take up what is really there, so that more goes unsaid than is planted.
 [[nodiscard]] std::vector<CauseSight> causeSight(const CauseComparison& comparison,
                                                  const CauseTuning& tuning = {},
                                                  const Progress& progress = {});

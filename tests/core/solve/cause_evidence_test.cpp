@@ -275,6 +275,14 @@ TEST(CauseEvidence, KnowsWhatWouldGoUnseen) {
   EXPECT_FALSE(without.sight.empty());
   EXPECT_EQ(std::ranges::count(without.sight, Cause::Ambient, &CauseSight::cause), 0) << "was taken off";
 
+  // Of three lights those that do not reach a pixel would take up what is planted.
+  const Capture three = rotatedCapture(3);
+  CapturePixels lit = photographed();
+  lit.shots.push_back(lit.shots.front().clone());
+  lit.clipLevel.push_back(INFINITY);
+  lit.quantum.push_back(0);
+  EXPECT_TRUE(solvePhotographs(three, std::move(lit), {}, {}).report->causes.sight.empty());
+
   // In whatever units.
   CapturePixels dim = photographed();
   for (Image& shot : dim.shots)
