@@ -30,7 +30,7 @@ struct CauseEvidence {
 };
 
 /// From what size on a cause would not go unsaid in photographs like these (CauseEvidence::size, of Tone its
-/// magnitude); nothing: it may, however large it is.
+/// magnitude); nothing: the largest that is tried may.
 struct CauseSight {
   Cause cause = Cause::Colors;
   std::optional<double> from;

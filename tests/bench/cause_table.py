@@ -4,8 +4,8 @@
 usage: cause_table.py SWAPLIGHT SHARED [--sets A,B] [--cases clean,tone] [--size 320] [--lights 2] [--remedy=--field]
 
 Photographs are composed of SHARED/captures' pictures of one light each, with one thing wrong that the capture does not
-tell. The noise is not told. With --sight two tables more: what each set's photographs are said not to show, and how often
-that was so of what was planted. Columns: relative RMSE of the contributions (exposure, which nothing tells under an unknown
+tell. The noise is not told. With --sight two tables more: from what size on each set's clean photographs are said to show a
+cause, and what those with one planted say of it. Columns: relative RMSE of the contributions (exposure, which nothing tells under an unknown
 curve, taken off) and mean CIEDE2000 of SHARED/tools/score.py, nothing done about it; the causes that the report names, with
 the best one's size and certainty; both errors of a solve that is asked for nothing, and what it did; then both with the remedy
 that the named cause offers, where that did nothing and `solve` has it, or with --remedy.
@@ -222,7 +222,7 @@ def main():
     parser.add_argument('--lights', type=int, default=2)
     parser.add_argument('--evidence', help='append every cause of every row to this file')
     parser.add_argument('--remedy', help='the same remedy in every row, as --remedy=--field')
-    parser.add_argument('--sight', action='store_true', help='what the photographs are said not to show, and how often that was so')
+    parser.add_argument('--sight', action='store_true', help='what might go unseen, and whether that is said')
     options = parser.parse_args()
     always = options.remedy.split() if options.remedy else None
     sys.path.insert(0, os.path.join(options.shared, 'tools'))

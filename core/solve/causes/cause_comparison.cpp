@@ -70,8 +70,7 @@ Difference difference(const std::vector<double>& a, const std::vector<double>& b
 /// the Ambient model cannot be told from the lamps' own light.
 double ambientLevel(const MisfitRows& rows, const Eigen::MatrixXd& slopes, const PixelSpan& pixels,
                     double prior, const CauseTuning& tuning) {
-  const Eigen::MatrixXd level = slopes.middleCols<3>(3).rowwise().sum();
-  return fitCause(rows, level, pixels, prior, tuning).unknowns[0];
+  return fitCause(rows, evenAmbientSlope(slopes), pixels, prior, tuning).unknowns[0];
 }
 
 }  // namespace

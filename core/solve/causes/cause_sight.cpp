@@ -26,13 +26,13 @@ constexpr int kLights = 2;
 /// What a cause of size 1 does to the rows of a sample, to first order.
 Eigen::VectorXd slopeOf(const CauseComparison& comparison, Cause cause) {
   const Eigen::MatrixXd& slopes = comparison.slopesOf(cause);
-  if (cause == Cause::Ambient) return slopes.middleCols<3>(3).rowwise().sum();
+  if (cause == Cause::Ambient) return evenAmbientSlope(slopes);
   if (cause == Cause::Tone) return slopes.col(0);
-  constexpr Eigen::Index kTerms = 3, kColorTerms = 3 * kTerms;  // x, y, radius of a light's channel
+  constexpr Eigen::Index kColorTerms = 3 * kFieldTerms;
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(slopes.cols());
   for (Eigen::Index light = 0; light < unknowns.size() / kColorTerms; ++light) {
-    unknowns[light * kColorTerms + light % 2] = 1;                // red
-    unknowns[light * kColorTerms + 2 * kTerms + light % 2] = -1;  // blue
+    unknowns[light * kColorTerms + light % 2] = 1;                     // red
+    unknowns[light * kColorTerms + 2 * kFieldTerms + light % 2] = -1;  // blue
   }
   const auto model = std::ranges::find(comparison.models(), cause, &CauseModel::cause);
   return slopes * unknowns / std::max(causeSize(*model, unknowns, comparison.sample()), 1e-9);

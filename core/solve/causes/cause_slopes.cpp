@@ -9,7 +9,6 @@ namespace swaplight {
 namespace {
 
 constexpr int kToneTerms = 3;
-constexpr int kFieldTerms = 3;
 constexpr int kMoveTerms = 4;
 constexpr int kAmbientTerms = 3;
 constexpr double kDarkest = 1e-5;  // of full scale: where a tone curve is no longer looked at
@@ -169,6 +168,10 @@ Eigen::MatrixXd visibleSlopes(const CauseModel& model, const std::vector<PixelMi
   for (size_t p = 0; p < sample.size(); ++p)
     slopes.middleRows(rows.first[p], sample[p].residual.size()) = sample[p].visible(model.change(sample[p]));
   return slopes;
+}
+
+Eigen::VectorXd evenAmbientSlope(const Eigen::MatrixXd& slopes) {
+  return slopes.middleCols<3>(3).rowwise().sum();
 }
 
 int mostCauseUnknowns(const LightingMatrix& lighting) {

@@ -33,9 +33,16 @@ struct CauseModel {
 [[nodiscard]] std::vector<CauseModel> causeModels(const EstimatorContext& context, const ShotSignal& signal,
                                                   const std::vector<PixelMisfit>& sample);
 
+/// Of Field: what each channel of a light has, in the order of the lights: across, down, outwards.
+inline constexpr int kFieldTerms = 3;
+
 /// What a model's unknowns do to the rows of a sample.
 [[nodiscard]] Eigen::MatrixXd visibleSlopes(const CauseModel& model, const std::vector<PixelMisfit>& sample,
                                             const MisfitRows& rows);
+
+/// Of Ambient's slopes: white light of the same strength everywhere behind the reflectance, as a part of the
+/// median pixel's light.
+[[nodiscard]] Eigen::VectorXd evenAmbientSlope(const Eigen::MatrixXd& slopes);
 
 /// How many unknowns the largest model of a capture has.
 [[nodiscard]] int mostCauseUnknowns(const LightingMatrix& lighting);
