@@ -14,7 +14,8 @@ constexpr int kPixels = BlockMisfit::kPixels;
 static_assert(kPixels == kSide * kSide);
 
 /// Blocks of usable pixels, one after the other, their rows one after the other.
-PackedRun gatherBlocks(const ShotSignal& signal, int shots, int count) {
+PackedRun gatherBlocks(const ShotSignal& signal, int shots, int count,
+                       std::vector<size_t>* places = nullptr) {
   const int width = signal.pixels().width();
   const int height = signal.pixels().height();
   const double across = std::sqrt(double(count) * width / std::max(height, 1));
@@ -31,6 +32,7 @@ PackedRun gatherBlocks(const ShotSignal& signal, int shots, int count) {
       bool usable = true;
       for (int line = 0; line < kSide; ++line) usable = usable && !signal.flagged(first(line), kSide);
       if (!usable) continue;
+      if (places) places->push_back(first(0));
       for (int line = 0; line < kSide; ++line) {
         PixelRun in;
         signal.run(first(line), kSide, true, scratch, in);
@@ -130,16 +132,17 @@ std::vector<BlockMisfit> blockMisfits(const MatteFit& matte, const LightingMatri
 }
 
 std::vector<BlockMean> blockMeans(const ShotSignal& signal, int shots, int count) {
-  const PackedRun gathered = gatherBlocks(signal, shots, count);
+  std::vector<size_t> places;
+  const PackedRun gathered = gatherBlocks(signal, shots, count, &places);
   const PixelRun& in = gathered.run();
   std::vector<BlockMean> means;
   for (int first = 0; first < in.count; first += kPixels) {
-    BlockMean& mean = means.emplace_back();
+    BlockMean& mean = means.emplace_back(BlockMean{places[size_t(first / kPixels)], {}});
     for (int k = 0; k < shots; ++k)
       for (int c = 0; c < 3; ++c) {
         float sum = 0;
         for (int p = 0; p < kPixels; ++p) sum += in.signal[k][c][first + p];
-        mean.push_back(sum / kPixels);
+        mean.values.push_back(sum / kPixels);
       }
   }
   return means;

@@ -30,8 +30,11 @@ struct BlockMisfit {
                                                     const NoiseModel& noise, const ShotSignal& signal,
                                                     int count);
 
-/// The mean of every shot and channel, [3 shot + channel], over a block.
-using BlockMean = std::vector<float>;
+/// The mean of every shot and channel over a block.
+struct BlockMean {
+  size_t place;               ///< of its first pixel in the picture
+  std::vector<float> values;  ///< [3 shot + channel]
+};
 /// Of the same blocks.
 [[nodiscard]] std::vector<BlockMean> blockMeans(const ShotSignal& signal, int shots, int count);
 

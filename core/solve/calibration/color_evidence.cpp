@@ -7,7 +7,6 @@
 
 #include "core/base/quantile.h"
 #include "core/linear/decompositions.h"
-#include "core/solve/calibration/block_misfit.h"
 #include "core/solve/model/chi_square.h"
 
 namespace swaplight {
@@ -30,7 +29,7 @@ void keepBright(const ColorEvidenceTuning& tuning, std::vector<BlockMean>& block
   std::vector<float> brightness;
   for (const BlockMean& block : blocks) {
     float sum = 0;
-    for (const float y : block) sum += y;
+    for (const float y : block.values) sum += y;
     brightness.push_back(sum);
   }
   if (blocks.empty()) return;
@@ -38,7 +37,7 @@ void keepBright(const ColorEvidenceTuning& tuning, std::vector<BlockMean>& block
   const double least = tuning.bright * double(quantile(std::span(sorted), .95));
   size_t kept = 0;
   for (size_t j = 0; j < blocks.size(); ++j)
-    if (brightness[j] > least) blocks[kept++].swap(blocks[j]);
+    if (brightness[j] > least) std::swap(blocks[kept++], blocks[j]);
   blocks.resize(kept);
 }
 
@@ -55,7 +54,7 @@ void addLowest(const EstimatorContext& context, const ColorEvidenceTuning& tunin
     for (const BlockMean& block : blocks) {
       double t = 0, effect = 0, noise = 0;
       for (int k = 0; k < context.lighting.shots; ++k) {
-        const double y = block[size_t(k * 3 + channel)];
+        const double y = block.values[size_t(k * 3 + channel)];
         const double a = inverse(i, k);
         t += a * y;
         effect += a * a * y * y;
@@ -98,8 +97,14 @@ double logLikelihood(const ColorEvidenceTuning& tuning, const std::vector<Lowest
 
 std::optional<float> colorUncertaintyByEvidence(const EstimatorContext& context, const ShotSignal& signal,
                                                 float visible, const ColorEvidenceTuning& tuning) {
+  return colorUncertaintyByEvidence(context, blockMeans(signal, context.lighting.shots, tuning.blocks),
+                                    visible, tuning);
+}
+
+std::optional<float> colorUncertaintyByEvidence(const EstimatorContext& context,
+                                                std::vector<BlockMean> blocks, float visible,
+                                                const ColorEvidenceTuning& tuning) {
   if (context.lighting.shots < context.lighting.lights || context.lighting.lights < 2) return std::nullopt;
-  std::vector<BlockMean> blocks = blockMeans(signal, context.lighting.shots, tuning.blocks);
   keepBright(tuning, blocks);
   std::vector<Lowest> lowest;
   for (int c = 0; c < 3; ++c) addLowest(context, tuning, blocks, c, lowest);

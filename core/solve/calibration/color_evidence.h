@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "core/solve/calibration/block_misfit.h"
 #include "core/solve/calibration/calibration_tuning.h"
 #include "core/solve/model/estimator.h"
 #include "core/solve/model/shot_signal.h"
@@ -29,6 +31,11 @@ namespace swaplight {
 /// tells the lights apart, or lights that nothing blocks leave it open.
 [[nodiscard]] std::optional<float> colorUncertaintyByEvidence(const EstimatorContext& context,
                                                               const ShotSignal& signal, float visible,
+                                                              const ColorEvidenceTuning& tuning = {});
+
+/// The same, of blocks' means.
+[[nodiscard]] std::optional<float> colorUncertaintyByEvidence(const EstimatorContext& context,
+                                                              std::vector<BlockMean> blocks, float visible,
                                                               const ColorEvidenceTuning& tuning = {});
 
 /// The standard error of the colours that the matte model's misfit asks for everywhere: in the mean of a

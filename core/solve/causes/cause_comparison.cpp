@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/solve/calibration/calibration_tuning.h"
 #include "core/solve/estimators/matte_fit.h"
 
 namespace swaplight {
@@ -79,61 +80,65 @@ std::optional<CauseComparison> CauseComparison::of(const EstimatorContext& conte
                                                    const CauseTuning& tuning) {
   const int count = causeSampleSize(context, tuning);
   if (count == 0) return std::nullopt;
-  CauseComparison comparison(context, signal);
-  comparison.m_sample = misfitSample(context, signal, count, tuning);
-  comparison.m_parts = partsOf(comparison.m_sample, signal.pixels(), tuning.tiles);
-  if (int(comparison.m_sample.size()) < tuning.fewestPixels || comparison.m_parts.count < tuning.fewestTiles)
-    return std::nullopt;
-  comparison.m_rows = misfitRows(comparison.m_sample);
-  comparison.m_models = causeModels(context, signal, comparison.m_sample);
-  comparison.m_slopes.resize(comparison.m_models.size());
-  parallelEach(int(comparison.m_models.size()), [&](int j) {
-    comparison.m_slopes[size_t(j)] =
-        visibleSlopes(comparison.m_models[size_t(j)], comparison.m_sample, comparison.m_rows);
-  });
+  std::vector<PixelMisfit> sample = misfitSample(context, signal, count, tuning);
+  if (int(sample.size()) < tuning.fewestPixels) return std::nullopt;
+  CauseComparison comparison(context, signal, std::move(sample),
+                             blockMeans(signal, context.lighting.shots, ColorEvidenceTuning{}.blocks),
+                             tuning);
+  if (comparison.m_parts.count < tuning.fewestTiles) return std::nullopt;
   return comparison;
+}
+
+CauseComparison::CauseComparison(const EstimatorContext& context, const ShotSignal& signal,
+                                 std::vector<PixelMisfit> sample, std::vector<BlockMean> blocks,
+                                 const CauseTuning& tuning)
+    : m_context(&context), m_signal(&signal), m_sample(std::move(sample)), m_blocks(std::move(blocks)) {
+  m_parts = partsOf(m_sample, signal.pixels(), tuning.tiles);
+  m_rows = misfitRows(m_sample);
+  m_models = causeModels(context, signal, m_sample);
+  m_slopes.resize(m_models.size());
+  parallelEach(int(m_models.size()),
+               [&](int j) { m_slopes[size_t(j)] = visibleSlopes(m_models[size_t(j)], m_sample, m_rows); });
+}
+
+CauseComparison CauseComparison::with(const PlacedPixels& pixels, std::vector<BlockMean> blocks,
+                                      const CauseTuning& tuning) const {
+  return {*m_context, *m_signal, misfitSample(*m_context, *m_signal, pixels, tuning), std::move(blocks),
+          tuning};
 }
 
 size_t CauseComparison::indexOf(Cause cause) const {
   return size_t(std::ranges::find(m_models, cause, &CauseModel::cause) - m_models.begin());
 }
 
-const Eigen::MatrixXd& CauseComparison::slopesOf(Cause cause) const {
-  return m_slopes[indexOf(cause)];
-}
-
-MisfitRows CauseComparison::rowsWithout(Cause cause, const CauseTuning& tuning) const {
+Eigen::VectorXd CauseComparison::unknownsOf(Cause cause, const CauseTuning& tuning) const {
   const size_t j = indexOf(cause);
-  MisfitRows rows = m_rows;
-  rows.residual -=
-      m_slopes[j] * fitCause(m_rows, m_slopes[j], m_parts.all, m_models[j].prior, tuning).unknowns;
-  return rows;
+  return fitCause(m_rows, m_slopes[j], m_parts.all, m_models[j].prior, tuning).unknowns;
 }
 
-std::vector<CauseEvidence> CauseComparison::fitted(const MisfitRows& rows, const CauseTuning& tuning) const {
-  const Eigen::MatrixXd nothing(rows.residual.size(), 0);
-  const double noneScale = fitCause(rows, nothing, m_parts.all, 1, tuning).squaredScale;
+std::vector<CauseEvidence> CauseComparison::fitted(const CauseTuning& tuning) const {
+  const Eigen::MatrixXd nothing(m_rows.residual.size(), 0);
+  const double noneScale = fitCause(m_rows, nothing, m_parts.all, 1, tuning).squaredScale;
   std::vector<CauseEvidence> causes(m_models.size());
   parallelEach(int(m_models.size()), [&](int j) {
     const CauseModel& model = m_models[size_t(j)];
     CauseEvidence& evidence = causes[size_t(j)];
     evidence.cause = model.cause;
-    const CauseFit fit = fitCause(rows, m_slopes[size_t(j)], m_parts.all, model.prior, tuning);
+    const CauseFit fit = fitCause(m_rows, m_slopes[size_t(j)], m_parts.all, model.prior, tuning);
     evidence.explained = std::clamp(1 - fit.squaredScale / noneScale, 0.0, 1.0);
     evidence.size = model.cause == Cause::Ambient
-                        ? ambientLevel(rows, m_slopes[size_t(j)], m_parts.all, model.prior, tuning)
+                        ? ambientLevel(m_rows, m_slopes[size_t(j)], m_parts.all, model.prior, tuning)
                         : causeSize(model, fit.unknowns, m_sample);
   });
   return causes;
 }
 
-void CauseComparison::compare(const MisfitRows& rows, std::vector<CauseEvidence>& causes,
-                              const CauseTuning& tuning) const {
+void CauseComparison::compare(std::vector<CauseEvidence>& causes, const CauseTuning& tuning) const {
   const std::vector<double> none =
-      heldOut(rows, m_parts, Eigen::MatrixXd(rows.residual.size(), 0), 1, tuning);
+      heldOut(m_rows, m_parts, Eigen::MatrixXd(m_rows.residual.size(), 0), 1, tuning);
   std::vector<std::vector<double>> sums(m_models.size());  // of each part of the picture
   parallelEach(int(m_models.size()), [&](int j) {
-    sums[size_t(j)] = heldOut(rows, m_parts, m_slopes[size_t(j)], m_models[size_t(j)].prior, tuning);
+    sums[size_t(j)] = heldOut(m_rows, m_parts, m_slopes[size_t(j)], m_models[size_t(j)].prior, tuning);
   });
   for (CauseEvidence& one : causes) {
     const Difference gain = difference(sums[indexOf(one.cause)], none);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/set/misfit_cause.h"
+#include "core/solve/calibration/block_misfit.h"
 #include "core/solve/causes/cause_slopes.h"
 
 namespace swaplight {
@@ -21,8 +22,7 @@ struct PictureParts {
   PixelSpan all;
 };
 
-/// What the matte model leaves of a set's photographs, and what each cause would do to it: fitted as often as
-/// asked, to what they hold or to that with something planted in it.
+/// What the matte model leaves of a set's photographs, and what each cause would do to it.
 class CauseComparison {
  public:
   /// Nothing where the model leaves no freedom, the set is small or the capture so large that comparing would
@@ -32,27 +32,30 @@ class CauseComparison {
 
   [[nodiscard]] const EstimatorContext& context() const { return *m_context; }
   [[nodiscard]] const ShotSignal& signal() const { return *m_signal; }
-  [[nodiscard]] const MisfitRows& rows() const { return m_rows; }
-  /// Less what this cause explains of them.
-  [[nodiscard]] MisfitRows rowsWithout(Cause cause, const CauseTuning& tuning) const;
   [[nodiscard]] const std::vector<PixelMisfit>& sample() const { return m_sample; }
-  [[nodiscard]] const std::vector<CauseModel>& models() const { return m_models; }
-  /// What a model's unknowns do to the rows, a column each.
-  [[nodiscard]] const Eigen::MatrixXd& slopesOf(Cause cause) const;
+  [[nodiscard]] const CauseModel& modelOf(Cause cause) const { return m_models[indexOf(cause)]; }
+  /// The unknowns of a model that explain most.
+  [[nodiscard]] Eigen::VectorXd unknownsOf(Cause cause, const CauseTuning& tuning) const;
+  /// Blocks of the photographs, in which negative light is looked for.
+  [[nodiscard]] const std::vector<BlockMean>& blocks() const { return m_blocks; }
+  /// That of other values of pixels and blocks of these photographs.
+  [[nodiscard]] CauseComparison with(const PlacedPixels& pixels, std::vector<BlockMean> blocks,
+                                     const CauseTuning& tuning) const;
 
-  /// Every cause, fitted to all of `rows`: `explained` and `size`.
-  [[nodiscard]] std::vector<CauseEvidence> fitted(const MisfitRows& rows, const CauseTuning& tuning) const;
+  /// Every cause, fitted to the whole sample: `explained` and `size`.
+  [[nodiscard]] std::vector<CauseEvidence> fitted(const CauseTuning& tuning) const;
   /// What each gains where it was not fitted to, too; the best first.
-  void compare(const MisfitRows& rows, std::vector<CauseEvidence>& causes, const CauseTuning& tuning) const;
+  void compare(std::vector<CauseEvidence>& causes, const CauseTuning& tuning) const;
 
  private:
-  CauseComparison(const EstimatorContext& context, const ShotSignal& signal)
-      : m_context(&context), m_signal(&signal) {}
+  CauseComparison(const EstimatorContext& context, const ShotSignal& signal, std::vector<PixelMisfit> sample,
+                  std::vector<BlockMean> blocks, const CauseTuning& tuning);
   [[nodiscard]] size_t indexOf(Cause cause) const;
 
   const EstimatorContext* m_context;
   const ShotSignal* m_signal;
   std::vector<PixelMisfit> m_sample;
+  std::vector<BlockMean> m_blocks;
   PictureParts m_parts;
   MisfitRows m_rows;
   std::vector<CauseModel> m_models;

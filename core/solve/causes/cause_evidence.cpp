@@ -10,18 +10,18 @@ namespace swaplight {
 MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& signal,
                           const CauseTuning& tuning) {
   const std::optional<CauseComparison> comparison = CauseComparison::of(context, signal, tuning);
-  return comparison ? causesOf(*comparison, comparison->rows(), tuning) : MisfitCauses();
+  return comparison ? causesOf(*comparison, tuning) : MisfitCauses();
 }
 
-MisfitCauses causesOf(const CauseComparison& comparison, const MisfitRows& rows, const CauseTuning& tuning) {
+MisfitCauses causesOf(const CauseComparison& comparison, const CauseTuning& tuning) {
   MisfitCauses causes;
-  causes.all = comparison.fitted(rows, tuning);
+  causes.all = comparison.fitted(tuning);
   const bool matters = std::ranges::any_of(causes.all, [&](const CauseEvidence& one) {
     return one.explained > limitsOf(one.cause, tuning).explained;
   });
   if (!matters) return causes;
-  comparison.compare(rows, causes.all, tuning);
-  causes.likely = likelyCauses(causes.all, comparison.context(), comparison.signal(), tuning);
+  comparison.compare(causes.all, tuning);
+  causes.likely = likelyCauses(causes.all, comparison.context(), comparison.blocks(), tuning);
   return causes;
 }
 

@@ -8,7 +8,6 @@
 namespace swaplight {
 
 class CauseComparison;
-struct MisfitRows;
 
 /// Why the photographs do not fit the matte model: each cause is fitted to a sample of pixels whose own
 /// unknowns (beta, rho) are projected out, and held against the others by the likelihood of parts of the
@@ -28,9 +27,7 @@ struct MisfitRows;
 [[nodiscard]] MisfitCauses misfitCauses(const EstimatorContext& context, const ShotSignal& signal,
                                         const CauseTuning& tuning = {});
 
-/// The same of any residuals of a comparison's sample.
-[[nodiscard]] MisfitCauses causesOf(const CauseComparison& comparison, const MisfitRows& rows,
-                                    const CauseTuning& tuning);
+[[nodiscard]] MisfitCauses causesOf(const CauseComparison& comparison, const CauseTuning& tuning);
 
 /// Whether it is a tone curve beyond doubt: the one likely cause, surer than what is only said, and all
 /// others surely worse, but for negative ambient light, which is none. Ambient light of a glossy set has been

@@ -17,9 +17,9 @@ bool isNamed(const CauseEvidence& evidence, const CauseTuning& tuning) {
 /// Bounced light has colours that the lamps have not, and is in all of a room: to the matte model it looks
 /// like wrong colours. But it is light of the lamps: told apart channel by channel, none of it is negative.
 /// Where nothing blocks a lamp that cannot be seen, and no colours are said to be wrong.
-bool colorsMakeNegativeLight(const EstimatorContext& context, const ShotSignal& signal, double error,
-                             const CauseTuning& tuning) {
-  const std::optional<float> seen = colorUncertaintyByEvidence(context, signal, float(error));
+bool colorsMakeNegativeLight(const EstimatorContext& context, const std::vector<BlockMean>& blocks,
+                             double error, const CauseTuning& tuning) {
+  const std::optional<float> seen = colorUncertaintyByEvidence(context, blocks, float(error));
   // What is seen goes no further than the evidence weighs.
   return seen && double(*seen) > tuning.seenAsNegative * std::min(error, ColorEvidenceTuning{}.largest);
 }
@@ -35,7 +35,7 @@ bool bothLiftShadows(const CauseEvidence& best, const CauseEvidence& other) {
 /// Such a curve, where nothing is surely better than negative light. Wrong colours look like that, too: then
 /// they explain far more than a curve does. Bounced light as well: but it makes no light of a lamp negative.
 const CauseEvidence* darkeningCurve(const std::vector<CauseEvidence>& all, const EstimatorContext& context,
-                                    const ShotSignal& signal, const CauseTuning& tuning) {
+                                    const std::vector<BlockMean>& blocks, const CauseTuning& tuning) {
   const CauseEvidence* ambient = evidenceOf(Cause::Ambient, all);
   const CauseEvidence* tone = evidenceOf(Cause::Tone, all);
   const CauseEvidence* colors = evidenceOf(Cause::Colors, all);
@@ -43,7 +43,7 @@ const CauseEvidence* darkeningCurve(const std::vector<CauseEvidence>& all, const
   const bool near = tone->behind < tuning.farApart || tone->gain > colors->gain;
   const bool may = near && ambient->behind < tuning.apart && isNamed(*tone, tuning);
   if (!may) return nullptr;
-  const auto seen = colorUncertaintyByEvidence(context, signal, float(ColorEvidenceTuning{}.largest));
+  const auto seen = colorUncertaintyByEvidence(context, blocks, float(ColorEvidenceTuning{}.largest));
   return seen && double(*seen) > tuning.unnamedColors ? tone : nullptr;
 }
 
@@ -54,12 +54,12 @@ bool isDriftOfLamps(const CauseEvidence& field, const CauseTuning& tuning) {
 }
 
 /// What the matte model cannot tell from bounced light.
-bool mayBeBouncedLight(const CauseEvidence& one, const EstimatorContext& context, const ShotSignal& signal,
-                       const CauseTuning& tuning) {
+bool mayBeBouncedLight(const CauseEvidence& one, const EstimatorContext& context,
+                       const std::vector<BlockMean>& blocks, const CauseTuning& tuning) {
   if (one.cause == Cause::Ambient) return one.size <= 0;
   if (one.cause == Cause::Field && isDriftOfLamps(one, tuning)) return false;
   return (one.cause == Cause::Colors || one.cause == Cause::Field) &&
-         !colorsMakeNegativeLight(context, signal, one.size, tuning);
+         !colorsMakeNegativeLight(context, blocks, one.size, tuning);
 }
 
 /// Ambient light that is more than bounced light ever looks like. Wrong colours have more unknowns and
@@ -77,12 +77,12 @@ bool mayBeAmbient(const CauseEvidence& one, const CauseEvidence& best, const Cau
 
 /// The best, if it is worth naming; else a curve or ambient light that it may be as well.
 const CauseEvidence* worthNaming(const std::vector<CauseEvidence>& all, const EstimatorContext& context,
-                                 const ShotSignal& signal, const CauseTuning& tuning) {
+                                 const std::vector<BlockMean>& blocks, const CauseTuning& tuning) {
   const CauseEvidence& best = all.front();
-  if (isNamed(best, tuning) && !mayBeBouncedLight(best, context, signal, tuning)) return &best;
+  if (isNamed(best, tuning) && !mayBeBouncedLight(best, context, blocks, tuning)) return &best;
   for (const CauseEvidence& one : all)
     if (mayBeAmbient(one, best, tuning)) return &one;
-  return darkeningCurve(all, context, signal, tuning);
+  return darkeningCurve(all, context, blocks, tuning);
 }
 
 }  // namespace
@@ -113,11 +113,11 @@ bool isDarkenedByACurve(const CauseEvidence& ambient, const CauseEvidence& tone)
 }
 
 std::vector<Cause> likelyCauses(const std::vector<CauseEvidence>& all, const EstimatorContext& context,
-                                const ShotSignal& signal, const CauseTuning& tuning) {
-  const CauseEvidence* named = worthNaming(all, context, signal, tuning);
+                                const std::vector<BlockMean>& blocks, const CauseTuning& tuning) {
+  const CauseEvidence* named = worthNaming(all, context, blocks, tuning);
   if (!named) return {};
   std::vector<Cause> likely = {named->cause};
-  const CauseEvidence* curve = darkeningCurve(all, context, signal, tuning);
+  const CauseEvidence* curve = darkeningCurve(all, context, blocks, tuning);
   for (const CauseEvidence& one : all) {
     const bool rival = one.behind < tuning.apart || bothLiftShadows(*named, one) || &one == curve;
     if (&one == named || !rival) continue;
@@ -125,7 +125,7 @@ std::vector<Cause> likelyCauses(const std::vector<CauseEvidence>& all, const Est
     const bool colors = one.cause == Cause::Colors && named->cause == Cause::Ambient;
     const double least = colors ? tuning.leastCertainty : limitsOf(one.cause, tuning).certainty;
     const bool enough = !colors || one.size > tuning.colors.size;
-    if (enough && one.certainty >= least && (colors || !mayBeBouncedLight(one, context, signal, tuning)))
+    if (enough && one.certainty >= least && (colors || !mayBeBouncedLight(one, context, blocks, tuning)))
       likely.push_back(one.cause);
   }
   return likely;

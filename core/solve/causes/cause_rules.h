@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "core/set/misfit_cause.h"
+#include "core/solve/calibration/block_misfit.h"
 #include "core/solve/causes/cause_tuning.h"
 #include "core/solve/model/estimator.h"
-#include "core/solve/model/shot_signal.h"
 
 namespace swaplight {
 
@@ -18,9 +18,11 @@ namespace swaplight {
 /// leave them: a curve of more contrast, which explains nearly as much.
 [[nodiscard]] bool isDarkenedByACurve(const CauseEvidence& ambient, const CauseEvidence& tone);
 
-/// That which is worth naming, and what is not surely worse. `all`: the best first.
+/// That which is worth naming, and what is not surely worse. `all`: the best first. `blocks`: of the
+/// photographs, in which negative light is looked for.
 [[nodiscard]] std::vector<Cause> likelyCauses(const std::vector<CauseEvidence>& all,
-                                              const EstimatorContext& context, const ShotSignal& signal,
+                                              const EstimatorContext& context,
+                                              const std::vector<BlockMean>& blocks,
                                               const CauseTuning& tuning);
 
 }  // namespace swaplight

@@ -8,6 +8,7 @@
 #include "core/solve/causes/cause_comparison.h"
 #include "core/solve/causes/cause_context.h"
 #include "core/solve/causes/cause_evidence.h"
+#include "core/solve/causes/cause_rules.h"
 
 namespace swaplight {
 namespace {
@@ -21,43 +22,110 @@ struct SizeRange {
 constexpr SizeRange kRanges[] = {{Cause::Ambient, .01, .6}, {Cause::Tone, .02, .5}, {Cause::Field, .005, .2}};
 constexpr double kStep = 2;    // between sizes that are tried
 constexpr int kPixels = 1000;  // of the sample: what is said of sizes is rough anyway
-constexpr int kLights = 2;
 
-/// What a cause of size 1 does to the rows of a sample, to first order.
-Eigen::VectorXd slopeOf(const CauseComparison& comparison, Cause cause) {
-  const Eigen::MatrixXd& slopes = comparison.slopesOf(cause);
-  if (cause == Cause::Ambient) return evenAmbientSlope(slopes);
-  if (cause == Cause::Tone) return slopes.col(0);
+/// A cause in one of the ways in which it can be planted in a pixel's values.
+struct Plant {
+  double sign;  ///< of its CauseEvidence::size
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& values, const PixelMisfit& fit, double size)> in;
+};
+
+/// White light of the same strength everywhere.
+Plant ambientPlant(const CauseModel& model) {
+  return {1, [&model](const Eigen::VectorXd& values, const PixelMisfit& fit, double size) {
+            return Eigen::VectorXd(values + size * evenAmbientSlope(model.change(fit)));
+          }};
+}
+
+/// An exponent.
+Plant tonePlant(double sign) {
+  return {sign, [sign](const Eigen::VectorXd& values, const PixelMisfit&, double size) {
+            return Eigen::VectorXd(values.array().sign() * values.array().abs().pow(1 + sign * size));
+          }};
+}
+
+/// Lamps that get redder and less blue, across the picture or down it in turns.
+Plant fieldPlant(const CauseModel& model, const std::vector<PixelMisfit>& sample) {
   constexpr Eigen::Index kColorTerms = 3 * kFieldTerms;
-  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(slopes.cols());
+  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(model.unknowns);
   for (Eigen::Index light = 0; light < unknowns.size() / kColorTerms; ++light) {
     unknowns[light * kColorTerms + light % 2] = 1;                     // red
     unknowns[light * kColorTerms + 2 * kFieldTerms + light % 2] = -1;  // blue
   }
-  const auto model = std::ranges::find(comparison.models(), cause, &CauseModel::cause);
-  return slopes * unknowns / std::max(causeSize(*model, unknowns, comparison.sample()), 1e-9);
+  unknowns /= std::max(causeSize(model, unknowns, sample), 1e-9);
+  return {1, [&model, unknowns](const Eigen::VectorXd& values, const PixelMisfit& fit, double size) {
+            return Eigen::VectorXd(values + size * (model.change(fit) * unknowns));
+          }};
 }
 
-using Plant = std::function<Eigen::VectorXd(double size)>;
-
-/// The ways in which a cause is planted: one that goes unseen is enough.
+/// One that goes unseen is enough.
 std::vector<Plant> plantsOf(const CauseComparison& comparison, Cause cause) {
-  const Eigen::VectorXd slope = slopeOf(comparison, cause);
-  const Plant more = [slope](double size) { return Eigen::VectorXd(size * slope); };
-  if (cause != Cause::Tone) return {more};
-  return {more, [slope](double size) { return Eigen::VectorXd(-size * slope); }};
+  if (cause == Cause::Tone) return {tonePlant(1), tonePlant(-1)};
+  const CauseModel& model = comparison.modelOf(cause);
+  if (cause == Cause::Ambient) return {ambientPlant(model)};
+  return {fieldPlant(model, comparison.sample())};
 }
+
+/// The pixels and blocks of photographs, in which causes are planted.
+class Ground {
+ public:
+  Ground(const CauseComparison& comparison, const CauseTuning& tuning)
+      : m_comparison(comparison), m_tuning(tuning), m_evidence(comparison.fitted(tuning)) {
+    PlacedPixels blocks{PackedRun(shots(), std::max<size_t>(comparison.blocks().size(), 1)), {}};
+    for (const BlockMean& block : comparison.blocks()) {
+      blocks.values.add(block.values);
+      blocks.places.push_back(block.place);
+    }
+    m_blocks = misfitSample(comparison.context(), comparison.signal(), blocks, tuning);
+  }
+
+  /// What the photographs seem to have of a cause already, and may be what goes unsaid. What goes the other
+  /// way is something else, behind which it hides: that stays.
+  [[nodiscard]] Eigen::VectorXd unsaid(const Plant& plant, Cause cause) const {
+    const CauseEvidence* evidence = evidenceOf(cause, m_evidence);
+    if (plant.sign * evidence->size > 0) return m_comparison.unknownsOf(cause, m_tuning);
+    return Eigen::VectorXd::Zero(m_comparison.modelOf(cause).unknowns);
+  }
+
+  /// With a cause of this size in them, less what is `unsaid` of it.
+  [[nodiscard]] CauseComparison planted(const Plant& plant, Cause cause, double size,
+                                        const Eigen::VectorXd& unsaid) const {
+    const CauseModel& model = m_comparison.modelOf(cause);
+    const auto values = [&](const PixelMisfit& pixel) {
+      return plant.in(pixel.values - model.change(pixel) * unsaid, pixel, size);
+    };
+    PlacedPixels pixels{PackedRun(shots(), m_comparison.sample().size()), {}};
+    for (const PixelMisfit& pixel : m_comparison.sample()) {
+      pixels.values.add(values(pixel));
+      pixels.places.push_back(placeOf(pixel));
+    }
+    std::vector<BlockMean> blocks;
+    for (const PixelMisfit& block : m_blocks) {
+      const Eigen::VectorXf changed = values(block).cast<float>();
+      blocks.push_back({placeOf(block), {changed.begin(), changed.end()}});
+    }
+    return m_comparison.with(pixels, std::move(blocks), m_tuning);
+  }
+
+ private:
+  [[nodiscard]] int shots() const { return m_comparison.context().lighting.shots; }
+  [[nodiscard]] size_t placeOf(const PixelMisfit& pixel) const {
+    return size_t(pixel.y) * size_t(m_comparison.signal().pixels().width()) + size_t(pixel.x);
+  }
+
+  const CauseComparison& m_comparison;
+  const CauseTuning& m_tuning;
+  std::vector<CauseEvidence> m_evidence;  ///< before anything is planted
+  std::vector<PixelMisfit> m_blocks;
+};
 
 /// The least size that is tried from which on all are said.
-std::optional<double> saidFrom(const CauseComparison& comparison, const MisfitRows& without,
-                               const Plant& plant, const SizeRange& range, const CauseTuning& tuning,
-                               const Progress& progress) {
+std::optional<double> saidFrom(const Ground& ground, const Plant& plant, const SizeRange& range,
+                               const CauseTuning& tuning, const Progress& progress) {
+  const Eigen::VectorXd unsaid = ground.unsaid(plant, range.cause);
   std::optional<double> from;
   for (double size = range.most; size > range.least; size /= kStep) {
     progress.stopIfAsked();
-    MisfitRows rows = without;
-    rows.residual += plant(size);
-    if (causesOf(comparison, rows, tuning).likely.empty()) break;
+    if (causesOf(ground.planted(plant, range.cause, size, unsaid), tuning).likely.empty()) break;
     from = size;
   }
   return from;
@@ -67,19 +135,18 @@ std::optional<double> saidFrom(const CauseComparison& comparison, const MisfitRo
 
 std::vector<CauseSight> causeSight(const CauseComparison& comparison, const CauseTuning& tuning,
                                    const Progress& progress) {
-  const LightingMatrix& lighting = comparison.context().lighting;
-  if (lighting.lights != kLights || !causesOf(comparison, comparison.rows(), tuning).likely.empty())
-    return {};
+  if (!causesOf(comparison, tuning).likely.empty()) return {};
+  const Ground ground(comparison, tuning);
   std::vector<CauseSight> sight;
   for (const SizeRange& range : kRanges) {
-    const MisfitRows without = comparison.rowsWithout(range.cause, tuning);
     CauseSight seen{range.cause, 0.0};
     for (const Plant& plant : plantsOf(comparison, range.cause)) {
-      const std::optional<double> from = saidFrom(comparison, without, plant, range, tuning, progress);
+      const std::optional<double> from = saidFrom(ground, plant, range, tuning, progress);
       seen.from = seen.from && from ? std::optional(std::max(*seen.from, *from)) : std::nullopt;
     }
     sight.push_back(seen);
   }
+  const LightingMatrix& lighting = comparison.context().lighting;
   if (lighting.shots == 2) sight.push_back({Cause::Colors, std::nullopt});
   return sight;
 }

@@ -11,16 +11,16 @@ namespace swaplight {
 
 class CauseComparison;
 
-/// From what size on some causes would not go unsaid in these photographs, of which nothing is said: what the
-/// cause explains is taken off what the matte model leaves of a sample (it may be what goes unsaid), and it
-/// is planted there, strong, and less and less of it, until nothing is named by the rules of misfitCauses().
-/// Planted is: Ambient, white light of the same strength everywhere behind the reflectance; Tone, an exponent
-/// below 1, and one above, of which that counts which takes more; Field, lamps that get redder and less blue
-/// across the picture or down it, in turns. Negative light, by which the rules know some curves and drifts,
-/// is that of the photographs as they are. A camera that moved seldom goes unsaid, and is left out. Wrong
-/// colours are named by negative light: two shots of two lights seldom have any, and they may go unsaid.
-/// Empty where misfitCauses() compares nothing, or names a cause; and with more than two lights, of which
-/// those that do not reach a pixel take up what is really there, so that more goes unsaid than is planted.
+/// From what size on some causes would not go unsaid in these photographs, of which nothing is said: the
+/// cause is planted in the values of a sample of pixels, strong, and less and less of it, and the matte model
+/// fitted to them again, until nothing is named by the rules of misfitCauses(). Lights that hardly reach a
+/// pixel take up of it what they would take up of what is really there. What the sample seems to have of the
+/// cause in that sense (more light, not less) is taken off first: it may be what goes unsaid. Planted is:
+/// Ambient, white light of the same strength everywhere behind the reflectance; Tone, an exponent below 1,
+/// and one above, of which that counts which takes more; Field, lamps that get redder and less blue across
+/// the picture or down it, in turns. A camera that moved seldom goes unsaid, and is left out. Wrong colours
+/// are named by negative light: two shots of two lights seldom have any, and they may go unsaid. Empty where
+/// misfitCauses() compares nothing, or names a cause.
 [[nodiscard]] std::vector<CauseSight> causeSight(const CauseComparison& comparison,
                                                  const CauseTuning& tuning = {},
                                                  const Progress& progress = {});

@@ -46,6 +46,7 @@ PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const 
   PixelMisfit pixel;
   for (int i = 0; i < lighting.lights; ++i) pixel.share.push_back(fit.share[i][p]);
   for (int c = 0; c < 3; ++c) pixel.reflectance[c] = fit.reflectance[c][p];
+  pixel.values.resize(values);
   pixel.predicted.resize(values);
   pixel.weight.resize(values);
   Eigen::VectorXd left(values);
@@ -60,9 +61,10 @@ PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const 
       const double expected = g * rho;
       const double w =
           1 / std::sqrt(double(context.noise.variance(float(expected))) + std::pow(modelError * expected, 2));
+      pixel.values[row] = double(in.signal[k][c][p]);
       pixel.predicted[row] = expected;
       pixel.weight[row] = w;
-      left[row] = w * (double(in.signal[k][c][p]) - expected);
+      left[row] = w * (pixel.values[row] - expected);
       own(row, c) = w * g;
       for (int i = 0; i < lighting.lights; ++i)
         if (pixel.share[size_t(i)] > kLeastShare) own(row, 3 + i) = w * double(lighting.color(k, i)[c]) * rho;
@@ -91,9 +93,8 @@ Eigen::MatrixXd freeDirections(const Eigen::MatrixXd& own) {
   return eigen.vectors.leftCols(count);
 }
 
-std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal, int count,
-                                      const CauseTuning& tuning) {
-  const PlacedPixels pixels = brightPixels(signal, context.lighting.shots, count, tuning);
+std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal,
+                                      const PlacedPixels& pixels, const CauseTuning& tuning) {
   const PixelRun& in = pixels.values.run();
   std::vector<PixelMisfit> sample;
   if (in.count == 0) return sample;
@@ -109,6 +110,11 @@ std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const Sho
     sample.push_back(std::move(pixel));
   }
   return sample;
+}
+
+std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal, int count,
+                                      const CauseTuning& tuning) {
+  return misfitSample(context, signal, brightPixels(signal, context.lighting.shots, count, tuning), tuning);
 }
 
 }  // namespace swaplight

@@ -15,6 +15,7 @@ namespace swaplight {
 /// of all shots and channels, [3 shot + channel].
 struct PixelMisfit {
   int x = 0, y = 0;            ///< in the picture
+  Eigen::VectorXd values;      ///< as they were photographed
   Eigen::VectorXd predicted;   ///< by the matte model
   Eigen::VectorXd weight;      ///< 1 / standard deviation expected
   std::vector<float> share;    ///< beta, [light]
@@ -47,7 +48,11 @@ struct PlacedPixels {
 [[nodiscard]] PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit,
                                    int p, double modelError);
 
-/// What the matte model leaves of about `count` pixels that are neither dark nor flagged, spread evenly over
+/// What the matte model leaves of pixels, less those of which it leaves nothing.
+[[nodiscard]] std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal,
+                                                    const PlacedPixels& pixels, const CauseTuning& tuning);
+
+/// What it leaves of about `count` pixels that are neither dark nor flagged, spread evenly over
 /// the set.
 [[nodiscard]] std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal,
                                                     int count, const CauseTuning& tuning);

@@ -28,6 +28,13 @@ class PackedRun {
       }
     m_run.count += int(indices.size());
   }
+  /// A pixel's values of all shots and channels, [3 shot + channel].
+  template <typename Values>
+  void add(const Values& values) {
+    for (int k = 0; k < m_shots; ++k)
+      for (int c = 0; c < 3; ++c) m_plane[k][c][m_run.count] = float(values[3 * k + c]);
+    ++m_run.count;
+  }
   [[nodiscard]] const PixelRun& run() const { return m_run; }
 
  private:

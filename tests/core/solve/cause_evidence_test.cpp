@@ -23,8 +23,8 @@ namespace {
 constexpr SensorNoise kSensor{.0005, 200000};
 constexpr int kWide = 192, kHigh = 144;
 
-/// A matte set that can be photographed from anywhere: blobs of colour, two lamps that fall off to either
-/// side, and their shadows.
+/// A matte set that can be photographed from anywhere: blobs of colour, lamps that fall off to either side
+/// and down, and their shadows.
 class MatteScene {
  public:
   MatteScene() {
@@ -44,9 +44,9 @@ class MatteScene {
     return .9 / (1 + std::exp(1.2 - log));
   }
   [[nodiscard]] static double lamp(int i, double x, double y) {
-    const double from = i == 0 ? x / kWide : 1 - x / kWide;
-    const double shadow = std::sin(.11 * x + (i == 0 ? .07 : -.05) * y);
-    return (1 - .75 * from) * (shadow > .75 ? .04 : 1);
+    const std::array from = {x / kWide, 1 - x / kWide, y / kHigh};
+    const double shadow = std::sin(.11 * x + std::array{.07, -.05, .17}.at(size_t(i)) * y);
+    return (1 - .75 * from.at(size_t(i))) * (shadow > .75 ? .04 : 1);
   }
 
  private:
@@ -62,19 +62,19 @@ struct Defect {
   std::function<double(double)> curve = [](double y) { return y; };  ///< on the light
 };
 
-Capture swappedCapture() {
-  Capture capture = rotatedCapture(2);
+Capture swappedCapture(int lights = 2) {
+  Capture capture = rotatedCapture(lights);
   capture.noise = kSensor;
   return capture;
 }
 
-CapturePixels photographed(const Defect& defect = {}) {
+CapturePixels photographed(const Defect& defect = {}, int lights = 2) {
   static const MatteScene scene;
-  const Capture capture = swappedCapture();
+  const Capture capture = swappedCapture(lights);
   std::mt19937 random(3);
   std::normal_distribution<double> gauss;
   CapturePixels pixels;
-  for (int k = 0; k < 2; ++k) {
+  for (int k = 0; k < lights; ++k) {
     Image image(ImageSpec::rgb(kWide, kHigh));
     for (int c = 0; c < 3; ++c)
       for (int v = 0; v < kHigh; ++v)
@@ -82,7 +82,7 @@ CapturePixels photographed(const Defect& defect = {}) {
           const double x = u - k * defect.shift;
           double light = defect.ambient * (1 + defect.uneven * (1 - 2.0 * v / kHigh));
           if (defect.uneven > 0) light *= 1 + .3 * (c - 1);
-          for (int i = 0; i < 2; ++i) {
+          for (int i = 0; i < lights; ++i) {
             const double drift = i == 0 && c == 0 ? defect.drift * (2.0 * u / kWide - 1) : 0;
             light += double((*capture.shots[size_t(k)].lightColors[size_t(i)])[c]) * (1 + drift) *
                      MatteScene::lamp(i, x, v);
@@ -275,14 +275,6 @@ TEST(CauseEvidence, KnowsWhatWouldGoUnseen) {
   EXPECT_FALSE(without.sight.empty());
   EXPECT_EQ(std::ranges::count(without.sight, Cause::Ambient, &CauseSight::cause), 0) << "was taken off";
 
-  // Of three lights those that do not reach a pixel would take up what is planted.
-  const Capture three = rotatedCapture(3);
-  CapturePixels lit = photographed();
-  lit.shots.push_back(lit.shots.front().clone());
-  lit.clipLevel.push_back(INFINITY);
-  lit.quantum.push_back(0);
-  EXPECT_TRUE(solvePhotographs(three, std::move(lit), {}, {}).report->causes.sight.empty());
-
   // In whatever units.
   CapturePixels dim = photographed();
   for (Image& shot : dim.shots)
@@ -299,6 +291,28 @@ TEST(CauseEvidence, KnowsWhatWouldGoUnseen) {
   EXPECT_EQ(unseenWords(read), unseenWords(clean));
   EXPECT_NE(unseenWords(clean).find("ambient light below"), std::string::npos) << unseenWords(clean);
   EXPECT_EQ(unseenWords({}), "");
+}
+
+// Each shadow lets the other lights take up some of what is planted, as of what is really there.
+TEST(CauseEvidence, KnowsWhatWouldGoUnseenOfThreeLights) {
+  const auto solved = [](double ambient) {
+    SolveOptions options;
+    options.align = options.correctTone = Remedy::Off;
+    return solvePhotographs(swappedCapture(3), photographed({.ambient = ambient}, 3), {}, options)
+        .report->causes;
+  };
+  const MisfitCauses clean = solved(0);
+  ASSERT_TRUE(clean.likely.empty()) << told(clean);
+  const std::optional<double> from = seenFrom(clean, Cause::Ambient);
+  ASSERT_TRUE(from) << told(clean);
+  EXPECT_TRUE(seenFrom(clean, Cause::Tone) && seenFrom(clean, Cause::Field)) << told(clean);
+  EXPECT_EQ(std::ranges::count(clean.sight, Cause::Colors, &CauseSight::cause), 0)
+      << "of three lights wrong ones show";
+  const MisfitCauses more = solved(1.3 * *from);
+  EXPECT_TRUE(more.is(Cause::Ambient)) << told(more);
+  const MisfitCauses less = solved(.3 * *from);
+  EXPECT_TRUE(less.likely.empty()) << told(less);
+  EXPECT_GE(seenFrom(less, Cause::Ambient).value_or(1), *from) << "what is in them unsaid shows no more";
 }
 
 // Light that the colours as told make negative, all over the picture, is no bounced light: something is
