@@ -12,6 +12,17 @@ Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
   return a.colPivHouseholderQr().solve(b);
 }
 
+Eigen::MatrixXd orthogonalComplement(const Eigen::MatrixXd& a) {
+  constexpr double kReached = 3e-5;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
+  qr.setThreshold(kReached);
+  const Eigen::Index rank = qr.rank();
+  Eigen::MatrixXd free = Eigen::MatrixXd::Zero(a.rows(), a.rows() - rank);
+  free.bottomRows(a.rows() - rank).setIdentity();
+  qr.householderQ().applyThisOnTheLeft(free);
+  return free;
+}
+
 Eigen::MatrixXd inverseOf(const Eigen::MatrixXd& a) {
   return a.inverse();
 }

@@ -13,6 +13,10 @@ namespace swaplight {
 /// x of the smallest |a x - b| (Householder QR, columns pivoted).
 [[nodiscard]] Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
+/// Orthonormal directions that no column of a reaches (Householder QR, columns pivoted). What a column has
+/// beyond the others counts where it is more than a 3e-5th of the longest one.
+[[nodiscard]] Eigen::MatrixXd orthogonalComplement(const Eigen::MatrixXd& a);
+
 /// Not finite where a is singular (LU, rows pivoted).
 [[nodiscard]] Eigen::MatrixXd inverseOf(const Eigen::MatrixXd& a);
 

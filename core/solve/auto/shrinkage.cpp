@@ -107,17 +107,19 @@ void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
   if (noise)
     for (size_t p = 0; p < index.size(); ++p) factor[p] = noise[index[p]];
   SWAPLIGHT_KERNEL(shrinkRun)(m_plan, sample.run(), matte.run(), nullptr, factor.data(), out);
+  std::vector<std::array<double, kScales>> likelihood(static_cast<size_t>(count));  // over the likeliest
+  for (int p = 0; p < count; ++p) {
+    float best = evidence[size_t(p)];
+    for (size_t j = 1; j < kScales; ++j) best = std::max(best, evidence[j * padded + size_t(p)]);
+    for (size_t j = 0; j < kScales; ++j)
+      likelihood[size_t(p)][j] = std::exp(double(evidence[j * padded + size_t(p)] - best));
+  }
   for (int round = 0; round < m_tuning.rounds; ++round) {
     std::array<double, kScales> responsibility{};
-    for (int p = 0; p < count; ++p) {
-      float best = evidence[size_t(p)];
-      for (size_t j = 1; j < kScales; ++j) best = std::max(best, evidence[j * padded + size_t(p)]);
+    for (const auto& ofPixel : likelihood) {
       std::array<double, kScales> weight;
       double sum = 0;
-      for (size_t j = 0; j < kScales; ++j) {
-        weight[j] = m_plan.prior.weight[j] * std::exp(double(evidence[j * padded + size_t(p)] - best));
-        sum += weight[j];
-      }
+      for (size_t j = 0; j < kScales; ++j) sum += weight[j] = double(m_plan.prior.weight[j]) * ofPixel[j];
       for (size_t j = 0; j < kScales; ++j) responsibility[j] += weight[j] / sum;
     }
     for (size_t j = 0; j < kScales; ++j)

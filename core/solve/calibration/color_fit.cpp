@@ -5,6 +5,7 @@
 
 #include "core/base/quantile.h"
 #include "core/linear/decompositions.h"
+#include "core/solve/calibration/color_equations.h"
 #include "core/solve/estimators/run_scratch.h"
 #include "core/solve/model/pixel_sample.h"
 
@@ -13,14 +14,6 @@ namespace {
 
 constexpr double kWork = 3e9;          // multiplications that a round may cost
 constexpr double kMedianOfMean = 0.7;  // the median of chi-square over its mean, for few degrees of freedom
-
-/// One pixel's weighted residual and how it depends on the colours, its own unknowns projected out.
-struct PixelEquation {
-  Eigen::VectorXd residual;
-  Eigen::MatrixXd slope;
-  double scale;  ///< what turns a weighted residual into one relative to the signal
-  double noise;  ///< the variance that noise explains, relative to the signal squared
-};
 
 /// A sample of bright, usable pixels.
 PackedRun brightSample(const ShotSignal& signal, int shots, size_t count, double share) {
@@ -39,66 +32,23 @@ PackedRun brightSample(const ShotSignal& signal, int shots, size_t count, double
   return bright;
 }
 
-/// `unknowns`: which unknown each entry's channel is, of `count`.
-PixelEquation equationOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit, int p,
-                         double baseUncertainty, const std::vector<int>& unknowns, int count) {
-  const LightingMatrix& lighting = context.lighting;
-  const int n = lighting.lights;
-  const int values = 3 * lighting.shots;
-  Eigen::VectorXd residual(values);
-  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(values, 3 + n);
-  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(values, count);
-  double power = 0;
-  double weights = 0;
-  double noise = 0;
-  for (int k = 0; k < lighting.shots; ++k)
-    for (int c = 0; c < 3; ++c) {
-      const int row = k * 3 + c;
-      const double rho = fit.reflectance[c][p];
-      double g = 0;
-      for (int i = 0; i < n; ++i) g += double(lighting.color(k, i)[c]) * fit.share[i][p];
-      const double variance = context.noise.variance(float(g * rho));
-      const double w = 1 / std::sqrt(variance + std::pow(baseUncertainty * g * rho, 2));
-      noise += variance;
-      residual[row] = w * (in.signal[k][c][p] - g * rho);
-      own(row, c) = w * g;
-      for (int i = 0; i < n; ++i) {
-        const double t = double(lighting.color(k, i)[c]) * fit.share[i][p] * rho;
-        if (fit.share[i][p] > 1e-4F) own(row, 3 + i) = w * double(lighting.color(k, i)[c]) * rho;
-        slope(row, unknowns[size_t(k * n + i) * 3 + size_t(c)]) += w * t;
-      }
-      power += g * rho * g * rho;
-      weights += w * w;
-    }
-  const Eigen::MatrixXd gram = own.transpose() * own;
-  const Eigen::MatrixXd inverse =
-      inverseOf(gram + (1e-9 * gram.trace() + 1e-30) * Eigen::MatrixXd::Identity(3 + n, 3 + n));
-  const Eigen::MatrixXd project = own * inverse * own.transpose();
-  PixelEquation equation;
-  equation.residual = residual - project * residual;
-  equation.slope = slope - project * slope;
-  equation.scale = 1 / std::sqrt(std::max(power / values, 1e-30) * weights / values);
-  equation.noise = noise / std::max(power, 1e-30);
-  return equation;
-}
-
-/// Which of the fit's unknowns each entry's channel is: what is one unknown colour shares them.
-std::vector<int> unknownsOf(int entries, const std::vector<UnknownColor>& colors) {
+/// What is one unknown colour shares its unknowns.
+ColorUnknowns unknownsOf(int entries, const std::vector<UnknownColor>& colors) {
   std::vector<int> first(size_t(entries), -1);
   for (const UnknownColor& color : colors)
     for (const int entry : color.entries) first[size_t(entry)] = color.entries.front();
-  std::vector<int> unknowns;
-  int next = 0;
+  ColorUnknowns unknowns;
   for (int entry = 0; entry < entries; ++entry)
     for (int c = 0; c < 3; ++c) {
       const int shared = first[size_t(entry)];
-      unknowns.push_back(shared >= 0 && shared != entry ? unknowns[size_t(shared * 3 + c)] : next++);
+      const bool known = shared >= 0 && shared != entry;
+      unknowns.of.push_back(known ? unknowns.of[size_t(shared * 3 + c)] : unknowns.count++);
     }
   return unknowns;
 }
 
 /// The standard error of each unknown colour's worst channel, by the normal equations.
-std::vector<double> errorsOf(const std::vector<UnknownColor>& colors, const std::vector<int>& unknowns,
+std::vector<double> errorsOf(const std::vector<UnknownColor>& colors, const ColorUnknowns& unknowns,
                              const Eigen::MatrixXd& normal) {
   std::vector<double> errors;
   if (colors.empty()) return errors;
@@ -106,7 +56,7 @@ std::vector<double> errorsOf(const std::vector<UnknownColor>& colors, const std:
   for (const UnknownColor& color : colors) {
     double worst = 0;
     for (int c = 0; c < 3; ++c) {
-      const int j = unknowns[size_t(color.entries.front() * 3 + c)];
+      const int j = unknowns.of[size_t(color.entries.front() * 3 + c)];
       worst = std::max(worst, std::sqrt(std::max(covariance(j, j), 0.0)));
     }
     errors.push_back(worst);
@@ -125,8 +75,8 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
   const int n = context.lighting.lights;
   const int values = 3 * context.lighting.shots;
   const int entries = context.lighting.shots * n;
-  const std::vector<int> unknown = unknownsOf(entries, options.unknown);
-  const int unknowns = 1 + *std::max_element(unknown.begin(), unknown.end());
+  const ColorUnknowns unknown = unknownsOf(entries, options.unknown);
+  const int unknowns = unknown.count;
   const double freedom = std::max(values - n - 2, 1);
   ColorFit result;
   result.lighting = context.lighting;
@@ -140,7 +90,7 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
   EstimatorContext current = context;
   std::vector<double> precision(size_t(unknowns), 1 / (options.priorSigma * options.priorSigma));
   for (const UnknownColor& color : options.unknown)
-    for (int c = 0; c < 3; ++c) precision[size_t(unknown[size_t(color.entries.front() * 3 + c)])] = 1;
+    for (int c = 0; c < 3; ++c) precision[size_t(unknown.of[size_t(color.entries.front() * 3 + c)])] = 1;
   Eigen::VectorXd factor = Eigen::VectorXd::Ones(unknowns);  // of the colours over the given ones
 
   for (int round = 0; round < options.rounds; ++round) {
@@ -148,21 +98,19 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
     const MatteFit matte(current);
     MatteScratch fit(n, in.count);
     matte.fit(in, fit.run());
-    std::vector<PixelEquation> equations;
-    equations.reserve(size_t(in.count));
-    for (int p = 0; p < in.count; ++p)
-      equations.push_back(equationOf(current, in, fit.run(), p, tuning.baseUncertainty, unknown, unknowns));
-    std::vector<double> robust(equations.size(), 1.0);
+    const ColorEquations equations(current, in, fit.run(), tuning.baseUncertainty, unknown);
+    const auto relative = [&](const std::vector<double>& squared) {
+      std::vector<double> errors;
+      for (int p = 0; p < equations.pixels(); ++p)
+        errors.push_back(squared[size_t(p)] * equations.scale(p) * equations.scale(p));
+      return errors;
+    };
+    std::vector<double> robust(size_t(equations.pixels()), 1.0);
     Eigen::VectorXd step = Eigen::VectorXd::Zero(unknowns);
-    std::vector<double> before, after, noise;
+    const std::vector<double> before = relative(equations.squaredLeft(step));
+    std::vector<double> left;
     for (int pass = 0; pass < tuning.robustRounds; ++pass) {
-      Eigen::MatrixXd h = Eigen::MatrixXd::Zero(unknowns, unknowns);
-      Eigen::VectorXd g = Eigen::VectorXd::Zero(unknowns);
-      for (size_t j = 0; j < equations.size(); ++j) {
-        h.selfadjointView<Eigen::Lower>().rankUpdate(equations[j].slope.transpose(), robust[j]);
-        g += robust[j] * (equations[j].slope.transpose() * equations[j].residual);
-      }
-      h = h.selfadjointView<Eigen::Lower>();
+      auto [h, g] = equations.sums(robust);
       for (int j = 0; j < unknowns; ++j) {
         h(j, j) += precision[size_t(j)] + 1e-9 * h.trace() / unknowns;
         g[j] -= precision[size_t(j)] * (factor[j] - 1);
@@ -170,27 +118,20 @@ ColorFit fitColors(const EstimatorContext& context, const ShotSignal& signal, co
       step = solveSymmetric(h, g);
       if (pass + 1 == tuning.robustRounds && round + 1 == options.rounds)
         result.unknownError = errorsOf(options.unknown, unknown, h);
-      before.clear(), after.clear();
-      std::vector<double> left;
-      for (const PixelEquation& e : equations) {
-        left.push_back((e.residual - e.slope * step).squaredNorm());
-        before.push_back(e.residual.squaredNorm() * e.scale * e.scale);
-        after.push_back(left.back() * e.scale * e.scale);
-      }
+      left = equations.squaredLeft(step);
       const double typical = std::max(medianOf(left) / kMedianOfMean, 1e-12);
       for (size_t j = 0; j < left.size(); ++j) robust[j] = 1 / std::pow(1 + left[j] / typical, 2);
     }
-    for (const PixelEquation& e : equations) noise.push_back(e.noise);
     if (round == 0) {
-      result.noise = std::sqrt(medianOf(noise));
+      result.noise = std::sqrt(medianOf(equations.noise()));
       result.disagreement = std::sqrt(medianOf(before) / (freedom * kMedianOfMean));
-      const double rest = medianOf(after) / (freedom * kMedianOfMean);
+      const double rest = medianOf(relative(left)) / (freedom * kMedianOfMean);
       result.systematic = std::sqrt(std::max(result.disagreement * result.disagreement - rest, 0.0));
     }
     for (int j = 0; j < unknowns; ++j) factor[j] *= std::clamp(1 + step[j], 0.5, 2.0);
     for (int j = 0; j < entries * 3; ++j)
       result.lighting.colors[size_t(j / 3)][j % 3] =
-          context.lighting.colors[size_t(j / 3)][j % 3] * float(factor[unknown[size_t(j)]]);
+          context.lighting.colors[size_t(j / 3)][j % 3] * float(factor[unknown.of[size_t(j)]]);
   }
   result.change = std::sqrt((factor.array() - 1).square().mean());
   return result;

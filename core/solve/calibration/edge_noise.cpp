@@ -1,6 +1,7 @@
 #include "core/solve/calibration/edge_noise.h"
 
 #include <algorithm>
+#include <array>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
@@ -59,8 +60,9 @@ float squaredEdgeShift(const ShotSignal& signal, const NoiseModel& noise, ImageV
                        const EdgeNoiseTuning& tuning) {
   const int width = misfit.width;
   const int height = misfit.height;
-  std::vector<std::pair<float, float>> sample;  // edge strength, misfit
-  for (int row = 0; row < kBlocks; ++row)
+  using Sample = std::vector<std::pair<float, float>>;  // edge strength, misfit
+  std::array<Sample, kBlocks> ofRow;
+  parallelEach(kBlocks, [&](int row) {
     for (int column = 0; column < kBlocks; ++column) {
       const cv::Rect area = cv::Rect(column * width / kBlocks, row * height / kBlocks, kBlock, kBlock) &
                             cv::Rect(0, 0, std::max(width * (column + 1) / kBlocks, 1),
@@ -71,9 +73,12 @@ float squaredEdgeShift(const ShotSignal& signal, const NoiseModel& noise, ImageV
         for (int x = 0; x < area.width; ++x) {
           const size_t p = size_t(area.y + y) * size_t(width) + size_t(area.x + x);
           if (signal.flagged(p, 1)) continue;
-          sample.emplace_back(strength.at<float>(y, x), misfit.row(0, area.y + y)[area.x + x]);
+          ofRow[size_t(row)].emplace_back(strength.at<float>(y, x), misfit.row(0, area.y + y)[area.x + x]);
         }
     }
+  });
+  Sample sample;
+  for (const Sample& some : ofRow) sample.insert(sample.end(), some.begin(), some.end());
   if (sample.size() < size_t(tuning.minSample)) return 0;
   // The flatter half first, the strongest tenth last, and the middle of that in its place.
   const size_t strong = sample.size() * 9 / 10;

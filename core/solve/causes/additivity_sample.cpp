@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear/decompositions.h"
+
 namespace swaplight {
 namespace {
 
@@ -88,7 +90,7 @@ AdditivitySample additivitySample(const CauseContext& context, const std::vector
   AdditivitySample sample;
   for (const bool ambient : {true, false}) {
     lamps = lampsOf(lighting, exposure, ambient);
-    evenly = freeDirections(ownOf(lamps, even));
+    evenly = orthogonalComplement(ownOf(lamps, even));
     sample.ambientProof = ambient && evenly.cols() > 0;
     if (evenly.cols() > 0) break;
   }
@@ -105,7 +107,7 @@ AdditivitySample additivitySample(const CauseContext& context, const std::vector
       seen[row] =
           lightIn(context.signal.pixels(), row, pixels.places[size_t(p)], exposure[size_t(row / 3)], tone);
     pixel.weight = weightsOf(context.estimator, nearestMade(seen, even, evenly), tuning.modelError);
-    pixel.directions = freeDirections(ownOf(lamps, pixel.weight));
+    pixel.directions = orthogonalComplement(ownOf(lamps, pixel.weight));
     pixel.predicted = nearestMade(seen, pixel.weight, pixel.directions);
     pixel.residual = pixel.directions.transpose() * seen.cwiseProduct(pixel.weight);
     if (!pixel.residual.allFinite() || pixel.residual.size() == 0) continue;

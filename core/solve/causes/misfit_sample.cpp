@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/base/quantile.h"
 #include "core/linear/decompositions.h"
 #include "core/solve/estimators/run_scratch.h"
@@ -11,7 +12,7 @@
 namespace swaplight {
 namespace {
 
-constexpr double kSeen = 1e-9;        // of the largest eigenvalue: a direction that an unknown takes up
+constexpr int kTogether = 64;         // pixels of a thread
 constexpr float kLeastShare = 1e-4F;  // of a light that is not held at zero
 
 float brightnessOf(const PixelRun& in, int shots, int p) {
@@ -69,7 +70,7 @@ PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const 
       for (int i = 0; i < lighting.lights; ++i)
         if (pixel.share[size_t(i)] > kLeastShare) own(row, 3 + i) = w * double(lighting.color(k, i)[c]) * rho;
     }
-  pixel.directions = freeDirections(own);
+  pixel.directions = orthogonalComplement(own);
   pixel.residual = pixel.directions.transpose() * left;
   return pixel;
 }
@@ -84,31 +85,24 @@ PlacedPixels brightPixels(const ShotSignal& signal, int shots, int count, const 
   return pixels;
 }
 
-/// Those of small eigenvalues of J J'.
-Eigen::MatrixXd freeDirections(const Eigen::MatrixXd& own) {
-  const SymmetricEigen eigen = symmetricEigen(own * own.transpose());
-  const double largest = eigen.values[eigen.values.size() - 1];
-  Eigen::Index count = 0;
-  while (count < eigen.values.size() && eigen.values[count] <= kSeen * largest) ++count;
-  return eigen.vectors.leftCols(count);
-}
-
 std::vector<PixelMisfit> misfitSample(const EstimatorContext& context, const ShotSignal& signal,
                                       const PlacedPixels& pixels, const CauseTuning& tuning) {
   const PixelRun& in = pixels.values.run();
-  std::vector<PixelMisfit> sample;
-  if (in.count == 0) return sample;
+  if (in.count == 0) return {};
   MatteScratch fit(context.lighting.lights, in.count);
   MatteFit(context).fit(in, fit.run());
   const size_t width = size_t(signal.pixels().width());
-  for (int p = 0; p < in.count; ++p) {
-    PixelMisfit pixel = misfitOf(context, in, fit.run(), p, tuning.modelError);
-    if (!pixel.residual.allFinite() || pixel.residual.size() == 0) continue;
-    const size_t place = pixels.places[size_t(p)];
-    pixel.x = int(place % width);
-    pixel.y = int(place / width);
-    sample.push_back(std::move(pixel));
-  }
+  std::vector<PixelMisfit> sample(size_t(in.count));
+  parallelRows(in.count, kTogether, [&](int begin, int end) {
+    for (int p = begin; p < end; ++p) {
+      PixelMisfit& pixel = sample[size_t(p)] = misfitOf(context, in, fit.run(), p, tuning.modelError);
+      pixel.x = int(pixels.places[size_t(p)] % width);
+      pixel.y = int(pixels.places[size_t(p)] / width);
+    }
+  });
+  std::erase_if(sample, [](const PixelMisfit& pixel) {
+    return !pixel.residual.allFinite() || pixel.residual.size() == 0;
+  });
   return sample;
 }
 

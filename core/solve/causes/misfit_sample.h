@@ -39,10 +39,6 @@ struct PlacedPixels {
 [[nodiscard]] PlacedPixels brightPixels(const ShotSignal& signal, int shots, int count,
                                         const CauseTuning& tuning);
 
-/// The directions of values that no unknown of a pixel's own can explain, orthonormal; `own`: what each of
-/// them does to the values.
-[[nodiscard]] Eigen::MatrixXd freeDirections(const Eigen::MatrixXd& own);
-
 /// What the matte model leaves of pixel `p` of a run that was fitted. `modelError`: CauseTuning's. The place
 /// is for the caller to say.
 [[nodiscard]] PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit,
