@@ -7,6 +7,7 @@
 
 #include "app/program/number_range.h"
 #include "core/base/error.h"
+#include "core/filter/filter_names.h"
 
 namespace swaplight {
 namespace {
@@ -110,7 +111,7 @@ std::shared_ptr<CameraLook> CameraLookArguments::look(const std::optional<Sessio
 std::vector<fs::path> CameraLookArguments::inputs(const CameraLook* look) const {
   std::vector<fs::path> files;
   if (look) files = look->files();
-  if (m_request.look.ends_with(".swaplook")) files.emplace_back(m_request.look);
+  if (isLookFile(m_request.look)) files.emplace_back(m_request.look);
   return files;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/filter/favourite_looks.h"
+#include "core/filter/filter_names.h"
 #include "core/filter/kept_filter.h"
 
 namespace swaplight {
@@ -25,7 +26,7 @@ int starLooks(const LookArguments& arguments, Terminal& terminal) {
   const bool star = arguments.action == "star";
   std::vector<std::string> names = readFavouriteLooks(favouriteLooksFile());
   for (const std::string& name : arguments.names) {
-    if (name.ends_with(".swaplook"))
+    if (isLookFile(name))
       throw InputError("look {}: {}: a favourite is a look of the library; put the file into {}",
                        arguments.action, name, installedLookFolders().front().string());
     if (!star && !isFavourite(names, name)) throw InputError("look unstar: {} is no favourite", name);

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/filter/filter_file.h"
+#include "core/filter/filter_names.h"
 #include "render/filter/filter_check.h"
 #include "render/gl/egl_context.h"
 
@@ -24,7 +25,7 @@ std::vector<fs::path> filesOf(const std::vector<std::string>& names) {
       continue;
     }
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(name))
-      if (entry.path().extension() == ".fs") files.push_back(entry.path());
+      if (isFilterFile(entry.path())) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;

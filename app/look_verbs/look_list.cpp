@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/filter/favourite_looks.h"
+#include "core/filter/filter_names.h"
 #include "core/filter/filter_pipeline.h"
 
 namespace swaplight {
@@ -148,7 +149,7 @@ int showFilter(const LookArguments& arguments, Terminal& terminal) {
   if (arguments.names.size() != 1)
     throw InputError("look show: name one filter, one camera look, or a .swaplook file");
   const std::string& name = arguments.names[0];
-  if (name.ends_with(".swaplook")) return showLook(readPipeline(name), name, terminal);
+  if (isLookFile(name)) return showLook(readPipeline(name), name, terminal);
   const FilterLibrary library = installedFilters();
   if (const std::optional<FilterPipeline> look = lookNamed(name, library))
     return showLook(*look, look->name, terminal);

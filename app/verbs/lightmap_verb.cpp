@@ -74,13 +74,17 @@ void check(const ColorConfig& config, const LightmapCommand& arguments, const Fr
 
 /// Layers where the format has any, a picture otherwise.
 void write(const ColorConfig& config, const LightmapCommand& arguments, const SolvedSet& grey, const Rig& rig,
-           FrameOptions output, const std::filesystem::path& source, const Progress& progress) {
+           FrameOptions output, const std::filesystem::path& source, Terminal& terminal,
+           const Progress& progress) {
   const auto text = provenanceOf(grey, rig, source);
   if (lowerExtension(arguments.file) == ".exr" && output.display == DisplayChoice{}) {
     LayerOptions layers;
     layers.text = text;
     if (output.write.pixelType == "float") layers.pictures = PixelType::Float;
-    exportLayers(config, grey, rig, arguments.file, layers, progress);
+    const PixelType type = exportLayers(config, grey, rig, arguments.file, layers, progress);
+    if (output.write.pixelType == "half" && type != PixelType::Half)
+      sayWarnings({"--type half: light is brighter than half can hold: the layers are 32-bit float"},
+                  terminal);
     return;
   }
   if (isSceneLinear(arguments.file)) output.write.text = text;
@@ -107,7 +111,7 @@ int run(const LightmapCommand& arguments, Terminal& terminal) {
     terminal.say("warning: {}: with one light only, texture of one hue cannot be told from light",
                  source.string());
   const SolvedSet grey = setOf(greySet(set, arguments.illumination, progress.part(0.6F, 0.9F)), lights);
-  write(*config, arguments, grey, rigOf(rig, grey.capture), output, source, progress.part(0.9F, 1));
+  write(*config, arguments, grey, rigOf(rig, grey.capture), output, source, terminal, progress.part(0.9F, 1));
 
   Json names = Json::array();
   for (const Light& light : grey.capture.lights) names.push_back(light.name);

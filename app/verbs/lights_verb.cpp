@@ -69,6 +69,14 @@ std::string textOf(const LampReading& reading, const Json& json) {
   return text;
 }
 
+/// The names of the lamps that the photograph does not tell.
+std::string unknownIn(const Json& lamps) {
+  std::vector<std::string> names;
+  for (const auto& [name, lamp] : lamps.items())
+    if (!lamp["known"].get<bool>()) names.push_back(name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 int run(const LightsCommand& arguments, Terminal& terminal) {
   const std::vector<std::filesystem::path> inputs{arguments.source, arguments.photograph};
   if (!arguments.rig.empty()) checkOutput(arguments.rig, inputs);
@@ -98,11 +106,8 @@ int run(const LightsCommand& arguments, Terminal& terminal) {
   Json json{{"source", arguments.source}, {"photograph", arguments.photograph}};
   json.update(jsonFromReading(*config, set, reading));
   if (!arguments.rig.empty()) {
-    for (const auto& [name, lamp] : json["lights"].items())
-      if (!lamp["known"].get<bool>())
-        sayWarnings(
-            {"the photograph does not tell the colour of " + name + ": the rig leaves it on and white"},
-            terminal);
+    if (const std::string unknown = unknownIn(json["lights"]); !unknown.empty())
+      terminal.say("warning: the rig leaves {} on and white", unknown);
     writeJson(json["rig"], arguments.rig);
     terminal.say("wrote {}", arguments.rig);
   }

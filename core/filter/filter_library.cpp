@@ -10,6 +10,7 @@
 #include "core/base/json.h"
 #include "core/file/user_folders.h"
 #include "core/filter/filter_file.h"
+#include "core/filter/filter_names.h"
 
 namespace swaplight {
 namespace {
@@ -22,7 +23,7 @@ std::vector<fs::path> filesIn(const fs::path& folder, const char* extension) {
   std::error_code error;
   for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end;
        !error && at != end; at.increment(error))
-    if (at->path().extension() == extension) files.push_back(at->path());
+    if (lowerExtension(at->path()) == extension) files.push_back(at->path());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -61,7 +62,7 @@ std::string filterKey(const std::string& name) {
 std::vector<FilterPipeline> pipelinesIn(std::span<const fs::path> folders) {
   std::vector<FilterPipeline> pipelines;
   for (const fs::path& folder : folders)
-    for (const fs::path& file : filesIn(folder, ".swaplook")) try {
+    for (const fs::path& file : filesIn(folder, kLookEnding)) try {
         pipelines.push_back(readPipeline(file));
       } catch (const InputError&) {  // said where it is asked for by its file
         continue;
@@ -70,7 +71,7 @@ std::vector<FilterPipeline> pipelinesIn(std::span<const fs::path> folders) {
 }
 
 FilterPipeline findPipeline(const std::string& name, std::span<const fs::path> folders) {
-  if (name.ends_with(".swaplook")) return readPipeline(name);
+  if (isLookFile(name)) return readPipeline(name);
   std::string names;
   for (FilterPipeline& pipeline : pipelinesIn(folders)) {
     if (filterKey(pipeline.name) == filterKey(name)) return std::move(pipeline);
@@ -86,7 +87,7 @@ std::vector<FilterFolder> personalFilterFolders() {
 FilterLibrary::FilterLibrary(std::span<const FilterFolder> folders) {
   std::set<std::string> seen;
   for (const FilterFolder& folder : folders)
-    for (const fs::path& file : filesIn(folder.path, ".fs")) try {
+    for (const fs::path& file : filesIn(folder.path, kFilterEnding)) try {
         Filter filter = readFilter(file);
         filter.builtIn = folder.builtIn;
         if (seen.insert(filterKey(filter.name)).second)
@@ -99,7 +100,7 @@ FilterLibrary::FilterLibrary(std::span<const FilterFolder> folders) {
 }
 
 std::shared_ptr<const Filter> FilterLibrary::find(const std::string& name, const fs::path& folder) const {
-  if (name.size() > 3 && name.ends_with(".fs")) {
+  if (isFilterFile(name)) {
     const fs::path file = folder / name;  // an absolute name is one without the folder
     const auto loaded = m_loaded.find(file);
     return loaded != m_loaded.end() ? loaded->second.filter
@@ -175,7 +176,7 @@ FilterPipeline standalone(FilterPipeline pipeline, const FilterLibrary& library)
   const fs::path folder = pipeline.folder.empty() ? fs::current_path() : fs::absolute(pipeline.folder);
   for (FilterStage& stage : pipeline.stages) try {
       const ResolvedStage resolved = resolveStage(library, stage, folder, pipeline.name);
-      if (stage.filter.ends_with(".fs")) stage.filter = resolved.filter->file.string();
+      if (isFilterFile(stage.filter)) stage.filter = resolved.filter->file.string();
       for (size_t i = 0; i < resolved.values.size(); ++i)
         if (const auto given = stage.parameters.find(resolved.filter->inputs[i].name);
             given != stage.parameters.end())

@@ -264,6 +264,9 @@ class IdleOptionTest(cli.CliTest):
         layers = ('export', self.solved, '--light', 'key=+30st', '-o', self.path('layers.exr'))
         self.assertIn('--type half', self.succeed(*layers, '--type', 'half').stderr)
         self.assertNotIn('--type', self.succeed(*layers).stderr)
+        lightmap = ('lightmap', self.solved, '--light', 'key=+30st', '-o', self.path('map.exr'))
+        self.assertIn('--type half', self.succeed(*lightmap, '--type', 'half').stderr)
+        self.assertNotIn('--type', self.succeed(*lightmap).stderr)
 
     def test_layers_of_a_look(self):
         for option in (('--beta',), ('--type', 'half'), ('--color-space', 'acescg')):

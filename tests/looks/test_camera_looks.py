@@ -59,6 +59,11 @@ class Library(CameraLookTest):
         self.assertGreaterEqual(result['fine'], 60)
         self.assertEqual(result['broken'], 0)
 
+    def test_endings_in_capitals(self):
+        self.write('data/swaplight/filters/SOFTER.FS', SOFT)
+        self.assertTrue(self.succeed_json('look', 'show', 'softer')['file'].endswith('SOFTER.FS'))
+        self.assertTrue(self.succeed_json('look', 'show', self.write('MINE.FS', SOFT))['file'].endswith('MINE.FS'))
+
     def test_a_persons_own_filter_is_found_and_hides_one_of_its_name(self):
         self.write('data/swaplight/filters/Exposure.fs', SOFT)
         self.assertEqual(self.succeed_json('look', 'show', 'exposure')['file'],

@@ -1,4 +1,5 @@
 #include "ui/camera/camera_look_edit.h"
+#include "core/filter/filter_names.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -36,7 +37,7 @@ std::string nameAt(const DocumentEditor& editor, size_t index) {
 }  // namespace
 
 std::string stageName(const FilterStage& stage) {
-  return stage.filter.ends_with(".fs") ? std::filesystem::path(stage.filter).stem().string() : stage.filter;
+  return isFilterFile(stage.filter) ? std::filesystem::path(stage.filter).stem().string() : stage.filter;
 }
 
 size_t addFilter(DocumentEditor& editor, const std::string& filter, std::optional<size_t> at) {

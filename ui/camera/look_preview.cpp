@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/filter/filter_names.h"
 #include "render/filter/filter_engine.h"
 #include "render/filter/pipeline_memory.h"
 #include "ui/camera/lit_frame.h"
@@ -160,7 +161,7 @@ LookPreview::Drawing LookPreview::drawingOf(Place& place, float scale) {
   for (const FilterStage& stage : request.look.stages) {
     if (!stage.on) continue;
     try {
-      if (stage.filter.ends_with(".fs")) library().load(request.look.folder / stage.filter);
+      if (isFilterFile(stage.filter)) library().load(request.look.folder / stage.filter);
       drawing.stages.push_back(resolveStage(library(), stage, request.look.folder, request.look.name));
     } catch (const InputError& error) {
       drawing.leftOut.emplace_back(error.what());

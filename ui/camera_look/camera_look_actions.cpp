@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/file/user_folders.h"
+#include "core/filter/filter_names.h"
 #include "ui/camera/camera_look_edit.h"
 #include "ui/camera_look/filter_list.h"
 
@@ -9,8 +10,6 @@ namespace swaplight {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kLookEnding = ".swaplook";
 
 /// Where a look is listed by its name.
 fs::path ownLooks() {
@@ -45,8 +44,8 @@ void loadCameraLook(ViewerContext& studio, const fs::path& file) {
 }
 
 bool takeDroppedLook(ViewerContext& studio, const fs::path& file) {
-  const bool filter = file.extension() == ".fs";
-  if (!studio.set() || (!filter && file.extension() != kLookEnding)) return false;
+  const bool filter = isFilterFile(file);
+  if (!studio.set() || (!filter && !isLookFile(file))) return false;
   if (!filter) {
     loadCameraLook(studio, file);
     return true;

@@ -27,7 +27,7 @@ cv::Mat weighedVisibility(const cv::Mat& measured, const cv::Mat& told, const Li
   if (odds.umbra.empty()) return measured;
   const cv::Size full = measured.size();
   const cv::Mat umbra = odds.umbra > tuning.umbraOdds;
-  const cv::Mat lit = odds.lit > tuning.litOdds & ~umbra;
+  const cv::Mat lit = (odds.lit > tuning.litOdds) & ~umbra;
   const cv::Mat seen = grown(odds.visible, full);
   const cv::Mat well = told.mul(told).mul(told);  // half told is hardly better than the odds
   const cv::Mat partly = seen + well.mul(measured - seen);
