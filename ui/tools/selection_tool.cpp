@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/edit/mask/drag_shape.h"
 #include "core/edit/mask/mask_outline.h"
 #include "ui/control/light_edit.h"
 #include "ui/kit/over_picture.h"
@@ -16,7 +17,6 @@ namespace swaplight {
 namespace {
 
 using Kind = SelectionState::Kind;
-using Point = std::array<float, 2>;
 
 constexpr float kLeastLassoStep = 1.5F;  // pixels of the screen between two points of a lasso
 constexpr float kLeastLassoWidth = 3;    // pixels of the screen: less is a line, not an area
@@ -36,14 +36,10 @@ SelectHow howFromKeys() {
 /// What the points of a gesture enclose.
 MaskShape drawnShape(Kind kind, const std::vector<Point>& points) {
   if (kind == Kind::Lasso) return {PolygonShape{points, 0}, false};
-  const Point& a = points.front();
-  const Point& b = points.back();
-  const float x = std::min(a[0], b[0]), y = std::min(a[1], b[1]);
-  const float width = std::abs(a[0] - b[0]), height = std::abs(a[1] - b[1]);
-  if (kind == Kind::Rectangle) return {RectangleShape{x, y, width, height, 0}, false};
-  return {
-      EllipseShape{x + width / 2, y + height / 2, std::max(width / 2, 0.5F), std::max(height / 2, 0.5F), 0},
-      false};
+  Stencil stencil;
+  stencil.shape = kind == Kind::Rectangle ? "rectangle" : "ellipse";
+  stencil.feather = 0;
+  return draggedShape(stencil, points.front(), points.back(), false);
 }
 
 /// The shape that a click selects.
@@ -80,24 +76,6 @@ void click(EditingContext& studio, const Point& at, SelectHow how) {
   }
 }
 
-/// How far a line's points lie off the straight one from its first point to the one farthest from it, on both
-/// sides together, in the line's units.
-float widthOf(const std::vector<Point>& line) {
-  const Point& first = line.front();
-  const auto distance = [&](const Point& p) { return std::hypot(p[0] - first[0], p[1] - first[1]); };
-  const Point& far = *std::max_element(
-      line.begin(), line.end(), [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
-  if (!(distance(far) > 0)) return 0;
-  float left = 0, right = 0;
-  for (const Point& p : line) {
-    const float off =
-        ((far[0] - first[0]) * (p[1] - first[1]) - (far[1] - first[1]) * (p[0] - first[0])) / distance(far);
-    left = std::max(left, off);
-    right = std::max(right, -off);
-  }
-  return left + right;
-}
-
 void finish(EditingContext& studio, const ViewWindow& window) {
   SelectionState& state = studio.editing.selection;
   const SelectionState::Going going = *std::exchange(state.going, std::nullopt);
@@ -107,7 +85,7 @@ void finish(EditingContext& studio, const ViewWindow& window) {
     far = std::max({far, std::abs(p[0] - first[0]), std::abs(p[1] - first[1])});
   const auto zoom = static_cast<float>(window.zoom);
   const bool drawn = far * zoom >= kLeastSelection;
-  if (drawn && state.kind == Kind::Lasso && widthOf(going.points) * zoom < kLeastLassoWidth)
+  if (drawn && state.kind == Kind::Lasso && PolygonShape{going.points, 0}.breadth() * zoom < kLeastLassoWidth)
     studio.messages.info("This lasso encloses nothing. Draw around what is to be selected.");
   else if (drawn)
     addPart(studio, drawnShape(state.kind, going.points), going.how);

@@ -18,6 +18,9 @@ struct PolygonShape {
                       plainField("points", &PolygonShape::points)};
   }
   [[nodiscard]] MaskRaster draw(int width, int height) const;
+  /// How far the points lie off the straight line from the first to the one farthest from it, on both sides
+  /// together, pixels: a line that goes there and back encloses nothing. 0 without points.
+  [[nodiscard]] float breadth() const;
 };
 
 }  // namespace swaplight

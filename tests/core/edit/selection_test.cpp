@@ -201,5 +201,14 @@ TEST(DragShape, EveryKindIsItsOwn) {
   }
 }
 
+TEST(Lasso, KnowsWhetherItEnclosesAnything) {
+  const auto breadth = [](const PointList& points) { return PolygonShape{points, 0}.breadth(); };
+  EXPECT_EQ(breadth({}), 0);
+  EXPECT_EQ(breadth({{3, 4}}), 0);
+  EXPECT_EQ(breadth({{1, 1}, {5, 5}, {9, 9}, {1, 1}}), 0) << "there and back";
+  EXPECT_FLOAT_EQ(breadth({{0, 0}, {10, 0}, {20, 0}, {10, 4}}), 4);
+  EXPECT_FLOAT_EQ(breadth({{0, 0}, {10, -3}, {20, 0}, {10, 4}}), 7) << "both sides";
+}
+
 }  // namespace
 }  // namespace swaplight
