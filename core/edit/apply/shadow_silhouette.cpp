@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/edit/pool/shrunk_plane.h"
+#include "core/edit/pool/small_light.h"
 
 namespace swaplight {
 namespace {

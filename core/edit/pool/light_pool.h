@@ -11,13 +11,16 @@
 
 namespace swaplight {
 
+/// Light that has bounced out of a cone, over the cone's own, at most.
+inline constexpr double kMostBounce = 0.2;
+
 /// A light on a set, measured from the contributions alone: where its lamp seems to be, the edge of its cone,
 /// and what it would give where it does not reach.
 struct LightPool {
   LampModel lamp;
   double width = 1;  ///< of what it lights, widths of the picture
   std::optional<LightCone> cone;
-  /// What of the light is found outside the cone, over what the cone would give there: 0..0.2.
+  /// What of the light is found outside the cone, over what the cone would give there: 0..kMostBounce.
   double bounce = 0;
   /// The light's ratio to all other lights, a channel a picture, small (32-bit float): known where the light
   /// shines, smoothly continued beyond. Times the other lights it is the light on surfaces that it never

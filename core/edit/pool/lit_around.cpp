@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/parallel.h"
-#include "core/edit/pool/shrunk_plane.h"
+#include "core/edit/pool/small_light.h"
 
 namespace swaplight {
 namespace {
