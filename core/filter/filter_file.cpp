@@ -329,7 +329,7 @@ Filter filterFromText(const std::string& text, const fs::path& file) {
 Filter readFilter(const fs::path& file) {
   Filter filter = filterFromText(readFile(file, kLargestFilter), file);
   std::error_code ignored;
-  for (const char* extension : {".vs", ".vert"}) {
+  for (const char* extension : {".vs", ".VS", ".vert", ".VERT"}) {
     fs::path vertex = file;
     vertex.replace_extension(extension);
     if (fs::is_regular_file(vertex, ignored)) filter.vertexSource = readFile(vertex, kLargestFilter);

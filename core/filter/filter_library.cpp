@@ -110,7 +110,7 @@ std::shared_ptr<const Filter> FilterLibrary::find(const std::string& name, const
   for (const auto& filter : m_filters)
     if (filterKey(filter->name) == key) return filter;
   for (const std::string& problem : m_problems)  // "folder/name.fs: ..." or "folder/name.fs:3: ..."
-    if (filterKey(fs::path(problem.substr(0, problem.find(".fs:"))).filename().string()) == key)
+    if (filterKey(fs::path(problem.substr(0, lowerCase(problem).find(".fs:"))).filename().string()) == key)
       throw InputError("{}", problem);
   throw InputError("there is no filter \"{}\"{}; swaplight look list shows all", name, namesLike(name));
 }

@@ -25,8 +25,8 @@ struct FilterFolder {
 /// All filters of some folders, by name. A value; copies share the filters.
 class FilterLibrary {
  public:
-  /// Reads every .fs file. Of two filters of one name the first folder's counts. Folders that are missing are
-  /// passed over; a broken file is skipped and its error kept in problems().
+  /// Reads every file that ends in .fs (or .FS). Of two filters of one name the first folder's counts.
+  /// Folders that are missing are passed over; a broken file is skipped and its error kept in problems().
   explicit FilterLibrary(std::span<const FilterFolder> folders);
 
   [[nodiscard]] const std::vector<std::shared_ptr<const Filter>>& filters() const { return m_filters; }

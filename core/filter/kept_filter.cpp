@@ -6,6 +6,8 @@
 #include "core/file/atomic_file.h"
 #include "core/filter/filter_file.h"
 #include "core/filter/filter_header.h"
+#include "core/filter/filter_library.h"
+#include "core/filter/filter_names.h"
 
 namespace swaplight {
 namespace {
@@ -23,10 +25,17 @@ void setDefaults(Json& inputs, const ResolvedStage& stage) {
   }
 }
 
+bool isTaken(const std::string& name, const fs::path& folder) {
+  std::error_code missing;
+  for (fs::directory_iterator at(folder, missing), end; !missing && at != end; at.increment(missing))
+    if (isFilterFile(at->path()) && filterKey(at->path().stem().string()) == filterKey(name)) return true;
+  return false;
+}
+
 std::string freeName(const std::string& filter, const fs::path& folder) {
   const std::string first = filter.starts_with("my-") ? filter : "my-" + filter;
   std::string name = first;
-  for (int i = 2; fs::exists(folder / (name + ".fs")); ++i) name = fmt::format("{}-{}", first, i);
+  for (int i = 2; isTaken(name, folder); ++i) name = fmt::format("{}-{}", first, i);
   return name;
 }
 
@@ -49,8 +58,8 @@ fs::path keepFilter(const ResolvedStage& stage, const fs::path& folder, const st
     setDefaults((*own)["INPUTS"], stage);
   std::error_code error;
   fs::create_directories(folder, error);  // writing says what is wrong
-  const fs::path file = folder / (name + ".fs");
-  if (fs::exists(file))
+  const fs::path file = folder / (name + kFilterEnding);
+  if (isTaken(name, folder))
     throw InputError("{}: there is a filter of this name already; take another one, or delete it",
                      file.string());
   if (!filter.vertexSource.empty()) writeFile(folder / (name + ".vs"), filter.vertexSource);

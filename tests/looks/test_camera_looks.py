@@ -63,6 +63,10 @@ class Library(CameraLookTest):
         self.write('data/swaplight/filters/SOFTER.FS', SOFT)
         self.assertTrue(self.succeed_json('look', 'show', 'softer')['file'].endswith('SOFTER.FS'))
         self.assertTrue(self.succeed_json('look', 'show', self.write('MINE.FS', SOFT))['file'].endswith('MINE.FS'))
+        self.write('data/swaplight/filters/MY-SEPIA.FS', SOFT)
+        self.assertEqual(self.succeed_json('look', 'keep', 'sepia,amount=0.9')['filter'], 'my-sepia-2')
+        broken = self.write('data/swaplight/filters/TORN.FS', 'no header')
+        self.deny('look', 'show', 'torn', naming=broken)
 
     def test_a_persons_own_filter_is_found_and_hides_one_of_its_name(self):
         self.write('data/swaplight/filters/Exposure.fs', SOFT)

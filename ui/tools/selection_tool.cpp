@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "core/edit/mask/drag_shape.h"
 #include "core/edit/mask/mask_outline.h"
 #include "ui/control/light_edit.h"
 #include "ui/kit/over_picture.h"
@@ -21,6 +20,7 @@ using Kind = SelectionState::Kind;
 constexpr float kLeastLassoStep = 1.5F;  // pixels of the screen between two points of a lasso
 constexpr float kLeastLassoWidth = 3;    // pixels of the screen: less is a line, not an area
 constexpr float kLeastSelection = 3;     // pixels of the screen: less is a click
+constexpr float kLeastEllipse = 0.5F;    // of an ellipse, pixels of the picture
 constexpr float kDash = 5;               // pixels of the screen at scale 1
 constexpr int kMarchSteps = 6;           // until a dash is where the next of its colour was
 constexpr size_t kMostPoints = 30000;    // of an outline: more is noise
@@ -36,10 +36,18 @@ SelectHow howFromKeys() {
 /// What the points of a gesture enclose.
 MaskShape drawnShape(Kind kind, const std::vector<Point>& points) {
   if (kind == Kind::Lasso) return {PolygonShape{points, 0}, false};
-  Stencil stencil;
-  stencil.shape = kind == Kind::Rectangle ? "rectangle" : "ellipse";
-  stencil.feather = 0;
-  return draggedShape(stencil, points.front(), points.back(), false);
+  const Point &a = points.front(), &b = points.back();
+  const ShapeBox box{std::min(a[0], b[0]), std::min(a[1], b[1]), std::max(a[0], b[0]), std::max(a[1], b[1])};
+  if (kind == Kind::Rectangle) {
+    RectangleShape rectangle;
+    rectangle.fit(box);
+    return {rectangle, false};
+  }
+  EllipseShape ellipse;
+  ellipse.fit(box);
+  ellipse.radiusX = std::max(ellipse.radiusX, kLeastEllipse);
+  ellipse.radiusY = std::max(ellipse.radiusY, kLeastEllipse);
+  return {ellipse, false};
 }
 
 /// The shape that a click selects.

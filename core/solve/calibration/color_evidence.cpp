@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/base/quantile.h"
@@ -97,6 +98,7 @@ double logLikelihood(const ColorEvidenceTuning& tuning, const std::vector<Lowest
 
 std::optional<float> colorUncertaintyByEvidence(const EstimatorContext& context, const ShotSignal& signal,
                                                 float visible, const ColorEvidenceTuning& tuning) {
+  if (context.lighting.shots < context.lighting.lights) return std::nullopt;
   return colorUncertaintyByEvidence(context, blockMeans(signal, context.lighting.shots, tuning.blocks),
                                     visible, tuning);
 }

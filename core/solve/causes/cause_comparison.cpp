@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/solve/calibration/calibration_tuning.h"
@@ -80,11 +81,22 @@ std::optional<CauseComparison> CauseComparison::of(const EstimatorContext& conte
                                                    const CauseTuning& tuning) {
   const int count = causeSampleSize(context, tuning);
   if (count == 0) return std::nullopt;
-  std::vector<PixelMisfit> sample = misfitSample(context, signal, count, tuning);
+  return of(context, signal, misfitSample(context, signal, count, tuning),
+            blockMeans(signal, context.lighting.shots, ColorEvidenceTuning{}.blocks), tuning);
+}
+
+std::optional<CauseComparison> CauseComparison::with(const PlacedPixels& pixels,
+                                                     std::vector<BlockMean> blocks,
+                                                     const CauseTuning& tuning) const {
+  return of(*m_context, *m_signal, misfitSample(*m_context, *m_signal, pixels, tuning), std::move(blocks),
+            tuning);
+}
+
+std::optional<CauseComparison> CauseComparison::of(const EstimatorContext& context, const ShotSignal& signal,
+                                                   std::vector<PixelMisfit> sample,
+                                                   std::vector<BlockMean> blocks, const CauseTuning& tuning) {
   if (int(sample.size()) < tuning.fewestPixels) return std::nullopt;
-  CauseComparison comparison(context, signal, std::move(sample),
-                             blockMeans(signal, context.lighting.shots, ColorEvidenceTuning{}.blocks),
-                             tuning);
+  CauseComparison comparison(context, signal, std::move(sample), std::move(blocks), tuning);
   if (comparison.m_parts.count < tuning.fewestTiles) return std::nullopt;
   return comparison;
 }
@@ -99,12 +111,6 @@ CauseComparison::CauseComparison(const EstimatorContext& context, const ShotSign
   m_slopes.resize(m_models.size());
   parallelEach(int(m_models.size()),
                [&](int j) { m_slopes[size_t(j)] = visibleSlopes(m_models[size_t(j)], m_sample, m_rows); });
-}
-
-CauseComparison CauseComparison::with(const PlacedPixels& pixels, std::vector<BlockMean> blocks,
-                                      const CauseTuning& tuning) const {
-  return {*m_context, *m_signal, misfitSample(*m_context, *m_signal, pixels, tuning), std::move(blocks),
-          tuning};
 }
 
 size_t CauseComparison::indexOf(Cause cause) const {

@@ -38,9 +38,9 @@ class CauseComparison {
   [[nodiscard]] Eigen::VectorXd unknownsOf(Cause cause, const CauseTuning& tuning) const;
   /// Blocks of the photographs, in which negative light is looked for.
   [[nodiscard]] const std::vector<BlockMean>& blocks() const { return m_blocks; }
-  /// That of other values of pixels and blocks of these photographs.
-  [[nodiscard]] CauseComparison with(const PlacedPixels& pixels, std::vector<BlockMean> blocks,
-                                     const CauseTuning& tuning) const;
+  /// That of other values of pixels and blocks of these photographs. Nothing where too few are left.
+  [[nodiscard]] std::optional<CauseComparison> with(const PlacedPixels& pixels, std::vector<BlockMean> blocks,
+                                                    const CauseTuning& tuning) const;
 
   /// Every cause, fitted to the whole sample: `explained` and `size`.
   [[nodiscard]] std::vector<CauseEvidence> fitted(const CauseTuning& tuning) const;
@@ -48,6 +48,9 @@ class CauseComparison {
   void compare(std::vector<CauseEvidence>& causes, const CauseTuning& tuning) const;
 
  private:
+  static std::optional<CauseComparison> of(const EstimatorContext& context, const ShotSignal& signal,
+                                           std::vector<PixelMisfit> sample, std::vector<BlockMean> blocks,
+                                           const CauseTuning& tuning);
   CauseComparison(const EstimatorContext& context, const ShotSignal& signal, std::vector<PixelMisfit> sample,
                   std::vector<BlockMean> blocks, const CauseTuning& tuning);
   [[nodiscard]] size_t indexOf(Cause cause) const;

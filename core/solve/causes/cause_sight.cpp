@@ -1,8 +1,8 @@
 #include "core/solve/causes/cause_sight.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "core/solve/causes/cause_comparison.h"
@@ -68,8 +68,10 @@ std::vector<Plant> plantsOf(const CauseComparison& comparison, Cause cause) {
 /// The pixels and blocks of photographs, in which causes are planted.
 class Ground {
  public:
-  Ground(const CauseComparison& comparison, const CauseTuning& tuning)
-      : m_comparison(comparison), m_tuning(tuning), m_evidence(comparison.fitted(tuning)) {
+  /// `evidence`: before anything is planted. All must live as long.
+  Ground(const CauseComparison& comparison, const std::vector<CauseEvidence>& evidence,
+         const CauseTuning& tuning)
+      : m_comparison(comparison), m_tuning(tuning), m_evidence(evidence) {
     PlacedPixels blocks{PackedRun(shots(), std::max<size_t>(comparison.blocks().size(), 1)), {}};
     for (const BlockMean& block : comparison.blocks()) {
       blocks.values.add(block.values);
@@ -87,8 +89,9 @@ class Ground {
   }
 
   /// With a cause of this size in them, less what is `unsaid` of it.
-  [[nodiscard]] CauseComparison planted(const Plant& plant, Cause cause, double size,
-                                        const Eigen::VectorXd& unsaid) const {
+  /// Nothing where too few pixels are left.
+  [[nodiscard]] std::optional<CauseComparison> planted(const Plant& plant, Cause cause, double size,
+                                                       const Eigen::VectorXd& unsaid) const {
     const CauseModel& model = m_comparison.modelOf(cause);
     const auto values = [&](const PixelMisfit& pixel) {
       return plant.in(pixel.values - model.change(pixel) * unsaid, pixel, size);
@@ -114,7 +117,7 @@ class Ground {
 
   const CauseComparison& m_comparison;
   const CauseTuning& m_tuning;
-  std::vector<CauseEvidence> m_evidence;  ///< before anything is planted
+  const std::vector<CauseEvidence>& m_evidence;
   std::vector<PixelMisfit> m_blocks;
 };
 
@@ -125,7 +128,8 @@ std::optional<double> saidFrom(const Ground& ground, const Plant& plant, const S
   std::optional<double> from;
   for (double size = range.most; size > range.least; size /= kStep) {
     progress.stopIfAsked();
-    if (causesOf(ground.planted(plant, range.cause, size, unsaid), tuning).likely.empty()) break;
+    const auto planted = ground.planted(plant, range.cause, size, unsaid);
+    if (!planted || causesOf(*planted, tuning).likely.empty()) break;
     from = size;
   }
   return from;
@@ -135,8 +139,9 @@ std::optional<double> saidFrom(const Ground& ground, const Plant& plant, const S
 
 std::vector<CauseSight> causeSight(const CauseComparison& comparison, const CauseTuning& tuning,
                                    const Progress& progress) {
-  if (!causesOf(comparison, tuning).likely.empty()) return {};
-  const Ground ground(comparison, tuning);
+  const MisfitCauses causes = causesOf(comparison, tuning);
+  if (!causes.likely.empty()) return {};
+  const Ground ground(comparison, causes.all, tuning);
   std::vector<CauseSight> sight;
   for (const SizeRange& range : kRanges) {
     CauseSight seen{range.cause, 0.0};
@@ -147,7 +152,7 @@ std::vector<CauseSight> causeSight(const CauseComparison& comparison, const Caus
     sight.push_back(seen);
   }
   const LightingMatrix& lighting = comparison.context().lighting;
-  if (lighting.shots == 2) sight.push_back({Cause::Colors, std::nullopt});
+  if (lighting.shots == 2 || lighting.shots < lighting.lights) sight.push_back({Cause::Colors, std::nullopt});
   return sight;
 }
 

@@ -18,9 +18,10 @@ class CauseComparison;
 /// cause in that sense (more light, not less) is taken off first: it may be what goes unsaid. Planted is:
 /// Ambient, white light of the same strength everywhere behind the reflectance; Tone, an exponent below 1,
 /// and one above, of which that counts which takes more; Field, lamps that get redder and less blue across
-/// the picture or down it, in turns. A camera that moved seldom goes unsaid, and is left out. Wrong colours
-/// are named by negative light: two shots of two lights seldom have any, and they may go unsaid. Empty where
-/// misfitCauses() compares nothing, or names a cause.
+/// the picture or down it, in turns. What a camera that moved would do is that of the photographs as they
+/// are. It seldom goes unsaid, and is left out. Wrong colours are named by negative light: two shots seldom
+/// have any, fewer shots than lights do not tell, and there they may go unsaid. Empty where misfitCauses()
+/// compares nothing, or names a cause.
 [[nodiscard]] std::vector<CauseSight> causeSight(const CauseComparison& comparison,
                                                  const CauseTuning& tuning = {},
                                                  const Progress& progress = {});

@@ -29,7 +29,7 @@ struct CauseModel {
 /// Tone: y e^(sum a_j t_j(y)), with t = ln y, v - 1 and v^2 - 1 of v = y^(1/2.2): an exponent, and contrast
 /// curves (a blend with 3 v^2 - 2 v^3 is exactly that). Moved: each shot but the first shifted, turned and
 /// zoomed. Field: each light's colour changed by linear and radial gradients over the picture, in all shots
-/// alike. `context`, `signal` and `sample` must live as long as the models.
+/// alike. `context` and `signal` must live as long as the models.
 [[nodiscard]] std::vector<CauseModel> causeModels(const EstimatorContext& context, const ShotSignal& signal,
                                                   const std::vector<PixelMisfit>& sample);
 
