@@ -5,12 +5,12 @@
 
 #include "core/base/parallel.h"
 #include "core/linear/decompositions.h"
+#include "core/solve/estimators/matte_slopes.h"
 
 namespace swaplight {
 namespace {
 
-constexpr int kTogether = 128;        // pixels: their rows stay in a core's cache
-constexpr float kLeastShare = 1e-4F;  // of a light that is not held at zero
+constexpr int kTogether = 128;  // pixels: their rows stay in a core's cache
 
 }  // namespace
 
@@ -40,42 +40,25 @@ void ColorEquations::addPixel(const EstimatorContext& context, const PixelRun& i
                               int pixel, double baseUncertainty, const ColorUnknowns& unknowns,
                               Block& block) {
   const LightingMatrix& lighting = context.lighting;
-  const int n = lighting.lights;
-  const int values = 3 * lighting.shots;
-  Eigen::VectorXd residual(values), weight(values);
-  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(values, 3 + n);
-  double power = 0, weights = 0, noise = 0;
-  for (int k = 0; k < lighting.shots; ++k)
-    for (int c = 0; c < 3; ++c) {
-      const int row = 3 * k + c;
-      const double rho = double(fit.reflectance[c][pixel]);
-      double g = 0;
-      for (int i = 0; i < n; ++i) g += double(lighting.color(k, i)[c]) * double(fit.share[i][pixel]);
-      const double variance = double(context.noise.variance(float(g * rho)));
-      const double w = 1 / std::sqrt(variance + std::pow(baseUncertainty * g * rho, 2));
-      weight[row] = w;
-      residual[row] = w * (double(in.signal[k][c][pixel]) - g * rho);
-      own(row, c) = w * g;
-      for (int i = 0; i < n; ++i)
-        if (fit.share[i][pixel] > kLeastShare) own(row, 3 + i) = w * double(lighting.color(k, i)[c]) * rho;
-      noise += variance;
-      power += g * rho * g * rho;
-      weights += w * w;
-    }
-  m_scale[size_t(pixel)] = 1 / std::sqrt(std::max(power / values, 1e-30) * weights / values);
+  const MatteSlopes slopes = matteSlopes(context, in, fit, pixel, baseUncertainty);
+  const double power = slopes.predicted.squaredNorm();
+  m_scale[size_t(pixel)] =
+      double(slopes.predicted.size()) / (std::sqrt(std::max(power, 1e-30)) * slopes.weight.norm());
+  double noise = 0;
+  for (const double value : slopes.predicted) noise += double(context.noise.variance(float(value)));
   m_noise[size_t(pixel)] = noise / std::max(power, 1e-30);
 
-  const Eigen::MatrixXd free = orthogonalComplement(own).transpose();
+  const Eigen::MatrixXd free = orthogonalComplement(slopes.own).transpose();
   const Eigen::Index first = block.firstRow.back();
-  block.residual.segment(first, free.rows()) = free * residual;
+  block.residual.segment(first, free.rows()) = free * slopes.residual;
   for (int k = 0; k < lighting.shots; ++k)
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < lighting.lights; ++i)
       for (int c = 0; c < 3; ++c) {
         const double light =
             double(lighting.color(k, i)[c]) * double(fit.share[i][pixel]) * double(fit.reflectance[c][pixel]);
-        const int unknown = unknowns.of[size_t(3 * (k * n + i) + c)];
+        const int unknown = unknowns.of[size_t(3 * (k * lighting.lights + i) + c)];
         block.slopes.col(unknown).segment(first, free.rows()) +=
-            weight[3 * k + c] * light * free.col(3 * k + c);
+            slopes.weight[3 * k + c] * light * free.col(3 * k + c);
       }
   block.firstRow.push_back(first + free.rows());
 }

@@ -1,19 +1,19 @@
 #include "core/solve/causes/misfit_sample.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/quantile.h"
 #include "core/linear/decompositions.h"
+#include "core/solve/estimators/matte_slopes.h"
 #include "core/solve/estimators/run_scratch.h"
 #include "core/solve/model/pixel_sample.h"
 
 namespace swaplight {
 namespace {
 
-constexpr int kTogether = 64;         // pixels of a thread
-constexpr float kLeastShare = 1e-4F;  // of a light that is not held at zero
+constexpr int kTogether = 64;  // pixels of a thread
 
 float brightnessOf(const PixelRun& in, int shots, int p) {
   float sum = 0;
@@ -43,35 +43,17 @@ std::vector<int> chosenPixels(const PixelRun& in, int shots, int count, double b
 PixelMisfit misfitOf(const EstimatorContext& context, const PixelRun& in, const MatteRun& fit, int p,
                      double modelError) {
   const LightingMatrix& lighting = context.lighting;
-  const int values = 3 * lighting.shots;
+  MatteSlopes slopes = matteSlopes(context, in, fit, p, modelError);
   PixelMisfit pixel;
   for (int i = 0; i < lighting.lights; ++i) pixel.share.push_back(fit.share[i][p]);
   for (int c = 0; c < 3; ++c) pixel.reflectance[c] = fit.reflectance[c][p];
-  pixel.values.resize(values);
-  pixel.predicted.resize(values);
-  pixel.weight.resize(values);
-  Eigen::VectorXd left(values);
-  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(values, 3 + lighting.lights);
-  for (int k = 0; k < lighting.shots; ++k)
-    for (int c = 0; c < 3; ++c) {
-      const int row = 3 * k + c;
-      const double rho = double(pixel.reflectance[c]);
-      double g = 0;
-      for (int i = 0; i < lighting.lights; ++i)
-        g += double(lighting.color(k, i)[c]) * double(pixel.share[size_t(i)]);
-      const double expected = g * rho;
-      const double w =
-          1 / std::sqrt(double(context.noise.variance(float(expected))) + std::pow(modelError * expected, 2));
-      pixel.values[row] = double(in.signal[k][c][p]);
-      pixel.predicted[row] = expected;
-      pixel.weight[row] = w;
-      left[row] = w * (pixel.values[row] - expected);
-      own(row, c) = w * g;
-      for (int i = 0; i < lighting.lights; ++i)
-        if (pixel.share[size_t(i)] > kLeastShare) own(row, 3 + i) = w * double(lighting.color(k, i)[c]) * rho;
-    }
-  pixel.directions = orthogonalComplement(own);
-  pixel.residual = pixel.directions.transpose() * left;
+  pixel.values.resize(3 * lighting.shots);
+  for (int row = 0; row < 3 * lighting.shots; ++row)
+    pixel.values[row] = double(in.signal[row / 3][row % 3][p]);
+  pixel.directions = orthogonalComplement(slopes.own);
+  pixel.residual = pixel.directions.transpose() * slopes.residual;
+  pixel.predicted = std::move(slopes.predicted);
+  pixel.weight = std::move(slopes.weight);
   return pixel;
 }
 
