@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/base/quantile.h"
-#include "core/edit/pool/light_pool.h"
 
 namespace swaplight {
 namespace {

@@ -34,6 +34,9 @@ struct LightCone {
   [[nodiscard]] double at(double px, double py) const { return atRadius(radius(px, py)); }
 };
 
+/// Light that is found outside a cone, over what the cone would give there, at most: it has bounced.
+inline constexpr double kMostBounce = 0.2;
+
 /// How much of the light is at a place of the picture: 0 none, 1 as everywhere where it shines.
 struct SeenPixel {
   double x = 0, y = 0;

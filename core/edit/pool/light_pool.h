@@ -11,9 +11,6 @@
 
 namespace swaplight {
 
-/// Light that has bounced out of a cone, over the cone's own, at most.
-inline constexpr double kMostBounce = 0.2;
-
 /// A light on a set, measured from the contributions alone: where its lamp seems to be, the edge of its cone,
 /// and what it would give where it does not reach.
 struct LightPool {
