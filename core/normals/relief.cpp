@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/shadow/numeric/poisson.h"
+#include "core/shadow/numeric/gradient_integration.h"
 
 namespace swaplight {
 namespace {

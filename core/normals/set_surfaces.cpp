@@ -5,8 +5,8 @@
 
 #include "core/base/parallel.h"
 #include "core/normals/placed_lights.h"
-#include "core/shadow/numeric/poisson.h"
 #include "core/shadow/numeric/shadow_pictures.h"
+#include "core/shadow/numeric/smooth_fill.h"
 
 namespace swaplight {
 namespace {

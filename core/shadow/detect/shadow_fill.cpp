@@ -6,8 +6,8 @@
 #include "core/base/parallel.h"
 #include "core/shadow/evidence/fading_light.h"
 #include "core/shadow/evidence/other_lights.h"
-#include "core/shadow/numeric/poisson.h"
 #include "core/shadow/numeric/shadow_pictures.h"
+#include "core/shadow/numeric/smooth_fill.h"
 
 namespace swaplight {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/shadow/evidence/guided_mean.h"
-#include "core/shadow/numeric/poisson.h"
 #include "core/shadow/numeric/shadow_pictures.h"
+#include "core/shadow/numeric/smooth_fill.h"
 
 namespace swaplight {
 namespace {

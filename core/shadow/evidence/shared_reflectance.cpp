@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/quantile.h"
-#include "core/shadow/numeric/poisson.h"
+#include "core/shadow/numeric/gradient_integration.h"
 
 namespace swaplight {
 namespace {

@@ -8,12 +8,6 @@
 
 namespace swaplight {
 
-/// The picture whose gradients come closest to the given ones in the least-squares sense (Neumann borders,
-/// mean 0): the Poisson equation, solved by cosine transforms (Frankot and Chellappa 1988; Simchony et al.
-/// 1990). 32-bit float; gx(y, x) belongs between x and x + 1, gy between y and y + 1; the last column and row
-/// do not count.
-[[nodiscard]] cv::Mat integrateGradients(const cv::Mat& gx, const cv::Mat& gy);
-
 /// Fills the pixels where `fixed` (8-bit) is 0 with the smoothest continuation of the others: minimises the
 /// sum over neighbours of w * difference^2, w = 1 / (1 + (difference of guide / edge)^4), so that what is
 /// separated by an edge of the guide is filled separately. The guide has three 32-bit float channels. Where

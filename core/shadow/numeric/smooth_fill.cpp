@@ -1,7 +1,5 @@
-#include "core/shadow/numeric/poisson.h"
+#include "core/shadow/numeric/smooth_fill.h"
 
-#include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -12,46 +10,7 @@ constexpr float kLeastWeight = 1e-3f;  // keeps every pixel connected
 constexpr double kTolerance = 1e-3;    // residual, of the pull of what differs from the mean
 constexpr std::pair<int, int> kNeighbours[] = {{0, -1}, {-1, 0}, {1, 0}, {0, 1}};
 
-// Minus the divergence of the gradients.
-cv::Mat divergence(const cv::Mat& gx, const cv::Mat& gy, cv::Size size) {
-  cv::Mat d(size, CV_64F, cv::Scalar(0));
-  for (int y = 0; y < gx.rows; ++y)
-    for (int x = 0; x < gx.cols; ++x) {
-      if (x + 1 < gx.cols) {
-        d.at<double>(y, x) += gx.at<float>(y, x);
-        d.at<double>(y, x + 1) -= gx.at<float>(y, x);
-      }
-      if (y + 1 < gx.rows) {
-        d.at<double>(y, x) += gy.at<float>(y, x);
-        d.at<double>(y + 1, x) -= gy.at<float>(y, x);
-      }
-    }
-  return d;
-}
-
 }  // namespace
-
-cv::Mat integrateGradients(const cv::Mat& gx, const cv::Mat& gy) {
-  // OpenCV's cosine transform wants even sizes: a padded column or row has no gradient towards its neighbour.
-  const cv::Size size(gx.cols + gx.cols % 2, gx.rows + gx.rows % 2);
-  cv::Mat d = divergence(gx, gy, size);
-  cv::dct(d, d);
-  std::vector<double> across(static_cast<size_t>(size.width));
-  for (int x = 0; x < size.width; ++x)
-    across[static_cast<size_t>(x)] = 2 * std::cos(std::numbers::pi * x / size.width) - 2;
-  for (int y = 0; y < size.height; ++y) {
-    const double down = 2 * std::cos(std::numbers::pi * y / size.height) - 2;
-    auto* row = d.ptr<double>(y);
-    for (int x = 0; x < size.width; ++x) {
-      const double laplacian = across[static_cast<size_t>(x)] + down;
-      row[x] = laplacian < 0 ? row[x] / laplacian : 0;
-    }
-  }
-  cv::idct(d, d);
-  cv::Mat result;
-  d(cv::Rect(0, 0, gx.cols, gx.rows)).convertTo(result, CV_32F);
-  return result;
-}
 
 SmoothFill::SmoothFill(const cv::Mat& fixed, const cv::Mat& guide, float edge) : m_fixed(fixed.clone()) {
   cv::Mat index(fixed.size(), CV_32S, cv::Scalar(-1));
