@@ -12,6 +12,7 @@
 #include "core/capture/sensor_limits.h"
 #include "core/color/chromaticities.h"
 #include "core/image/cropped_image.h"
+#include "core/image/finite_image.h"
 #include "core/image/images_in_files.h"
 #include "core/image/io/image_format.h"
 #include "core/image/rgb_image.h"
@@ -301,6 +302,7 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
     for (size_t k = 0; k < shotCount; ++k) subtractDark(pixels.shots[k], dark, pixels.clipLevel[k]);
     if (pixels.ambient) subtractDark(*pixels.ambient, dark, kNoClip);
   }
+  if (pixels.ambient) makeFinite(*pixels.ambient);
   if (capture.frame.scale != 1) scaleDown(pixels, capture.frame.scale);
   for (Picture& picture : pictures)
     for (std::string& warning : picture.warnings) pixels.warnings.push_back(std::move(warning));

@@ -19,7 +19,7 @@ namespace swaplight {
 /// are NaN, infinite or negative stay so.
 struct CapturePixels {
   std::vector<Image> shots;
-  std::optional<Image> ambient;  ///< at the first shot's exposure
+  std::optional<Image> ambient;  ///< at the first shot's exposure; 0 where the file's is no number
   /// A shot's value at and above which the sensor was saturated; infinity where nothing clips. For integer
   /// files just below their largest value; for floating point see floatClipLevel.
   std::vector<float> clipLevel;

@@ -124,10 +124,11 @@ LightSink sinkAt(const cv::Mat& light, const cv::Mat& smooth, const Peak& peak, 
   return sink;
 }
 
-void toPixels(LightSink& sink, double scale) {
-  sink.x = (sink.x + .5) * scale;
-  sink.y = (sink.y + .5) * scale;
-  sink.radius *= scale;
+// The small picture's sides are rounded each by itself.
+void toPixels(LightSink& sink, double across, double down) {
+  sink.x = (sink.x + .5) * across;
+  sink.y = (sink.y + .5) * down;
+  sink.radius *= across;
 }
 
 }  // namespace
@@ -144,7 +145,7 @@ std::vector<LightSink> findSinks(const Image& map) {
     const double least = sinks.empty() ? kLeastFirst : kLeastOther;
     if (peak.prominence < std::max(least, kSigmas * error)) break;
     sinks.push_back(sinkAt(light, smooth, peak, noise));
-    toPixels(sinks.back(), 1. * map.width() / light.cols);
+    toPixels(sinks.back(), 1. * map.width() / light.cols, 1. * map.height() / light.rows);
   }
   return sinks;
 }

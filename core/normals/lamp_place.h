@@ -39,7 +39,6 @@ class LampRays {
  public:
   explicit LampRays(const LampPlace& place);
   [[nodiscard]] LampRay at(double x, double y) const;
-  [[nodiscard]] bool isParallel() const { return !m_distance; }
 
   static constexpr double kNearest = 0.05;  ///< widths of the picture
 

@@ -51,7 +51,9 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
   const double seconds = set.report->seconds;
   progress.update(0, "Aligning the photographs");
   std::vector<ShotShift> shifts = shiftsOfShots(capture, photographs, options.noise, progress);
-  if (farthestMove(shifts, photographs.width(), photographs.height()) < kFarApart) {
+  const float farthest = farthestMove(shifts, photographs.width(), photographs.height());
+  const bool seenBefore = !set.report->causes.all.empty();
+  if (seenBefore ? farthest < kFarApart : farthest == 0) {
     for (std::string& warning : shiftWarnings(shifts)) set.report->warnings.push_back(std::move(warning));
     set.report->shifts = std::move(shifts);
     progress.update(1, "Solved");

@@ -167,9 +167,9 @@ class LocalEvidence {
       addScaled(m_set.contributions[i].plane(direction.channel) + first, -direction.ofLights[i], misfit,
                 count);
     const bool flagged = m_signal.flagged(first, count);
-    for (int p = 0; p < count; ++p)  // an ambient picture may be broken where no shot is
-      if ((flagged && m_signal.flags()[first + size_t(p)] != 0) || !std::isfinite(misfit[p]))
-        misfit[p] = variance[p] = 0;
+    if (!flagged) return;
+    for (int p = 0; p < count; ++p)
+      if (m_signal.flags()[first + size_t(p)] != 0) misfit[p] = variance[p] = 0;
   }
 
   /// What is left of a weight where every pixel's misfit is as large as it may count.

@@ -152,7 +152,6 @@ template <int kN>
     Lanes answer[kD];
     Lanes mixed[kD];
     Lanes evidence[kScales];
-    Lanes greyMixed = splat(0);
     // Answers are mixed as they come: weights relative to the first, which is the matte one.
     for (int m = 0; m < d; ++m) mixed[m] = splat(0);
     evidence[0] = refit<kN>(plan, pixel, n, plan.prior.scale[0], answer);
@@ -190,7 +189,7 @@ template <int kN>
         total += t;
         store(out.solved->contribution[i][c] + at, t);
       }
-    greyMixed = larger(total, splat(kTiny));
+    const Lanes greyMixed = larger(total, splat(kTiny));
     // Variance of the matte part, relative to its own sum, and of what was added to it.
     const Lanes relative = load(matte.variance + at) + variance * scale / (greyMixed * greyMixed);
     store(out.solved->sigma + at, squareRoot(smaller(relative, splat(1e4F))));

@@ -21,16 +21,15 @@ struct ShrinkagePrior {
 struct ShrinkagePlan {
   int lights = 0, shots = 0;
   float constant = 0, linear = 0, square = 0;  ///< noise model
-  float gauge = 1;
-  std::array<float, 3> unseen{};  ///< 1: a channel that no light has
-  std::vector<float> color;       ///< [k][c][i]
-  std::vector<float> shape;       ///< [k][c]: 1 / D
-  std::vector<float> toModes;     ///< [m][k][c]: U' D^-1/2
-  std::vector<float> singular;    ///< [m]
-  std::vector<float> modes;       ///< [m][i][c]: W'
-  std::array<float, 9> whiten{};  ///< P^-1/2 of a light's channels
-  std::vector<float> fromModes;   ///< [i][c][m]: P^1/2 W
-  std::vector<float> greyPower;   ///< [m]: mean over lights of the squared grey part of a mode
+  std::array<float, 3> unseen{};               ///< 1: a channel that no light has
+  std::vector<float> color;                    ///< [k][c][i]
+  std::vector<float> shape;                    ///< [k][c]: 1 / D
+  std::vector<float> toModes;                  ///< [m][k][c]: U' D^-1/2
+  std::vector<float> singular;                 ///< [m]
+  std::vector<float> modes;                    ///< [m][i][c]: W'
+  std::array<float, 9> whiten{};               ///< P^-1/2 of a light's channels
+  std::vector<float> fromModes;                ///< [i][c][m]: P^1/2 W
+  std::vector<float> greyPower;                ///< [m]: mean over lights of the squared grey part of a mode
   ShrinkagePrior prior;
 };
 

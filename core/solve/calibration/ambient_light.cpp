@@ -12,6 +12,7 @@
 #include "core/capture/left_out.h"
 #include "core/solve/estimators/demultiplex.h"
 #include "core/solve/model/pixel_sample.h"
+#include "core/solve/model/solved_planes.h"
 
 namespace swaplight {
 
@@ -38,18 +39,8 @@ Rgb ambientColor(const EstimatorContext& context, const ShotSignal& signal, cons
   const int n = context.lighting.lights;
   const PackedRun sample = pixelSample(signal, context.lighting.shots, size_t(tuning.sample));
   const size_t count = size_t(sample.run().count);
-  std::vector<float> room(count * size_t(3 * n + 2));
-  float* next = room.data();
-  const auto take = [&] {
-    float* plane = next;
-    next += count;
-    return plane;
-  };
-  SolvedRun out;
-  for (int i = 0; i < n; ++i)
-    for (int c = 0; c < 3; ++c) out.contribution[i][c] = take();
-  out.residual = take();
-  out.sigma = take();
+  const SolvedPlanes planes(n, count);
+  const SolvedRun& out = planes.run();
   const Demultiplex full(context, Demultiplex::Bound::Clamp);
   full.estimate(sample.run(), out);
   std::array<std::vector<float>, 3> ratios;

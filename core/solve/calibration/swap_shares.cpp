@@ -125,6 +125,7 @@ double swapScale(const std::vector<SwapContrast>& contrasts, const SwapShares& s
   const double largest = std::max_element(extremes.begin(), extremes.end(), [](auto& a, auto& b) {
                            return a.share < b.share;
                          })->share;
+  if (!(largest > 0)) return 0;  // nothing differs for sure
   std::erase_if(extremes, [&](const Extreme& each) { return each.share < tuning.kindsDiffer * largest; });
   std::sort(extremes.begin(), extremes.end(), [](auto& a, auto& b) { return a.share < b.share; });
   double left = 0, below = 0;

@@ -140,7 +140,8 @@ void ShotSignal::run(size_t first, int count, bool mask, std::vector<float>& scr
       if (m_pixels->ambient) {
         const float* ambient = m_pixels->ambient->plane(c) + first;
         const float scale = m_exposure[k];
-        for (int p = 0; p < count; ++p) next[p] = y[p] - scale * ambient[p];
+        for (int p = 0; p < count; ++p)
+          next[p] = std::isfinite(ambient[p]) ? y[p] - scale * ambient[p] : y[p];
       } else {
         std::copy_n(y, count, next);
       }
@@ -193,18 +194,18 @@ void ShotSignal::repair(size_t pixel, bool mask, float* values, size_t stride) c
     for (int c = 0; c < 3; ++c) {
       const float y = shots[k].plane(c)[pixel];
       const auto at = [&](size_t shot) -> float& { return values[(shot * 3 + size_t(c)) * stride]; };
-      // The next shorter exposure that is usable, else the shortest.
-      int shorter = m_shorter[k];
-      while (shorter >= 0 && !isUsable(pixel, size_t(shorter), c) && m_shorter[size_t(shorter)] >= 0)
-        shorter = m_shorter[size_t(shorter)];
-      const bool told = shorter >= 0 && !isBroken(shots[size_t(shorter)].plane(c)[pixel], m_lowest);
+      // The next shorter exposure that is usable, else the shortest that says at least how bright it is.
+      int shorter = -1;
+      for (int s = m_shorter[k]; s >= 0; s = m_shorter[size_t(s)]) {
+        if (!isBroken(shots[size_t(s)].plane(c)[pixel], m_lowest)) shorter = s;
+        if (isUsable(pixel, size_t(s), c)) break;
+      }
+      const bool told = shorter >= 0;
       const bool broken = isBroken(y, m_lowest), clipped = !broken && y >= m_pixels->clipLevel[k];
       if (broken || (clipped && (dropClipped || (mask && told))))
         at(k) = mask ? NAN : 0.0F;
       else if (clipped && told)
         at(k) = m_exposure[k] / m_exposure[size_t(shorter)] * at(size_t(shorter));
-      else if (m_pixels->ambient && !std::isfinite(at(k)))
-        at(k) = y;  // the ambient picture is broken there
     }
 }
 

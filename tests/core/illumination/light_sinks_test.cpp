@@ -41,6 +41,18 @@ TEST(LightSinks, APoolIsFoundWithItsBreadthAndStrength) {
   EXPECT_FALSE(sinks[0].outside);
 }
 
+/// The small picture in which pools are sought has 1000 x 333 at 256 x 85, not 85.2.
+TEST(LightSinks, OfAPictureOfAnySidesLieInIt) {
+  Image map(ImageSpec{1000, 333, {"Y"}, "lin_rec709"});
+  for (int y = 0; y < 333; ++y)
+    for (int x = 0; x < 1000; ++x)
+      map.span().at(0, x, y) = static_cast<float>(std::exp2(pool(x, y, 500, 333, 90, 3)));
+  const auto sinks = findSinks(map);
+  ASSERT_EQ(sinks.size(), 1U);
+  EXPECT_LE(sinks[0].y, 333);
+  EXPECT_GT(sinks[0].y, 325);
+}
+
 TEST(LightSinks, TwoLampsMakeTwo) {
   const auto sinks = findSinks(mapOf([](int x, int y) {
     return std::exp2(pool(x, y, 45, 80, 26, 6)) + std::exp2(pool(x, y, 215, 60, 26, 5.8));

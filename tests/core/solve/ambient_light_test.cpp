@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/image/cropped_image.h"
 #include "core/solve/solve.h"
 #include "tests/support/synthetic_capture.h"
 
@@ -77,6 +78,22 @@ TEST(AmbientLight, ThatIsNotThereStaysDark) {
   const SolvedSet set = solve(room.capture, room.pixels, options);
   for (int c = 0; c < 3; ++c)
     for (size_t p = 0; p < set.ambient->pixelCount(); ++p) ASSERT_LT(set.ambient->plane(c)[p], .01);
+}
+
+TEST(AmbientLight, IsSoughtInPicturesOfAFewPixels) {
+  const Room room(kBluish);
+  for (const auto& [width, height] : {std::pair{1, 1}, {2, 1}, {2, 2}, {5, 3}}) {
+    CapturePixels few = withoutShots(room.pixels);
+    for (const Image& shot : room.pixels.shots)
+      few.shots.push_back(croppedImage(shot, {3, 2, width, height}, "shot"));
+    SolveOptions options;
+    options.solveAmbient = true;
+    const SolvedSet set = solve(room.capture, few, options);
+    ASSERT_TRUE(set.ambient);
+    for (const Image& light : set.contributions)
+      for (int c = 0; c < 3; ++c)
+        for (size_t p = 0; p < light.pixelCount(); ++p) EXPECT_TRUE(std::isfinite(light.plane(c)[p]));
+  }
 }
 
 TEST(AmbientLight, NeedsMoreShotsThanLightsAndNoPictureOfItsOwn) {

@@ -79,5 +79,21 @@ TEST(BracketSolve, WhatIsClippedInAllExposuresIsAsBrightAsTheShortestSays) {
   }
 }
 
+TEST(BracketSolve, AShortestExposureThatIsBrokenLeavesWhatTheNextOneSays) {
+  SyntheticSet truth(2, 0);
+  for (Image& light : truth.truth)
+    for (int c = 0; c < 3; ++c) light.plane(c)[500] = 3;
+  Bracketed made = bracketed(truth, {0, 2, -1});
+  for (const size_t k : {size_t{2}, size_t{5}})
+    for (int c = 0; c < 3; ++c) made.pixels.shots[k].plane(c)[500] = NAN;
+  for (const char* solver : {"maximum-likelihood", "demultiplex"}) {
+    SolveOptions options;
+    options.solver = solver;
+    const SolvedSet set = solve(made.capture, made.pixels, options);
+    const float sum = set.contributions[0].plane(0)[500] + set.contributions[1].plane(0)[500];
+    EXPECT_GT(sum, 0.8F) << solver;
+  }
+}
+
 }  // namespace
 }  // namespace swaplight

@@ -52,9 +52,19 @@ TEST(Solve, KeepsNoAmbientLightThatIsNoNumber) {
   pixels.ambient = Image(pixels.shots.front().spec(), 0);
   pixels.ambient->plane(1)[7] = std::numeric_limits<float>::quiet_NaN();
   pixels.ambient->plane(2)[9] = std::numeric_limits<float>::infinity();
-  const SolvedSet set = solve(capture, pixels, {});
-  for (int c = 0; c < 3; ++c)
-    for (size_t p = 0; p < set.ambient->pixelCount(); ++p) EXPECT_EQ(set.ambient->plane(c)[p], 0);
+  const CapturePixels dark = photograph(capture, truth);
+  for (const char* solver : {"maximum-likelihood", "demultiplex", "nnls", ""}) {
+    const SolvedSet set = solve(capture, pixels, using_(solver));
+    const SolvedSet without = solve(capture, dark, using_(solver));
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < set.ambient->pixelCount(); ++p) EXPECT_EQ(set.ambient->plane(c)[p], 0);
+    for (size_t i = 0; i < 2; ++i)  // such a pixel is solved as if there were no ambient light
+      for (const size_t p : {size_t{7}, size_t{9}})
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(set.contributions[i].plane(c)[p], without.contributions[i].plane(c)[p], .01) << solver;
+    for (size_t p = 0; p < set.quality.pixelCount(); ++p)
+      EXPECT_TRUE(std::isfinite(set.quality.plane(0)[p])) << solver;
+  }
 }
 
 TEST(Solve, TheClosedFormIsExactForTwoLights) {

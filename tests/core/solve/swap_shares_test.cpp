@@ -54,5 +54,19 @@ TEST(SwapShares, DoNotShrinkBySurfacesThatBothLampsLight) {
   EXPECT_NEAR(scaleOf(contrasts), kTrueScale, .02 * kTrueScale);
 }
 
+/// Photographs that are the same but for a few pixels: nothing surely differs.
+TEST(SwapShares, OfPhotographsThatAreTheSameHaveNoScale) {
+  std::vector<SwapContrast> contrasts;
+  addSurface(contrasts, {0, 0}, 20, 1);
+  for (size_t j = 0; j < 4000; ++j) {
+    SwapContrast same;
+    same.value.setZero();
+    same.precision.setConstant(1 / (.004 * .004));
+    same.kind = {int(j % 2), 1};
+    contrasts.push_back(same);
+  }
+  EXPECT_EQ(scaleOf(contrasts), 0);
+}
+
 }  // namespace
 }  // namespace swaplight
