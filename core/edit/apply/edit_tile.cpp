@@ -13,6 +13,12 @@
 namespace swaplight {
 namespace {
 
+// Below it a surface's colour is noise: a few times the sensor's, at unit white.
+float darkestSurface(const SolvedSet& set) {
+  constexpr double kNoises = 4;
+  return set.report ? static_cast<float>(kNoises * set.report->noise.read) : 0;
+}
+
 void copyRow(const Image& from, int channel, int y, const PixelRect& area, float* to) {
   std::copy_n(from.view().row(channel, y) + area.x, area.width, to);
 }
@@ -68,6 +74,7 @@ EditTile::EditTile(const EditTile& whole, const LightIndices& lights, const Pixe
       }
       if (m_ambient) std::copy_n(whole.ambientRow(c, y) + skip, area.width, writableAmbientRow(c, y));
     }
+  m_recolored = whole.m_recolored;
   if (whole.m_white.empty()) return;
   m_white.resize(4 * m_plane);
   for (int plane = 0; plane < 4; ++plane)
@@ -183,6 +190,34 @@ void EditTile::forEachSpan(const PreparedEdit& edit, const PixelRect& area, cons
   }
 }
 
+std::array<const float*, 3> EditTile::onSurfaces(const Image& light, const Span& span,
+                                                 std::vector<float>& room) const {
+  const auto rowIn = [&](const Image& image, int c) { return image.view().row(c, span.y) + span.x; };
+  if (!m_recolored) return {rowIn(light, 0), rowIn(light, 1), rowIn(light, 2)};
+  const auto count = static_cast<size_t>(span.count);
+  room.assign(7 * count, 0);
+  const auto part = [&](size_t k) { return room.data() + k * count; };
+  float* given[3] = {part(0), part(1), part(2)};
+  float* solved[3] = {part(3), part(4), part(5)};
+  const float* now[3];
+  for (int c = 0; c < 3; ++c) {
+    now[c] = whiteRow(c, span.y) + (span.x - m_area.x);
+    std::copy_n(rowIn(light, c), count, given[c]);
+    for (const Image& contribution : m_set->contributions) {
+      const float* in = rowIn(contribution, c);
+      for (size_t i = 0; i < count; ++i) solved[c][i] += in[i];
+    }
+  }
+  float* inverse = part(6);
+  for (size_t i = 0; i < count; ++i) {
+    const float grey = solved[0][i] + solved[1][i] + solved[2][i];
+    inverse[i] = grey > 0 ? 1 / grey : 0;
+  }
+  changeReflectanceRow(solved, now, inverse, darkestSurface(*m_set), span.count,
+                       {{given[0], given[1], given[2]}});
+  return {given[0], given[1], given[2]};
+}
+
 void EditTile::swapLights(const PreparedEdit& edit, const PixelRect& area) {
   forEachSpan(edit, area, [&](const Span& span) {
     for (int c = 0; c < 3; ++c)
@@ -193,27 +228,35 @@ void EditTile::swapLights(const PreparedEdit& edit, const PixelRect& area) {
 
 void EditTile::applyOperation(const ShadowOperation& operation, const PreparedEdit& edit,
                               const PixelRect& area) {
-  std::vector<float> weight(static_cast<size_t>(area.width));
+  std::vector<float> weight(static_cast<size_t>(area.width)), room;
   forEachSpan(edit, area, [&](const Span& span) {
     for (size_t k = 0; k < edit.lights.size(); ++k) {
-      if (!has(edit.lights[k])) continue;
+      if (!has(edit.lights[k]) || !edit.shadows[k].shadows) continue;
       const ShadowChange& change = edit.shadows[k];
       shadowWeightRow(operation, change, span.x, span.y, span.mask, span.count, weight.data());
+      const auto direct = onSurfaces(change.shadows->direct, span, room);
       for (int c = 0; c < 3; ++c)
-        changeShadowRow(operation, c, weight.data(), change.shadows->direct.view().row(c, span.y) + span.x,
-                        span.count, writableRow(edit.lights[k], c, span.y) + (span.x - m_area.x));
+        changeShadowRow(operation, c, weight.data(), direct[static_cast<size_t>(c)], span.count,
+                        writableRow(edit.lights[k], c, span.y) + (span.x - m_area.x));
     }
   });
 }
 
 void EditTile::applyOperation(const PlaceOperation& /*operation*/, const PreparedEdit& edit,
                               const PixelRect& area) {
+  std::vector<float> room, solvedRoom;
   forEachSpan(edit, area, [&](const Span& span) {
     for (size_t k = 0; k < edit.lights.size(); ++k) {
-      if (!has(edit.lights[k]) || edit.placed[k].isNeutral()) continue;
-      float* light[3];
-      for (int c = 0; c < 3; ++c) light[c] = writableRow(edit.lights[k], c, span.y) + (span.x - m_area.x);
-      edit.placed[k].changeRow(span.x, span.y, span.count, span.mask, light);
+      const int light = edit.lights[k];
+      const PlacedChange& change = edit.placed[k];
+      if (!has(light) || change.isNeutral()) continue;
+      PlacedRow row;
+      row.paint = onSurfaces(change.surfaces().reflectance, span, room);
+      if (light < m_set->lightCount())
+        row.solved = onSurfaces(m_set->contributions[static_cast<size_t>(light)], span, solvedRoom);
+      for (int c = 0; c < 3; ++c)
+        row.light[static_cast<size_t>(c)] = writableRow(light, c, span.y) + (span.x - m_area.x);
+      change.changeRow(span.x, span.y, span.count, span.mask, row);
     }
   });
 }
@@ -222,16 +265,18 @@ template <LampOperation T>
 void EditTile::applyOperation(const T& /*operation*/, const PreparedEdit& edit, const PixelRect& area) {
   for (size_t k = 0; k < edit.lights.size(); ++k)
     if (has(edit.lights[k]) && edit.lamps[k].gain && edit.lamps[k].gain->usesWhite()) needWhite();
+  std::vector<float> room, directRoom;
   forEachSpan(edit, area, [&](const Span& span) {
     const int skip = span.x - m_area.x;
     for (size_t k = 0; k < edit.lights.size(); ++k) {
       const LampEdit& lamp = edit.lamps[k];
       if (!lamp.gain || !has(edit.lights[k])) continue;
       LampRow row;
+      row.solved = onSurfaces(*lamp.solved, span, room);
+      if (lamp.size != 1) row.direct = onSurfaces(lamp.shadows->direct, span, directRoom);
       for (int c = 0; c < 3; ++c) {
         row.light[c] = writableRow(edit.lights[k], c, span.y) + skip;
         row.white[c] = lamp.gain->usesWhite() ? whiteRow(c, span.y) + skip : nullptr;
-        row.solved[c] = lamp.solved->view().row(c, span.y) + span.x;
       }
       changeLampRow(lamp, span.x, span.y, span.count, span.mask, row);
     }
@@ -322,7 +367,9 @@ void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, cons
   for (std::vector<float>& channel : after) channel.resize(static_cast<size_t>(area.width));
   const float* const afterRows[3] = {after[0].data(), after[1].data(), after[2].data()};
   const std::vector<int> lights = lightsHere(edit);
+  const float dark = darkestSurface(*m_set);
   needWhite();
+  m_recolored = true;
   forEachSpan(edit, area, [&](const Span& span) {
     const int skip = span.x - m_area.x;
     const auto pixels = [&](int light, int c) { return writableRow(light, c, span.y) + skip; };
@@ -336,10 +383,11 @@ void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, cons
       for (int c = 0; c < 3; ++c) after[static_cast<size_t>(c)][static_cast<size_t>(i)] = next[c];
     }
     for (const int j : lights)
-      changeReflectanceRow(white, afterRows, inverse, span.count,
+      changeReflectanceRow(white, afterRows, inverse, dark, span.count,
                            {{pixels(j, 0), pixels(j, 1), pixels(j, 2)}});
     if (m_ambient)
-      changeReflectanceRow(white, afterRows, inverse, span.count, {{ambient(0), ambient(1), ambient(2)}});
+      changeReflectanceRow(white, afterRows, inverse, dark, span.count,
+                           {{ambient(0), ambient(1), ambient(2)}});
     for (int i = 0; i < span.count; ++i) {
       float grey = 0;
       for (int c = 0; c < 3; ++c) grey += white[c][i] = afterRows[c][i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/edit/apply/edit_changes.h"
@@ -80,6 +81,10 @@ class EditTile {
   /// Calls body(Span) for each row of the area in which the edit's mask lets something through.
   template <typename Body>
   void forEachSpan(const PreparedEdit& edit, const PixelRect& area, const Body& body);
+  /// What `light` gives to the surfaces as solved (the row's R G B, from the span's first pixel on), on those
+  /// that edits have recoloured; `room` is where it is kept.
+  [[nodiscard]] std::array<const float*, 3> onSurfaces(const Image& light, const Span& span,
+                                                       std::vector<float>& room) const;
   void swapLights(const PreparedEdit& edit, const PixelRect& area);
   void applyOperation(const ShadowOperation& operation, const PreparedEdit& edit, const PixelRect& area);
   void applyOperation(const UnknownGelOperation& operation, const PreparedEdit& edit, const PixelRect& area);
@@ -105,6 +110,7 @@ class EditTile {
   // Light by light R G B, the part of each light's R G B that is highlight, ambient R G B.
   std::vector<float> m_data;
   std::vector<float> m_white;  // R G B and 1 / their sum; empty until an edit needs it
+  bool m_recolored = false;    // surfaces are of other colours than as solved
 };
 
 }  // namespace swaplight

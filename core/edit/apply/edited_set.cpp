@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/base/parallel.h"
+#include "core/capture/light_name.h"
 #include "core/edit/apply/edit_changes.h"
 #include "core/edit/apply/edit_tile.h"
 #include "core/edit/apply/lamp_limits.h"
@@ -89,11 +91,12 @@ EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
   EditedLights lights{{}, set.width(), set.height(), stack.lampPlaces};
   for (const Light& light : set.capture.lights) lights.names.push_back(light.name);
   for (const std::string& name : stack.newLights) {
-    if (std::count(lights.names.begin(), lights.names.end(), name))
+    if (set.capture.lightIndex(name) >= 0)
       throw InputError("the edits add a light \"{}\", but the set has one of that name: give it another.",
                        name);
     lights.names.push_back(name);
   }
+  if (!stack.newLights.empty()) checkLightNames(lights.names, "the edits' new lights");
   return lights;
 }
 
@@ -106,8 +109,16 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
   const int count = static_cast<int>(lights.names.size());
   EditTile picture(set, count, allLights(count), all);
   SolvedSet result = emptyResult(set, lights);
+  std::set<int> placed;
   for (const auto& edit : stack.edits) {
     const PreparedEdit prepared = prepareEdit(edit, lights, context, files);
+    for (size_t k = 0; k < prepared.placed.size() && prepared.isActive(); ++k)
+      if (!prepared.placed[k].isNeutral() && !placed.insert(prepared.lights[k]).second)
+        result.capture.warnings.push_back(warningOf(
+            *edit,
+            fmt::format("\"{}\" is placed by an earlier edit, too, and each starts from where its lamp "
+                        "stood: change that one instead",
+                        lights.names[static_cast<size_t>(prepared.lights[k])])));
     picture.apply(prepared, all);
     for (const std::string& warning : lampWarnings(prepared, lights))
       result.capture.warnings.push_back(warningOf(*edit, warning));
@@ -215,8 +226,8 @@ std::vector<PixelRect> EditedSet::update() {
 
 std::vector<PixelRect> EditedSet::update(const PixelRect& area) {
   std::vector<PixelRect> changed;
-  for (PixelRect& stale : m_stale)
-    if (!intersection(stale, area).empty()) changed.push_back(std::exchange(stale, {}));
+  for (const PixelRect& stale : m_stale)
+    if (!intersection(stale, area).empty()) changed.push_back(stale);
 
   // Edits that look around would do so again for each band.
   const bool looksAround =
@@ -230,6 +241,8 @@ std::vector<PixelRect> EditedSet::update(const PixelRect& area) {
     }
   }
   parallelEach(static_cast<int>(bands.size()), [&](int i) { compute(bands[static_cast<size_t>(i)]); });
+  for (PixelRect& stale : m_stale)
+    if (!intersection(stale, area).empty()) stale = {};
   if (!staleTile()) m_staleLights.clear();
   return changed;
 }

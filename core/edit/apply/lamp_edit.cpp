@@ -64,7 +64,6 @@ void changeLampRow(const LampEdit& edit, int x, int y, int count, const float* m
   LampRow sized = row;
   sized.seen = edit.shadows->visibility.view().row(0, y) + x;
   sized.seenThen = then.data();
-  for (int c = 0; c < 3; ++c) sized.direct[c] = edit.shadows->direct.view().row(c, y) + x;
   edit.gain->changeRow(x, y, count, mask, sized);
 }
 

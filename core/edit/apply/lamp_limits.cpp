@@ -75,7 +75,15 @@ std::vector<std::string> lampWarnings(const PreparedEdit& edit, const EditedLigh
           "disagree",
           100 * guessed));
   }
+  for (size_t k = 0; k < edit.shadows.size(); ++k)
+    if (!edit.shadows[k].shadows && edit.isActive() && !edit.edit->lights.empty())
+      warnings.push_back(fmt::format("\"{}\" was not photographed and throws no shadows: nothing changes",
+                                     lights.names[static_cast<size_t>(edit.lights[k])]));
   for (size_t k = 0; k < edit.lamps.size(); ++k) {
+    if (!edit.lamps[k].pool && edit.isActive() && !edit.edit->lights.empty())
+      warnings.push_back(
+          fmt::format("\"{}\" was not photographed, nothing is known of its lamp: nothing changes. Place it",
+                      lights.names[static_cast<size_t>(edit.lights[k])]));
     const LampLimits limits = lampLimits(edit, k, lights);
     const std::string& light = lights.names[static_cast<size_t>(edit.lights[k])];
     if (limits.guessed >= LampLimits::kGuessTold)

@@ -11,6 +11,10 @@
 namespace swaplight {
 namespace {
 
+std::string calledName(const Edit& edit) {
+  return edit.name.empty() ? operationName(edit.operation) : edit.name;
+}
+
 std::vector<int> chosenLights(const Edit& edit, const EditedLights& lights) {
   std::vector<int> chosen;
   const int count = static_cast<int>(lights.names.size());
@@ -19,7 +23,7 @@ std::vector<int> chosenLights(const Edit& edit, const EditedLights& lights) {
         std::count(edit.lights.begin(), edit.lights.end(), lights.names[static_cast<size_t>(i)]))
       chosen.push_back(i);
   for (const std::string& name : edit.lights)
-    static_cast<void>(placeOfLight(lights.names, name, fmt::format("edit \"{}\"", edit.name)));
+    static_cast<void>(placeOfLight(lights.names, name, fmt::format("edit \"{}\"", calledName(edit))));
   return chosen;
 }
 
@@ -33,7 +37,8 @@ std::vector<ShadowChange> shadowChanges(const ShadowOperation& operation, const 
                                         const std::vector<int>& chosen, const EditedLights& lights,
                                         const MaskContext& context, const PreparedEdit* earlier) {
   const ShadowSource& shadows = context.shadows();
-  if (!shadows) throw InputError("the edit \"{}\" uses shadows, which are not available here.", edit.name);
+  if (!shadows)
+    throw InputError("the edit \"{}\" uses shadows, which are not available here.", calledName(edit));
   const auto* before = earlier ? std::get_if<ShadowOperation>(&earlier->edit->operation) : nullptr;
   const bool all = edit.mask.empty();
   const bool same = before && earlier->lights == chosen && earlier->edit->mask.empty() == all;
@@ -41,6 +46,10 @@ std::vector<ShadowChange> shadowChanges(const ShadowOperation& operation, const 
   std::vector<ShadowChange> changes;
   for (size_t k = 0; k < chosen.size(); ++k) {
     const auto light = static_cast<size_t>(chosen[k]);
+    if (light >= context.set().contributions.size()) {  // one that the edits add throws none
+      changes.emplace_back();
+      continue;
+    }
     changes.push_back(shadowChange(operation, shadows(lights.names[light]), context.set(), light, all,
                                    same ? &earlier->shadows[k] : nullptr));
   }
@@ -92,7 +101,7 @@ PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& l
                          BetaFiles& files, const PreparedEdit* earlier) {
   if (actsOnAllLights(edit->operation) && !edit->lights.empty())
     throw InputError("edit \"{}\" ({}) names lights, but acts on all of them: leave out its lights.",
-                     edit->name, operationName(edit->operation));
+                     calledName(*edit), operationName(edit->operation));
   PreparedEdit prepared;
   prepared.lights = chosenLights(*edit, lights);
   const int zone = zoneOf(edit->operation, lights.width);

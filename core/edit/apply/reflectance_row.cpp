@@ -1,5 +1,7 @@
 #include "core/edit/apply/reflectance_row.h"
 
+#include <algorithm>
+
 namespace swaplight {
 namespace {
 
@@ -9,11 +11,11 @@ constexpr float kDim = 0.02F;
 }  // namespace
 
 void changeReflectanceRow(const float* const before[3], const float* const after[3], const float* inverseGrey,
-                          int count, const SurfaceRow& light) {
+                          float dark, int count, const SurfaceRow& light) {
   for (int p = 0; p < count; ++p) {
     if (!(inverseGrey[p] > 0)) continue;
     const float share = (light.channel[0][p] + light.channel[1][p] + light.channel[2][p]) * inverseGrey[p];
-    const float dim = kDim / (3 * inverseGrey[p]);
+    const float dim = std::max(kDim / (3 * inverseGrey[p]), dark);
     for (int c = 0; c < 3; ++c) {
       float& t = light.channel[c][p];
       const float from = before[c][p], to = after[c][p];

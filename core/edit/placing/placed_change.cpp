@@ -30,15 +30,17 @@ SWAPLIGHT_SIMD(void, addShade,
 // shadows says of dim light; and what was turned away from the lamp is taken to see it once it is turned
 // there.
 SWAPLIGHT_SIMD(void, reshade,
-               (const float* paint, const float* before, const float* after, const float* seen,
-                const float* mask, float level, float nearer, int count, float* light),
-               (paint, before, after, seen, mask, level, nearer, count, light)) {
+               (const float* paint, const float* solved, const float* before, const float* after,
+                const float* seen, const float* mask, float level, float nearer, int count, float* light),
+               (paint, solved, before, after, seen, mask, level, nearer, count, light)) {
   for (int i = 0; i < count; ++i) {
     const float then = nearer * after[i];
-    const float shown = std::min(light[i] / std::max(level * paint[i] * before[i], kLeastLight), 1.F);
+    const float left = solved[i] > light[i] ? light[i] / solved[i] : 1.F;
+    const float gives = left * level * paint[i];
+    const float shown = std::min(light[i] / std::max(gives * before[i], kLeastLight), 1.F);
     const float lit = std::min(before[i] / kLitWell, 1.F);
     const float sees = 1 + lit * lit * (3 - 2 * lit) * (std::max(seen[i], shown) - 1);
-    const float more = light[i] + sees * level * paint[i] * (then - before[i]);
+    const float more = light[i] + sees * gives * (then - before[i]);
     const float less = light[i] * (1 + sees * (then / std::max(before[i], kLeastLight) - 1));
     const float changed = then < before[i] ? less : more;
     light[i] = std::max(light[i] + mask[i] * (changed - light[i]), 0.F);
@@ -110,25 +112,24 @@ PlacedChange::PlacedChange(const PlaceOperation& operation, const std::string& n
   m_neutral = operation == PlaceOperation::at(place);
 }
 
-void PlacedChange::changeRow(int x, int y, int count, const float* mask, float* const light[3]) const {
+void PlacedChange::changeRow(int x, int y, int count, const float* mask, const PlacedRow& row) const {
   const Image& normals = m_surfaces->normals;
   const auto width = static_cast<float>(normals.width());
-  NormalRow row;
-  for (int c = 0; c < 3; ++c) row.normal[c] = normals.view().row(c, y) + x;
-  row.x = (static_cast<float>(x) + .5F) / width - .5F;
-  row.step = 1 / width;
-  row.y = (.5F * static_cast<float>(normals.height()) - static_cast<float>(y) - .5F) / width;
+  NormalRow surface;
+  for (int c = 0; c < 3; ++c) surface.normal[c] = normals.view().row(c, y) + x;
+  surface.x = (static_cast<float>(x) + .5F) / width - .5F;
+  surface.step = 1 / width;
+  surface.y = (.5F * static_cast<float>(normals.height()) - static_cast<float>(y) - .5F) / width;
   std::vector<float> after(static_cast<size_t>(count));
-  m_after.shadeRow(row, count, after.data());
+  m_after.shadeRow(surface, count, after.data());
   std::vector<float> before(m_before ? after.size() : 0);
-  if (m_before) m_before->shadeRow(row, count, before.data());
-  for (int c = 0; c < 3; ++c) {
-    const float* paint = m_surfaces->reflectance.view().row(c, y) + x;
+  if (m_before) m_before->shadeRow(surface, count, before.data());
+  for (size_t c = 0; c < 3; ++c) {
     if (!m_before)
-      addShade(paint, after.data(), mask, m_level, count, light[c]);
+      addShade(row.paint[c], after.data(), mask, m_level, count, row.light[c]);
     else
-      reshade(paint, before.data(), after.data(), m_shadows->visibility.view().row(0, y) + x, mask, m_level,
-              m_nearer, count, light[c]);
+      reshade(row.paint[c], row.solved[c], before.data(), after.data(),
+              m_shadows->visibility.view().row(0, y) + x, mask, m_level, m_nearer, count, row.light[c]);
   }
 }
 

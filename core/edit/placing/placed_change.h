@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,13 @@ namespace swaplight {
 /// The same of surfaces that were found: where most of them are a guess nothing can be placed.
 [[nodiscard]] std::optional<std::string> whyNotPlaced(const SetSurfaces& surfaces);
 
+/// A row of pixels of one light, R G B apart; all start at the same pixel.
+struct PlacedRow {
+  std::array<float*, 3> light;           ///< its contribution: changed
+  std::array<const float*, 3> paint;     ///< what the surfaces reflect
+  std::array<const float*, 3> solved{};  ///< the light as solved, on these surfaces; of a new one none
+};
+
 /// What the light of a lamp becomes that stands elsewhere. With s the shade (placed_lamp.h) before and s'
 /// after, r the reflectance, L the lamp's level:
 ///
@@ -28,7 +36,8 @@ namespace swaplight {
 /// v is how much of the lamp is seen: as the search for shadows says, at least T / r L s, and all of it where
 /// s was small, since then the surface was turned away from the lamp. A light that the edits add, and so has
 /// no T, gets r L s', L that of the strongest lamp. No shadow is thrown from the new place; those that were
-/// thrown stay. A lamp that comes nearer keeps its power: its level goes with the inverse square of its
+/// thrown stay. Where earlier edits have left only a part of the light, it is a lamp of so much less. A lamp
+/// that comes nearer keeps its power: its level goes with the inverse square of its
 /// distance.
 ///
 /// Woodham 1980 backwards; the surfaces: core/normals/set_surfaces.h.
@@ -41,8 +50,8 @@ class PlacedChange {
 
   /// Nothing changes: the lamp stands where it stood.
   [[nodiscard]] bool isNeutral() const { return m_neutral; }
-  /// Changes a row by `mask` (0..1) times what the change asks for. `light`: R, G, B.
-  void changeRow(int x, int y, int count, const float* mask, float* const light[3]) const;
+  /// Changes a row by `mask` (0..1) times what the change asks for.
+  void changeRow(int x, int y, int count, const float* mask, const PlacedRow& row) const;
   [[nodiscard]] const SetSurfaces& surfaces() const { return *m_surfaces; }
   /// Whether the pixel's surface is a guess.
   [[nodiscard]] bool guessAt(int x, int y) const;

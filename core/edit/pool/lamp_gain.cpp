@@ -125,7 +125,8 @@ void LampGain::coneRow(int x, int y, int count, const LampRow& row,
     for (int i = first; i < end; ++i) {
       const Cones here = cones[static_cast<size_t>(i)];
       if (here.isSame()) continue;
-      const float others = m_pool.alone ? 1.F : std::max(row.white[c][i] - row.solved[c][i], 0.F);
+      const float others =
+          m_pool.alone ? 1.F : std::max(row.white[c][i] - row.solved[static_cast<size_t>(c)][i], 0.F);
       const float would =
           std::min(ratio[static_cast<size_t>(i)] * others, m_pool.most[static_cast<size_t>(c)]);
       light[i] = withCone(light[i], here.before, here.after, here.guess, bounce, would);

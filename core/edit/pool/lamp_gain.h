@@ -10,14 +10,14 @@ namespace swaplight {
 
 /// A row of pixels of one light, R G B apart, and what is known of it; all start at the same pixel.
 struct LampRow {
-  float* light[3];         ///< its contribution: changed
-  const float* white[3];   ///< all lights of the set as solved, where the gain uses them
-  const float* solved[3];  ///< this light as solved
+  float* light[3];                     ///< its contribution: changed
+  const float* white[3];               ///< all lights of the set as solved, where the gain uses them
+  std::array<const float*, 3> solved;  ///< this light as solved, on the surfaces of `white`
   /// Where the lamp's size changes, else nullptr: how much of the light is seen before and after, 0..1, and
   /// what it would give where nothing of it were hidden.
   const float* seen = nullptr;
   const float* seenThen = nullptr;
-  const float* direct[3] = {};
+  std::array<const float*, 3> direct{};
 };
 
 /// What another place, aim or breadth of its lamp does to a light's contribution: a smooth gain, and of a

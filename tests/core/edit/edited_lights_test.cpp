@@ -1,8 +1,10 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "core/base/error.h"
 #include "core/edit/apply/edited_set.h"
 #include "tests/support/small_set.h"
 
@@ -174,6 +176,40 @@ TEST(EditedLights, AnyChangeOfAnyStackGivesWhatTheReferenceGives) {
     for (int c = 0; c < 3; ++c)
       for (size_t p = 0; p < reference.ambient->pixelCount(); ++p)
         ASSERT_NEAR(edited.result().ambient->plane(c)[p], reference.ambient->plane(c)[p], 1e-6F) << seed;
+  }
+}
+
+TEST(EditedLights, ANewLightThrowsNoShadowsAndHasNoLamp) {
+  const auto set = glossySet();
+  auto shadows = std::make_shared<LightShadows>();
+  shadows->visibility = Image(ImageSpec{kWidth, kHeight, {"Y"}, "data"}, 1);
+  shadows->direct = Image(ImageSpec::rgb(kWidth, kHeight), 1);
+  shadows->labels.assign(size_t(kWidth) * kHeight, ShadowLabel::Lit);
+  const ShadowSource source = [&](const std::string& light) {
+    EXPECT_NE(light, "moon");
+    return shadows;
+  };
+  for (const bool all : {true, false})
+    for (const Operation& operation : {Operation(ShadowOperation{}), Operation(MoveOperation{.1F, 0})}) {
+      Edit edit = editOf({}, operation);
+      if (!all) edit.lights = {"moon"};
+      EditStack stack = stackOf({edit});
+      stack.newLights = {"moon"};
+      const SolvedSet edited = applyEdits(*set, stack, source);
+      for (int c = 0; c < 3; ++c) EXPECT_EQ(edited.contributions.back().plane(c)[7], 0);
+      if (all) continue;
+      EXPECT_THAT(edited.capture.warnings, testing::Contains(testing::HasSubstr("not photographed")));
+    }
+}
+
+TEST(EditedLights, NewLightsAreNamedAsLightsAre) {
+  const auto set = glossySet();
+  const std::string first = set->capture.lights[0].name;
+  for (const std::vector<std::string>& names : std::vector<std::vector<std::string>>{
+           {""}, {"my moon"}, {"ambient"}, {"moon.R"}, {"1x"}, {"moon", "Moon"}, {"moon", "moon"}, {first}}) {
+    EditStack stack;
+    stack.newLights = names;
+    EXPECT_THROW(static_cast<void>(applyEdits(*set, stack)), InputError) << names.front();
   }
 }
 

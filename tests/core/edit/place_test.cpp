@@ -17,6 +17,7 @@ using test::ballShade;
 using test::kBallHeight;
 using test::kBallWidth;
 using test::LitBall;
+using testing::HasSubstr;
 
 const std::vector<LampPlace> kFive = test::metered(
     {{-60, 25, {}, {}}, {50, 15, {}, {}}, {0, 60, {}, {}}, {-20, -10, {}, {}}, {30, 45, {}, {}}},
@@ -89,6 +90,66 @@ TEST(Place, ANewLightIsShadedWithTheStrongestLampsLevel) {
   stack.newLights = {"new"};
   const SolvedSet set = edited(ball, stack);
   EXPECT_LT(relativeError(set.contributions[5], operation.place(), 2), .01);
+}
+
+Edit edit(const Operation& operation, const std::string& light) {
+  Edit made;
+  if (!light.empty()) made.lights = {light};
+  made.energy = EnergyMode::Add;
+  made.operation = operation;
+  return made;
+}
+
+TEST(Place, AfterARecolouringLightsTheNewColour) {
+  const LitBall ball = test::ballUnder(kFive, kLevels);
+  RecolorOperation red;
+  red.kind = RecolorOperation::Kind::Color;
+  red.from = Rgb(1);
+  red.to = Rgb(1, .1F, .1F);
+  for (const char* light : {"lamp1", "new"}) {
+    const Edit place = edit(PlaceOperation{20, 40, 0, 0}, light);
+    EditStack before, after;
+    before.lampPlaces = after.lampPlaces = placesOf(ball);
+    before.newLights = after.newLights = {"new"};
+    before.append(edit(red, ""));
+    before.append(place);
+    after.append(place);
+    after.append(edit(red, ""));
+    const size_t number = light == std::string("new") ? 5 : 1;
+    const Image first = edited(ball, before).contributions[number].clone();
+    const Image last = edited(ball, after).contributions[number].clone();
+    const int x = kBallWidth / 2, y = kBallHeight / 2;
+    EXPECT_LT(first.view().at(1, x, y), .3F * first.view().at(0, x, y)) << light;
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(first.view().at(c, x, y), last.view().at(c, x, y), .02F * last.view().at(0, x, y)) << light;
+  }
+}
+
+TEST(Place, BringsBackNoLightThatAnEditTookAway) {
+  const LitBall ball = test::ballUnder(kFive, kLevels);
+  for (const float left : {0.F, .25F}) {
+    EditStack stack;
+    stack.lampPlaces = placesOf(ball);
+    GainOperation dimmed;
+    dimmed.gain = left;
+    stack.append(edit(dimmed, "lamp1"));
+    stack.append(edit(PlaceOperation{20, 40, 0, 0}, "lamp1"));
+    const SolvedSet set = edited(ball, stack);
+    const int x = kBallWidth / 2, y = kBallHeight / 2;
+    const SolvedSet all = edited(ball, placed(PlaceOperation{20, 40, 0, 0}, "lamp1", placesOf(ball)));
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(set.contributions[1].view().at(c, x, y), left * all.contributions[1].view().at(c, x, y),
+                  1e-4);
+  }
+}
+
+TEST(Place, OfALightTwiceIsToldFor) {
+  const LitBall ball = test::ballUnder(kFive, kLevels);
+  EditStack stack = placed(PlaceOperation{20, 40, 0, 0}, "lamp1", placesOf(ball));
+  const auto isTold = testing::Contains(HasSubstr("\"lamp1\" is placed by an earlier edit"));
+  EXPECT_THAT(edited(ball, stack).capture.warnings, testing::Not(isTold));
+  stack.append(edit(PlaceOperation{60, 40, 0, 0}, "lamp1"));
+  EXPECT_THAT(edited(ball, stack).capture.warnings, isTold);
 }
 
 TEST(Place, ANewLampThatIsNearFallsOff) {

@@ -114,6 +114,70 @@ TEST(Recolor, NothingToDoChangesNothingToTheBit) {
   }
 }
 
+/// The shadows of light 0: its left half is hidden, where it would give as much as anywhere.
+ShadowSource halfHidden(const Rgb& reflectance) {
+  auto shadows = std::make_shared<LightShadows>();
+  shadows->visibility = Image(ImageSpec{kWidth, kHeight, {"Y"}, "data"});
+  shadows->direct = Image(ImageSpec::rgb(kWidth, kHeight));
+  shadows->labels.resize(shadows->visibility.pixelCount());
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      shadows->visibility.span().at(0, x, y) = x < kWidth / 2 ? 0.F : 1.F;
+      shadows->labels[size_t(y * kWidth + x)] = x < kWidth / 2 ? ShadowLabel::Umbra : ShadowLabel::Lit;
+      for (int c = 0; c < 3; ++c) shadows->direct.span().at(c, x, y) = .5F * reflectance[c];
+    }
+  return [shadows](const std::string&) { return shadows; };
+}
+
+Edit filledShadow() {
+  Edit edit = recolor({});
+  edit.lights = {"key"};
+  edit.energy = EnergyMode::Add;
+  ShadowOperation lighten;
+  lighten.kind = ShadowOperation::Kind::Lighten;
+  edit.operation = lighten;
+  return edit;
+}
+
+TEST(Recolor, LightThatALaterEditAddsFallsOnTheNewColour) {
+  SolvedSet set = painted(kRed);
+  set.capture.lights[0].name = "key";
+  EditStack stack;
+  stack.append(recolor(fromTo(kRed, kBlue)));
+  const SolvedSet recolored = applyEdits(set, stack);
+  stack.append(filledShadow());
+  const SolvedSet filled = applyEdits(set, stack, halfHidden(kRed));
+  const auto added = [&](int c) {
+    return filled.contributions[0].view().at(c, 100, 100) - recolored.contributions[0].view().at(c, 100, 100);
+  };
+  EXPECT_GT(added(2), .1F);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(added(c) / added(2), kBlue[c] / kBlue.b, .01) << c;
+}
+
+/// Where the whole set is dark its colour is noise, and a recolouring does not make it light.
+TEST(Recolor, OfADarkPlaceThatWasFilledMakesNoSpeckles) {
+  SolvedSet set = painted(kRed);
+  set.capture.lights[0].name = "key";
+  set.report.emplace();
+  set.report->noise.read = 1e-3;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> noise(0, 2e-3F);
+  for (Image& light : set.contributions)
+    for (int c = 0; c < 3; ++c)
+      for (int y = 0; y < kHeight; ++y)
+        for (int x = 60; x < 140; ++x) light.span().at(c, x, y) = noise(random);
+  EditStack stack;
+  stack.append(filledShadow());
+  stack.append(recolor(shift(120, 1, 1)));
+  const SolvedSet edited = applyEdits(set, stack, halfHidden(kRed));
+  float brightest = 0;
+  for (int c = 0; c < 3; ++c)
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 60; x < 140; ++x)
+        brightest = std::max(brightest, edited.contributions[0].view().at(c, x, y));
+  EXPECT_LT(brightest, 2.5F * .5F * kRed.r);  // all of the light in one channel
+}
+
 TEST(Recolor, KeepsGreyGreyAndLightLinear) {
   std::mt19937 random(4);
   std::uniform_real_distribution<float> unit(0, 1);
