@@ -122,6 +122,7 @@ int balanceRig(const BalanceCommand& arguments, Terminal& terminal) {
         "--chart and --camera",
         arguments.photograph);
   const std::vector<std::filesystem::path> inputs{arguments.photograph};
+  checkEnding(arguments.output, std::array{".json"}, "a rig");
   checkOutput(arguments.output, inputs);
   const WhitePoint white = whitePointFromText(arguments.white);
   Rig rig = readRig(arguments.photograph);

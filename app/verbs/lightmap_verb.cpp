@@ -67,6 +67,9 @@ Rig rigOf(const Rig& rig, const Capture& capture) {
 
 void check(const ColorConfig& config, const LightmapCommand& arguments, const FrameOptions& output) {
   checkFrame(config, arguments.file, output);
+  const std::string& type = arguments.output.write.pixelType;
+  if (lowerExtension(arguments.file) == ".exr" && (type == "uint8" || type == "uint16"))
+    throw InputError("{}: an EXR holds half or float, not {}.", arguments.file, type);
   const double smoothing = arguments.illumination.smoothing;
   if (!(smoothing >= 0 && smoothing <= kMostSmoothing))
     throw InputError("--smooth {}: give widths of the picture, from 0 to {}", smoothing, kMostSmoothing);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <array>
+
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -79,6 +81,7 @@ std::string unknownIn(const Json& lamps) {
 
 int run(const LightsCommand& arguments, Terminal& terminal) {
   const std::vector<std::filesystem::path> inputs{arguments.source, arguments.photograph};
+  checkEnding(arguments.rig, std::array{".json"}, "a rig");
   if (!arguments.rig.empty()) checkOutput(arguments.rig, inputs);
   LampReadingOptions options = arguments.options;
   options.ambient = arguments.ambient;

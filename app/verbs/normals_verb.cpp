@@ -25,6 +25,7 @@
 namespace swaplight {
 namespace {
 
+constexpr double kLeastKnown = 0.4;  // of the pixels: below, lamps cannot be placed by them either
 struct NormalsCommand {
   std::string source;
   SolveArguments solve;
@@ -129,6 +130,9 @@ void sayResult(const NormalsCommand& arguments, const SurfaceNormals& found, Ter
         "warning: {}: {:.0f} % of the normals come from three lamps, which nothing checks: they are as right "
         "as the lamps' places",
         arguments.source, 100. * static_cast<double>(known - found.checked) / static_cast<double>(known));
+  if (static_cast<double>(known) < kLeastKnown * pixels)
+    terminal.say("warning: {}: only {:.0f} % of the pixels have a normal", arguments.source,
+                 100 * share(known));
   if (found.isContradictory())
     terminal.say(
         "warning: {}: the lamps disagree on {:.0f} % of the pixels that four or more light: check their "
@@ -172,6 +176,12 @@ int run(const NormalsCommand& arguments, Terminal& terminal) {
     return shadows[placeOfLight(set.capture, light, arguments.source)];
   };
   const SurfaceNormals found = surfaceNormals(set, shadowsOf, lamps, progress.part(0.9F, 1));
+  if (found.refused.count() == found.normals.pixelCount())
+    throw InputError(
+        "{}: on no pixel can it be told how the surface is turned: three lamps that light the same things "
+        "must "
+        "not stand in one line. Check --lamp.",
+        arguments.source);
   WriteOptions output;
   output.pixelType = "float";
   writeImage(layersOf(found), arguments.file, output);

@@ -36,13 +36,22 @@ CapturePixels loadPhotographOf(const ColorConfig& config, const SolvedSet& set,
   photograph.frame = set.capture.frame;
   photograph.noise = set.capture.noise;
   photograph.shots.emplace_back().image = std::filesystem::absolute(file).string();
+  const auto fits = [&](const CapturePixels& one) {
+    return one.width() == set.width() && one.height() == set.height();
+  };
   CapturePixels pixels = loadCapturePixels(config, photograph, progress);
-  Image& image = pixels.shots.front();
-  if (image.width() != set.width() || image.height() != set.height())
+  const bool framed = photograph.frame.crop || photograph.frame.scale != 1;
+  if (framed && !fits(pixels)) {  // cropped and scaled already, as a relit frame is
+    photograph.frame = {};
+    pixels = loadCapturePixels(config, photograph, progress);
+  }
+  if (!fits(pixels))
     throw InputError(
-        "{}: is {} x {} pixels, the set is {} x {}. Take a photograph from the same camera, at the set's "
+        "{}: is {} x {} pixels, the set is {} x {}{}. Take a photograph from the same camera, at the set's "
         "size.",
-        file.string(), image.width(), image.height(), set.width(), set.height());
+        file.string(), pixels.width(), pixels.height(), set.width(), set.height(),
+        framed ? ", cropped or scaled from its photographs" : "");
+  Image& image = pixels.shots.front();
   if (image.spec().colorSpace != set.colorSpace()) {
     config.convert(image.span(), image.spec().colorSpace, set.colorSpace());
     image.setColorSpace(set.colorSpace());

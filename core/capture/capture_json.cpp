@@ -300,6 +300,16 @@ void checkNoneTwice(const std::vector<Shot>& shots, const std::string& where) {
             where, j + 1, k + 1, shots[k].image);
 }
 
+void checkIsNoShot(const std::optional<std::string>& image, const char* what, const std::vector<Shot>& shots,
+                   const std::string& where) {
+  for (size_t k = 0; image && k < shots.size(); ++k)
+    if (samePath(*image, shots[k].image))
+      throw InputError(
+          "{}: \"{}\" and shot {} name the same photograph, {}. Name the one without the lights, or leave it "
+          "out.",
+          where, what, k + 1, shots[k].image);
+}
+
 Capture captureBy(const ColorConfig* config, const Json& json, const std::filesystem::path& folder,
                   const std::filesystem::path& file) {
   Capture capture;
@@ -320,6 +330,10 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
   if (!colorSpace) assumeColorSpace(config, capture, fields.where());
   capture.ambient = optionalPath(fields, "ambient");
   capture.dark = optionalPath(fields, "dark");
+  if (config) {
+    checkIsNoShot(capture.ambient, "ambient", capture.shots, fields.where());
+    checkIsNoShot(capture.dark, "dark", capture.shots, fields.where());
+  }
   Json noiseExtra = Json::object();
   capture.noise = noiseFromJson(fields, noiseExtra, capture.warnings);
   capture.frame = frameFromJson(fields);

@@ -77,6 +77,9 @@ std::string lineAndColumn(std::string_view text, size_t byte) {
 
 /// Where, the parser's own words, and what people usually got wrong.
 std::string syntaxError(std::string_view text, const Json::parse_error& error) {
+  if (const size_t first = text.find_first_not_of(" \t\r\n");
+      first == std::string_view::npos || (text[first] != '{' && text[first] != '['))
+    return "is no JSON, which begins with { or [: is it another file?";
   const std::string_view all = error.what();
   const size_t cause = std::min(all.find("syntax error"), all.size());
   const std::string_view words = all.substr(cause, all.find("; last read") - cause);

@@ -1,12 +1,22 @@
 #include "core/file/same_file.h"
 
+#include <algorithm>
 #include <set>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/file/atomic_file.h"
 
 namespace swaplight {
+
+void checkEnding(const std::filesystem::path& target, std::span<const char* const> endings,
+                 const char* what) {
+  const std::string ending = lowerExtension(target);
+  if (target.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
+  throw InputError("{}: {} is written as {}. Name it {}.", target.string(), what, endings.front() + 1,
+                   std::filesystem::path(target).replace_extension(endings.front()).string());
+}
 
 void checkOutput(const std::filesystem::path& target, std::span<const std::filesystem::path> inputs) {
   for (const std::filesystem::path& input : inputs) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/quantile.h"
 #include "core/intake/capture_draft.h"
 #include "core/solve/model/lighting_matrix.h"
 #include "core/solve/model/unknown_color.h"
@@ -15,6 +16,8 @@ namespace {
 /// Pixels that the camera has moved, worth a word: lights that change sides move the lit edges of a surface's
 /// relief, real gels on sets that stood still by up to 0.33.
 constexpr float kMovedPixels = 0.35F;
+constexpr float kDarkCapture = 0.125F;  ///< of what the camera can record: the brightest parts of all shots
+constexpr size_t kDarknessSample = 20000;
 constexpr double kClippedArea = 0.002;  ///< of a shot, that is worth a word
 
 /// The part of the pixels in which a channel is saturated in all exposures of a lighting.
@@ -46,6 +49,27 @@ void clippingWarnings(const CaptureDraft& draft, const CapturePixels& pixels,
                                  file, 100 * part, length)
                    : fmt::format("{}: {:.1f} % of the picture is clipped: expose less", file, 100 * part));
   }
+}
+
+/// Of files that have a largest value. Noise is what limits a solve, and a dark picture is mostly noise.
+void darknessWarning(const CapturePixels& pixels, std::vector<std::string>& warnings) {
+  float brightest = 0;
+  for (size_t k = 0; k < pixels.shots.size(); ++k) {
+    if (!std::isfinite(pixels.clipLevel[k])) return;
+    std::vector<float> values;
+    const Image& shot = pixels.shots[k];
+    const size_t step = std::max<size_t>(1, shot.pixelCount() / kDarknessSample);
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < shot.pixelCount(); p += step)
+        if (std::isfinite(shot.plane(c)[p])) values.push_back(shot.plane(c)[p]);
+    if (!values.empty())
+      brightest = std::max(brightest, quantile(std::span(values), .995F) / pixels.clipLevel[k]);
+  }
+  if (brightest > 0 && brightest < kDarkCapture)
+    warnings.push_back(fmt::format(
+        "the brightest parts of the photographs lie {:.0f} stops below what the camera can record: expose up "
+        "to {:.0f} stops more",
+        std::floor(-std::log2(brightest)), std::floor(-std::log2(brightest)) - 1));
 }
 
 void exposureWarnings(const CaptureDraft& draft, std::vector<std::string>& warnings) {
@@ -85,6 +109,7 @@ std::vector<std::string> pictureWarnings(const CaptureDraft& draft, const Captur
   std::vector<std::string> warnings = pixels.warnings;
   const std::vector<FoundShot>& shots = draft.folder.shots;
   clippingWarnings(draft, pixels, warnings);
+  darknessWarning(pixels, warnings);
   for (std::string& warning : bracketWarnings(draft.folder, pixels, draft.brackets))
     warnings.push_back(std::move(warning));
   const std::vector<ShotShift> shifts = measureShifts(pixels);

@@ -34,8 +34,9 @@ PlacedLights placedLights(const LampPlaces& places, const Capture& capture, cons
   }
   if (placed.lamps.size() >= kFewestLamps) return placed;
   if (placed.tooNear.empty())
-    throw InputError("{}: how surfaces are turned needs the places of {} lamps or more, {} given", where,
-                     kFewestLamps, places.size());
+    throw InputError(
+        "{}: {} of {} are known. Say where that many lamps stood: how surfaces are turned is told by them",
+        where, places.size(), kFewestLamps);
   throw InputError(
       "{}: how surfaces are turned cannot be told: {} nearer than {} widths of the picture, where light "
       "comes "

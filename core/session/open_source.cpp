@@ -92,8 +92,10 @@ SolvedSet openSource(const ColorConfig& config, const fs::path& path, const Solv
   // A file that cannot be read, or is cut, says so itself.
   if (lowerExtension(path) == ".exr") static_cast<void>(readImageSpec(path));
   throw InputError(
-      "{}: neither a capture nor a solved set. Open a capture.json, an EXR written by `swaplight solve`, or "
-      "a session (.swaplight). For a photograph, bring in its folder first (`swaplight new`).",
+      "{}: neither a capture nor a solved set. Open a capture.json, a solved set (EXR) or a session "
+      "(.swaplight). Of photographs make a capture first: in the studio by File, New from photographs, else "
+      "by "
+      "`swaplight new`.",
       path.string());
 }
 

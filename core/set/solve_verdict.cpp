@@ -23,7 +23,9 @@ constexpr Limits kLost{0.05, 0.3};         ///< of the pixels: SolveReport::lost
 /// leaves unexplained says nothing of the colours.
 constexpr double kOneByOne = 1.1;
 // What is worth naming as a reason, by judgement: but for what moved it chooses words, never the verdict.
-constexpr double kManyNoises = 3;     ///< of the photographs' noise, as in the report's message
+/// The photographs' noise that a model leaves of them, which is not good any more: matte models, transport
+/// and auto leave .3 to 1.5 of good sets, a model that does not fit (single) 4 to 35.
+constexpr double kManyNoises = 3;
 constexpr double kMuchAmplified = 2;  ///< noise of the matte model over that of a photograph
 constexpr double kManyPixels = 0.05;  ///< clipped, too dark or moved
 
@@ -49,11 +51,14 @@ Word wordOf(double figure, const Limits& limits) {
   return figure > limits.good ? Word::Fair : Word::Good;
 }
 
-/// What the light in bright pixels says of the colours as told.
-Word colorWord(const SolveReport& report) {
-  if (isOneByOne(report)) return Word::Good;
+/// What the light in bright pixels says of the colours as told, of matte surfaces.
+Word matteWord(const SolveReport& report) {
   return std::max(wordOf(static_cast<double>(report.colorUncertainty), kColorError),
                   wordOf(report.colorDisagreement, kUnexplained));
+}
+
+Word colorWord(const SolveReport& report) {
+  return isOneByOne(report) ? Word::Good : matteWord(report);
 }
 
 void addColorReasons(const SolveReport& report, std::vector<std::string>& reasons) {
@@ -63,6 +68,10 @@ void addColorReasons(const SolveReport& report, std::vector<std::string>& reason
   for (const std::string& advice : report.conditioning.advice) reasons.push_back(advice);
   if (report.openColor && !report.openColor->settled)
     reasons.push_back(fmt::format("the photographs leave one number of {} open", report.openColor->name));
+  if (isOneByOne(report) && matteWord(report) == Word::NotApart)
+    reasons.emplace_back(
+        "the photographs differ in colour more than one white lamp in each explains: was only one lit at a "
+        "time, and without gels?");
   if (colorWord(report) != Word::Good)
     reasons.push_back(fmt::format(
         "the colours as told leave {:.0f} % of the light unexplained: check which light had which gel",
@@ -78,9 +87,11 @@ void addPictureReasons(const SolveReport& report, std::vector<std::string>& reas
     reasons.emplace_back(
         "the photographs hold no light: check the files, and which is named as dark or ambient");
   if (report.residualMedian > kManyNoises)
-    reasons.push_back(fmt::format(
-        "the photographs disagree with each other by {:.1f} times their noise: did anything move?",
-        report.residualMedian));
+    reasons.push_back(
+        fmt::format("the photographs disagree with each other by {:.1f} times their noise: did anything "
+                    "move, or does the "
+                    "model not fit?",
+                    report.residualMedian));
   const auto many = [&](size_t pixels, const char* words) {
     if (const double part = partOf(report, pixels); part > kManyPixels)
       reasons.push_back(fmt::format("{:.0f} % of the pixels {}", 100 * part, words));
@@ -94,7 +105,7 @@ void addPictureReasons(const SolveReport& report, std::vector<std::string>& reas
        "dark or ambient");
   many(report.clipped, "are clipped in a photograph: expose less");
   // Under wrong colours what is known of a pixel is less than its light, as where it is dark.
-  if (colorWord(report) == Word::Good) many(report.tooDark, "are too dark: expose more");
+  if (matteWord(report) != Word::NotApart) many(report.tooDark, "are too dark: expose more");
 }
 
 }  // namespace
@@ -106,7 +117,8 @@ SolveVerdict verdictOf(const SolveReport& report) {
   verdict.word = std::max(wordOf(report.sigmaMedian, kError), colorWord(report));
   // Sigma knows noise and colours, no other cause: what explains much of the misfit is not good.
   const bool muchMoved = partOf(report, report.moved) > kManyPixels;
-  if (!report.causes.likely.empty() || report.causes.unnamed || muchMoved || lacksChannel(report))
+  if (!report.causes.likely.empty() || report.causes.unnamed || muchMoved || lacksChannel(report) ||
+      report.residualMedian > kManyNoises)
     verdict.word = std::max(verdict.word, SolveVerdict::Word::Fair);
   verdict.word = std::max(verdict.word, wordOf(partOf(report, report.lost), kLost));
   if (verdict.word == SolveVerdict::Word::Good) return verdict;

@@ -187,6 +187,35 @@ class BadInputTest(cli.CliTest):
         self.assertEqual(told['verdict']['word'], 'lights not apart')
         self.assertIn('named as dark', ' '.join(told['verdict']['reasons']))
 
+    def test_a_photograph_with_the_lights_as_dark_or_ambient(self):
+        for key in ('dark', 'ambient'):
+            self.change(**{key: 'shot_01.exr'})
+            self.refuse(f'"{key}"', 'shot 1', 'shot_01.exr')
+            del self.capture.manifest[key]
+
+    def test_no_colour_that_is_told(self):
+        for shot in self.capture.manifest['shots']:
+            shot['light_colors'] = ['unknown', 'unknown']
+        self.capture.save()
+        self.refuse('key', 'fill', 'unknown in every shot')
+
+    def test_a_model_that_does_not_fit_is_not_called_good(self):
+        self.capture.truth[0][:, :, 1] *= np.linspace(.3, 1, self.capture.truth[0].shape[1])
+        self.capture.shots = [cli.photograph(self.capture.truth, s['light_colors']) for s in self.capture.manifest['shots']]
+        self.capture.save()
+        told = self.succeed_json('solve', self.capture.path, '-o', self.solved, '--model', 'single')
+        self.assertNotEqual(told['verdict']['word'], 'good')
+
+    def test_what_is_written_is_called_what_it_is(self):
+        self.succeed('solve', self.capture.path, '-o', self.solved, '-q')
+        with open(self.path('rig.json'), 'w') as file:
+            json.dump(self.succeed_json('relight', self.solved, '-o', self.path('frame.exr'))['rig'], file)
+        self.deny('balance', self.path('rig.json'), '-o', self.path('rig.exr'), naming=('rig.exr', 'rig.json'))
+        self.deny('report', self.solved, '-o', self.path('page.pdf'), naming=('page.pdf', 'page.html'))
+        self.deny('lights', self.solved, self.path('frame.exr'), '--rig', self.path('rig.xyz'), naming=('rig.xyz', 'rig.json'))
+        self.deny('lightmap', self.solved, '--type', 'uint8', '-o', self.path('map.exr'), naming=('map.exr', 'uint8'))
+        self.deny('versions', self.solved, naming=('solved.exr', 'no JSON'))
+
     def test_picture_of_no_pixels(self):
         # No library writes one: a PNG header that says 0 x 0.
         import struct

@@ -36,6 +36,18 @@ class LightsTest(cli.CliTest):
             self.assertAlmostEqual(lamp['stops'], np.log2(lamp['luminance']), 5)
         self.assertEqual(said['warnings'], [])
 
+    def test_a_set_that_was_scaled_reads_photographs_of_both_sizes(self):
+        self.capture.manifest['scale'] = .5
+        self.capture.save()
+        half = self.path('half.exr')
+        self.succeed('solve', self.capture.path, '-o', half, '--float', '-q')
+        self.succeed('relight', half, '--light', 'fill=rgb:0/1/0.5', '-o', self.path('relit.exr'), '--type', 'float')
+        said = self.colors(self.read(self.path('relit.exr'), source=half))
+        np.testing.assert_allclose(said, [[1, 1, 1], [0, 1, .5]], atol=.01)
+        np.testing.assert_allclose(self.colors(self.read(self.photo(), source=half)), LAMPS, atol=.01)
+        cli.write_image(self.path('small.exr'), np.ones((10, 10, 3), np.float32))
+        self.deny('lights', half, self.path('small.exr'), naming=('10 x 10', '64 x 48'))
+
     def test_the_rig_gives_the_photograph_again(self):
         photo = self.photo()
         said = self.read(photo, '--rig', self.path('rig.json'))

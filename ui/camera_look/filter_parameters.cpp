@@ -200,9 +200,9 @@ void aloneButton(ViewerContext& studio, size_t index) {
   const bool on = alone == index;
   const float width = px(58);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-  if (on) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  pushChosen(on);
   if (ImGui::Button("Alone", ImVec2(width, 0))) alone = on ? std::nullopt : std::optional(index);
-  if (on) ImGui::PopStyleColor();
+  popChosen();
   markItem("camera_look.alone");
   tooltip("See the picture through this filter alone. Exports have the whole look all the same.");
 }

@@ -175,9 +175,10 @@ void green(const ColorEditor& edit) {
   hint("Green");
   ImGui::SameLine(label);
   const auto [kelvin, duv] = correlatedTemperature(xyFromRec709(colorFactor(edit.color)));
-  const std::string words =
-      std::abs(duv) > 0.05 ? "off the Planckian locus" : fmt::format("{:.0f} K  Duv {:+.4f}", kelvin, duv);
-  const float wordsWidth = px(150);
+  const bool isWhite = std::abs(duv) <= 0.05;
+  const std::string words = isWhite ? fmt::format("{:+.2f}   {:.0f} K", edit.color.green, kelvin)
+                                    : fmt::format("{:+.2f}   no white", edit.color.green);
+  const float wordsWidth = px(110);
   float amount = edit.color.green;
   if (greenSlider("##green", &amount, room - label - wordsWidth - px(6))) {
     LightColor next = edit.color;
@@ -192,8 +193,10 @@ void green(const ColorEditor& edit) {
   ImGui::AlignTextToFramePadding();
   hint(words);
   tooltip(
-      "Correlated colour temperature and Duv, the distance from the Planckian locus (CIE 1960): positive is "
-      "greener.");
+      fmt::format("Green, and the correlated colour temperature of the light. Duv {:+.4f}: its distance from "
+                  "the Planckian locus (CIE 1960), positive is greener.",
+                  duv)
+          .c_str());
 }
 
 void gel(const ColorEditor& edit) {

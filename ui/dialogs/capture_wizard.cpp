@@ -356,7 +356,7 @@ void CaptureWizard::drawFooter(const std::string& wrong, Messages& messages, con
   const float button = px(kFooterButton);
   const float buttons = footerWidth();
   if (exists && wrong.empty()) {
-    ImGui::Checkbox("Replace the existing capture.json", &m_replace);
+    ImGui::Checkbox("Replace the existing capture.json to solve", &m_replace);
     markItem("wizard.replace");
     tooltip(
         "This folder has a capture.json already. It will be written anew, with what is seen here; what it "

@@ -154,9 +154,9 @@ void ExportDialog::drawKinds() {
     const auto kind = static_cast<ExportKind>(i);
     const bool chosen = m_choices.kind == kind;
     if (i > 0) ImGui::SameLine(0, px(4));
-    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+    pushChosen(chosen);
     const bool clicked = ImGui::Button(kKinds.at(i).name);
-    if (chosen) ImGui::PopStyleColor();
+    popChosen();
     markItem({"export.kind.", kKinds.at(i).mark});
     tooltip(kKinds.at(i).words);
     if (clicked && !chosen) {
@@ -238,10 +238,10 @@ void ExportDialog::drawTiming(const Document& document) {
     m_choices.holdSeconds = std::clamp(m_choices.holdSeconds, 0.F, kMostCueSeconds);
   markItem("export.hold");
   tooltip("How long a cue stands that waits for GO. Cues with a follow time stand that long.");
-  ImGui::SameLine(0, px(12));
   try {
     const CueTiming timing = requestOf(m_choices, m_file).timing;
     const CueTimeline timeline(document.cues, document.looks, stageOfDocument(document), timing);
+    ImGui::SameLine(0, px(12));
     hint(fmt::format("{} cues, {} frames", document.cues.size(), timeline.lastFrame()));
     m_cueMistake.clear();
   } catch (const InputError& error) {
@@ -283,7 +283,10 @@ void ExportDialog::drawCameraLook(const Document& document) {
 
 void ExportDialog::drawGrade(const Document& document) {
   const bool frames = m_choices.kind == ExportKind::Frame || m_choices.kind == ExportKind::Sequence;
-  if (!frames || !document.display.actingGrade()) return;
+  if (!document.display.actingGrade()) return;
+  if (m_choices.kind == ExportKind::Layers)
+    hint("The layers are before the grade: they add up to the frame exported without it.");
+  if (!frames) return;
   check("Grade", "grade", &m_choices.grade,
         "With the grade, as the viewer shows it, scene-linear files too; off: ungraded, for the .cc beside "
         "it.");
@@ -315,9 +318,12 @@ void ExportDialog::drawFooter(const Answers& answers) {
   ImGui::AlignTextToFramePadding();
   const char* replaces = m_choices.kind == ExportKind::Sequence ? "Frames exist and will be replaced."
                                                                 : "The file exists and will be replaced.";
-  hint(!wrong.empty() ? wrong : exists ? replaces : "");
   const float button = px(110);
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
+  const float buttons = ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x;
+  ImGui::PushTextWrapPos(buttons - px(8));
+  hint(!wrong.empty() ? wrong : exists ? replaces : "");
+  ImGui::PopTextWrapPos();
+  ImGui::SameLine(buttons);
   const bool go = defaultButton(exists ? "Replace" : "Export", button, wrong.empty());
   markItem("export.accept");
   ImGui::SameLine();

@@ -1,5 +1,6 @@
 #include "ui/edits/edit_menu.h"
 
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include "core/edit/apply/gel_mixing.h"
@@ -14,13 +15,19 @@
 namespace swaplight {
 namespace {
 
-/// An edit of the chosen light, within the selection.
+/// An edit of the chosen lights, within the selection.
 Edit newEdit(const EditingContext& studio, const std::string& what, const Operation& operation,
              EnergyMode energy) {
-  const LightSetting& light = studio.document().rig.lights[shownLight(studio)];
+  const std::vector<LightSetting>& lights = studio.document().rig.lights;
+  const LightSetting& light = lights[shownLight(studio)];
+  const bool ofOne = std::holds_alternative<PlaceOperation>(operation);  // two lamps never stand in one place
+  std::vector<std::string> titles;
   Edit edit;
-  edit.name = what + ", " + light.title();
-  edit.lights = {light.light};
+  for (const size_t i : ofOne ? std::vector{shownLight(studio)} : lightsFor(studio, shownLight(studio))) {
+    edit.lights.push_back(lights[i].light);
+    titles.push_back(lights[i].title());
+  }
+  edit.name = fmt::format("{}, {}", what, fmt::join(titles, " + "));
   edit.energy = energy;
   edit.operation = operation;
   edit.mask = maskWithin({}, studio.document().selection);

@@ -84,7 +84,8 @@ void lights(const Parameters& of) {
   for (const LightSetting& light : all) {
     const auto found = std::find(of.edit.lights.begin(), of.edit.lights.end(), light.light);
     const bool on = found != of.edit.lights.end();
-    if (ImGui::Selectable(light.title().c_str(), on, ImGuiSelectableFlags_DontClosePopups)) {
+    const bool last = on && of.edit.lights.size() == 1;  // an edit of none is one of all: that is said above
+    if (ImGui::Selectable(light.title().c_str(), on, ImGuiSelectableFlags_DontClosePopups) && !last) {
       Edit next = of.edit;
       if (on)
         next.lights.erase(next.lights.begin() + (found - of.edit.lights.begin()));
@@ -107,7 +108,7 @@ bool lightsAreAlike(const Rig& rig) {
 /// What happens to the other lights.
 void energyMode(const Parameters& of) {
   label("Mode");
-  const float width = std::floor((ImGui::GetContentRegionAvail().x - px(10)) / 2);
+  const float width = std::floor((ImGui::GetContentRegionAvail().x - px(4)) / 2);
   const auto button = [&](const char* words, EnergyMode energy, const char* mark, const char* tip) {
     if (choiceButton(words, of.edit.energy == energy, width, mark, tip) && of.edit.energy != energy) {
       Edit next = of.edit;
@@ -122,7 +123,9 @@ void energyMode(const Parameters& of) {
   button("Add light", EnergyMode::Add, "parameters.add",
          "Adds or removes light; the other lights do not change. The picture gets brighter or darker.");
   if (of.edit.energy == EnergyMode::Redistribute && lightsAreAlike(of.studio.document().rig)) {
+    ImGui::PushTextWrapPos(0);
     hint("Not seen now: all lights have one colour and level.");
+    ImGui::PopTextWrapPos();
     markItem("parameters.not_seen");
   }
 }

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/edits/edit_list.h"
@@ -17,7 +18,10 @@ namespace {
 
 constexpr float kSliderDistance = 10;  // widths
 constexpr float kSliderStops = 8;
-constexpr LampPlace kFirstPlace{-45, 30, {}, {}};
+// Where the first lamps that are told usually stand: key, fill, back, from above. Never two in one place, nor
+// three in one line, which would tell nothing.
+constexpr std::array<LampPlace, 4> kFirstPlaces{
+    {{-45, 30, {}, {}}, {45, 15, {}, {}}, {160, 45, {}, {}}, {0, 75, {}, {}}}};
 
 bool isMetered(const LampPlaces& places) {
   return std::any_of(places.begin(), places.end(), [](const auto& told) { return told.second.stops; });
@@ -76,7 +80,8 @@ void toldOrNot(const Telling& telling) {
     telling.change("The lamp of " + telling.light + ": not known", places);
   ImGui::SameLine(0, px(4));
   if (choiceButton("Stood there", told, width, "places.known", "Its place is told below.") && !told) {
-    LampPlace& place = places[telling.light] = kFirstPlace;
+    const LampPlace first = kFirstPlaces[places.size() % kFirstPlaces.size()];
+    LampPlace& place = places[telling.light] = first;
     if (isMetered(telling.places())) place.stops = 0;
     telling.change("The lamp of " + telling.light + ": place", places);
   }

@@ -27,14 +27,13 @@ void actionTextButton(const ActionTable& actions, const std::string& id, const c
   const Action* action = actions.find(id);
   if (!action) return;
   ImGui::BeginDisabled(!action->isEnabled());
-  const bool lit = action->isChecked();
-  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  pushChosen(action->isChecked());
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), ImGui::GetStyle().FramePadding.y));
   ImGui::PushID(id.c_str());  // other buttons may have the same words
   const bool clicked = ImGui::Button(text, ImVec2(width, 0));
   ImGui::PopID();
   ImGui::PopStyleVar();
-  if (lit) ImGui::PopStyleColor();
+  popChosen();
   markItem({"button.", id});
   tooltip(actionTip(*action).c_str());
   ImGui::EndDisabled();

@@ -12,13 +12,13 @@
 namespace swaplight {
 
 bool choiceButton(const char* words, bool chosen, float width, const char* mark, const char* tip) {
-  if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  pushChosen(chosen);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), ImGui::GetStyle().FramePadding.y));
   ImGui::PushID(mark);
   const bool clicked = ImGui::Button(words, ImVec2(width, 0));
   ImGui::PopID();
   ImGui::PopStyleVar();
-  if (chosen) ImGui::PopStyleColor();
+  popChosen();
   markItem(mark);
   tooltip(tip);
   return clicked;

@@ -126,6 +126,10 @@ float px(float length) {
   return std::round(length * theScale);
 }
 
+float atScaleOne(float length) {
+  return length / theScale;
+}
+
 Rgb backgroundCode() {
   const ImVec4 code = ImGui::ColorConvertU32ToFloat4(kPanel);
   return {code.x, code.y, code.z};

@@ -167,6 +167,16 @@ bool changedDot(const char* id, bool changed, const char* tip) {
   return clicked;
 }
 
+void pushChosen(bool chosen) {
+  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? kAccent : ImGui::GetColorU32(ImGuiCol_Button));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
+                        chosen ? kAccent : ImGui::GetColorU32(ImGuiCol_ButtonHovered));
+}
+
+void popChosen() {
+  ImGui::PopStyleColor(2);
+}
+
 void hint(const std::string& text) {
   ImGui::PushFont(fonts().small);
   ImGui::PushStyleColor(ImGuiCol_Text, kFaint);

@@ -26,6 +26,10 @@ bool greenSlider(const char* id, float* green, float width);
 /// empty where nothing differs.
 bool changedDot(const char* id, bool changed, const char* tooltip);
 
+/// Between them buttons look chosen, under the pointer too, where they are.
+void pushChosen(bool chosen);
+void popChosen();
+
 /// Text in the faint colour and the small font.
 void hint(const std::string& text);
 

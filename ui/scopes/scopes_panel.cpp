@@ -21,9 +21,9 @@ void breakLine(float width) {
 
 void toggle(const char* name, bool* on) {
   breakLine(ImGui::CalcTextSize(name).x + 2 * ImGui::GetStyle().FramePadding.x);
-  if (*on) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  pushChosen(*on);
   const bool clicked = ImGui::SmallButton(name);
-  if (*on) ImGui::PopStyleColor();
+  popChosen();
   if (clicked) *on = !*on;
   markItem({"scopes.", name});
   ImGui::SameLine(0, px(4));

@@ -93,9 +93,9 @@ void histogram(EditingContext& studio, const std::string& light, size_t index) {
 
 void automaticThreshold(EditingContext& studio, const std::string& light) {
   const bool given = shadowThresholdOf(studio.document(), light).has_value();
-  if (!given) ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
+  pushChosen(!given);
   const bool reset = ImGui::Button("Auto", ImVec2(px(kAutoWidth), 0));
-  if (!given) ImGui::PopStyleColor();
+  popChosen();
   markItem("shadows.auto");
   tooltip("Find this light's threshold automatically, from its shadows' edges.");
   if (reset && given) resetShadowThreshold(studio, light);

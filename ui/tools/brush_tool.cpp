@@ -1,10 +1,13 @@
 #include "ui/tools/brush_tool.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/edit/guide/edge_guide.h"
 #include "core/edit/mask/selection.h"
+#include "core/relight/live_level.h"
 #include "ui/control/light_edit.h"
 #include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
@@ -97,6 +100,16 @@ void showStroke(EditingContext& studio) {
                         std::move(next));
 }
 
+/// Paint on a light that gives nothing now is kept, and shows later.
+void sayWhatHides(EditingContext& studio) {
+  const Rig& rig = studio.document().rig;
+  const size_t light = shownLight(studio);
+  const LiveLevel live = liveLevel(rig, light);
+  if (live.level <= 0)
+    studio.messages.info(fmt::format("{} gives no light now ({}): strokes on it show once it does.",
+                                     rig.lights[light].title(), heldBackWords(live.by)));
+}
+
 void beginStroke(EditingContext& studio, const StrokePoint& at) {
   BrushState& brush = studio.editing.brush;
   Edit wanted = brushEdit(studio);
@@ -108,6 +121,7 @@ void beginStroke(EditingContext& studio, const StrokePoint& at) {
                              : "Nothing was painted inside this selection. Ctrl+D clears it.");
     return;
   }
+  sayWhatHides(studio);
   const ViewPictures& pictures = studio.set()->pictures();
   BrushState::Going going;
   going.before = studio.document();

@@ -89,7 +89,7 @@ size_t toolsThatFit(float room) {
 }  // namespace
 
 void drawBarTools(ViewerContext& studio) {
-  const size_t count = toolsThatFit(ImGui::GetContentRegionAvail().x / px(1) - 6);
+  const size_t count = toolsThatFit(atScaleOne(ImGui::GetContentRegionAvail().x) - 6);
   for (size_t i = 0; i < count; ++i) kTools[i].draw(studio);
   if (count == kTools.size()) return;
   if (toggleButton(kIconMore, false, kAccent, px(kMoreWidth), "More ways to look at the picture"))

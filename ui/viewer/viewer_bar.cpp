@@ -118,7 +118,7 @@ void drawViewerBar(ViewerContext& studio) {
   // In a narrow viewer the lists' words are cut short, and what is used least goes into a list of its own, so
   // that the view stays in sight.
   const bool comparing = studio.view.compare.isOn();
-  const float have = ImGui::GetContentRegionAvail().x / px(1) - 6;
+  const float have = atScaleOne(ImGui::GetContentRegionAvail().x) - 6;
   const float wanted = comparing ? 790 : 660;
   const float cut = std::clamp((wanted - have) / (comparing ? 2 : 1), 0.0F, 54.0F);
   listButton("##subject", subjectWords(studio, studio.view.subject), 144 - cut, "Picture shown in the viewer",
@@ -130,7 +130,7 @@ void drawViewerBar(ViewerContext& studio) {
                [&] { drawSubjectMenu(studio, true); });
   drawBarTools(studio);
   const float room = ImGui::GetContentRegionAvail().x - px(6);
-  listButton("##view", displayWords(shownThrough(studio)), std::clamp(room / px(1), 60.0F, 190.0F),
+  listButton("##view", displayWords(shownThrough(studio)), std::clamp(atScaleOne(room), 60.0F, 190.0F),
              "Display and view, also used for PNG, TIFF and JPEG exports", [&] { drawDisplayMenu(studio); });
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
 }

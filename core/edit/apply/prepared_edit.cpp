@@ -85,6 +85,8 @@ int PreparedEdit::reach() const {
 std::optional<BetaRequest> betaRequest(const Edit& edit, const EditedLights& lights) {
   const auto* picture = std::get_if<BetaMapOperation>(&edit.operation);
   if (!picture) return std::nullopt;
+  if (picture->file.empty())
+    throw InputError("edit \"{}\": \"file\" is missing, expected the path of a beta map", calledName(edit));
   BetaRequest request{*picture, {}, lights.width, lights.height};
   for (const int i : chosenLights(edit, lights))
     request.lights.push_back(lights.names[static_cast<size_t>(i)]);

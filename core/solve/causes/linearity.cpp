@@ -318,7 +318,8 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
          fmt::format(
              "it cannot be told: matte surfaces show a curve of at most {} from dark to bright, as gloss "
              "and bounced light do, too. {}",
-             percent(mostDeparture(*evidence.matte)), kWouldTell));
+             mostDeparture(*evidence.matte) > 1 ? "more than 100 %" : percent(mostDeparture(*evidence.matte)),
+             kWouldTell));
 }
 
 }  // namespace

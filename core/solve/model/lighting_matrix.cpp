@@ -74,16 +74,23 @@ std::string pairAdvice(const LightingMatrix& lighting, int i, int j) {
       a, b, pair, b, a);
 }
 
-std::string channelAdvice(const LightingMatrix& lighting, int c, const std::vector<double>& singularValues) {
-  const char* channel = kChannelNames[size_t(c)];
-  if (!(singularValues.front() > 0))
-    return fmt::format("no light has {}: the set's {} is not recorded", channel, channel);
-  const auto missing = std::count_if(singularValues.begin(), singularValues.end(),
-                                     [&](double v) { return !(v >= kSingular * singularValues.front()); });
-  return fmt::format(
-      "the {} channel alone cannot separate the lights ({} of its {} singular values {} 0): it relies on the "
-      "other channels",
-      channel, missing, lighting.lights, missing == 1 ? "is" : "are");
+/// Of channels that do not separate the lights; `dark`: those that no light has.
+void addChannelAdvice(const std::vector<const char*>& dark, const std::vector<const char*>& singular,
+                      std::vector<std::string>& advice) {
+  for (const char* channel : dark)
+    advice.push_back(fmt::format("no light has {}: the set's {} is not recorded", channel, channel));
+  if (singular.size() == 1)
+    advice.push_back(
+        fmt::format("the {} channel alone cannot separate the lights: it relies on the other channels",
+                    singular.front()));
+  if (singular.size() == 2)
+    advice.push_back(fmt::format(
+        "neither the {} nor the {} channel alone can separate the lights: they rely on the other one",
+        singular[0], singular[1]));
+  if (singular.size() == 3)
+    advice.emplace_back(
+        "no channel alone can separate the lights: they can be told apart on matte surfaces only, by all "
+        "three together");
 }
 
 /// The lights of a mixture that the shots hardly see, where it is no pair: "key + back against fill".
@@ -143,6 +150,7 @@ LightingMatrix lightingFromCapture(const Capture& capture) {
 
 Conditioning conditioningOf(const LightingMatrix& lighting) {
   Conditioning result;
+  std::vector<const char*> dark, without;  // channels
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(lighting.lights, lighting.lights);
   for (int c = 0; c < 3; ++c) {
     const Eigen::MatrixXd matrix = lighting.matrix(c);
@@ -157,8 +165,9 @@ Conditioning conditioningOf(const LightingMatrix& lighting) {
     for (double v : values) inverse += v > 0 ? 1 / (v * v) : kInfinity;
     result.condition[size_t(c)] = singular ? kInfinity : values.front() / smallest;
     result.amplification[size_t(c)] = singular ? kInfinity : std::sqrt(inverse / lighting.lights);
-    if (singular) result.advice.push_back(channelAdvice(lighting, c, values));
+    if (singular) (values.front() > 0 ? without : dark).push_back(kChannelNames[size_t(c)]);
   }
+  addChannelAdvice(dark, without, result.advice);
   const size_t channelAdvices = result.advice.size();
   for (int i = 0; i < lighting.lights; ++i) {
     if (brightnessOf(lighting, i) == 0)
@@ -191,6 +200,14 @@ void checkSolvable(const LightingMatrix& lighting, const std::string& where,
       if (unknown[size_t(k * lighting.lights + i)] != unknown[size_t(k * lighting.lights + j)]) return true;
     return false;
   };
+  // Each of its colours is unknown, and stands nowhere else.
+  const auto nothingIsKnown = [&](int i) {
+    for (int k = 0; k < lighting.shots; ++k) {
+      const int here = unknown.empty() ? -1 : unknown[size_t(k * lighting.lights + i)];
+      if (here < 0 || std::count(unknown.begin(), unknown.end(), here) > 1) return false;
+    }
+    return true;
+  };
   if (lighting.lights > kMaxLights)
     throw InputError("{}: {} lights; at most {} can be separated", where, lighting.lights, kMaxLights);
   if (lighting.shots > kMaxShots)
@@ -207,7 +224,13 @@ void checkSolvable(const LightingMatrix& lighting, const std::string& where,
       throw InputError("{}: light {} is off in every shot; give it a colour in one, or remove it", where,
                        lighting.names[size_t(i)]);
     for (int j = i + 1; j < lighting.lights; ++j)
-      if (!differByAnUnknown(i, j) && distanceOfLights(lighting, i, j) < 1e-4 * brightest)
+      if (nothingIsKnown(i) && nothingIsKnown(j))
+        throw InputError(
+            "{}: the colours of {} and {} are unknown in every shot; tell at least one of them, or give what "
+            "is "
+            "the same gel one name",
+            where, lighting.names[size_t(i)], lighting.names[size_t(j)]);
+      else if (!differByAnUnknown(i, j) && distanceOfLights(lighting, i, j) < 1e-4 * brightest)
         throw InputError(
             "{}: lights {} and {} have the same colour in every shot; change one of them in at least one "
             "shot",

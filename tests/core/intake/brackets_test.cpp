@@ -161,6 +161,18 @@ TEST(Brackets, OnlyWhatNoExposureShowsIsClipped) {
               Contains(HasSubstr("is clipped in all 2 exposures: add a shorter one")));
 }
 
+TEST(PictureWarnings, DarkPhotographsAreTold) {
+  const Capture capture = bracketed(2, {0});
+  const ShotFolder folder = folderOf(2);
+  CapturePixels pixels = photographed(capture);
+  const auto warnings = [&] { return pictureWarnings(draftFor(capture, toldBrackets(folder, "0")), pixels); };
+  EXPECT_THAT(warnings(), Not(Contains(HasSubstr("stops below"))));
+  for (Image& shot : pixels.shots)
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < shot.pixelCount(); ++p) shot.plane(c)[p] *= .02F;
+  EXPECT_THAT(warnings(), Contains(HasSubstr("expose up to")));
+}
+
 TEST(Brackets, HaveOneLightingsColours) {
   const Capture capture = bracketed(3, {0, -2});
   CaptureDraft draft = draftFor(capture, toldBrackets(folderOf(6), "0,-2"));

@@ -1,5 +1,6 @@
 #include "core/set/solve_verdict.h"
 
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -69,6 +70,34 @@ TEST(SolveVerdict, LampsPhotographedOneByOneNeedNoMatteSurface) {
   report.colorUncertainty = 0.6F;
   report.colorDisagreement = 0.6;
   EXPECT_EQ(verdictOf(report).word, Word::Good);
+}
+
+/// Gels that were told to be one white lamp at a time: nothing is dark, but what was told is wrong.
+TEST(SolveVerdict, LampsThatWereNotLitOneByOneAreAskedFor) {
+  SolveReport report = reportWith(0.6);
+  report.conditioning.amplification = {1, 1, 1};
+  report.colorUncertainty = 2.28F;
+  report.colorDisagreement = 0.95;
+  report.tooDark = report.pixels;
+  const std::string reasons = fmt::format("{}", fmt::join(verdictOf(report).reasons, "; "));
+  EXPECT_NE(reasons.find("was only one lit at a time"), std::string::npos) << reasons;
+  EXPECT_EQ(reasons.find("too dark"), std::string::npos) << reasons;
+}
+
+TEST(SolveVerdict, DarkPhotographsAreNamedBesideColoursThatFitLess) {
+  SolveReport report = reportWith(0.2);
+  report.colorDisagreement = 0.11;
+  report.tooDark = report.pixels / 3;
+  const std::string reasons = fmt::format("{}", fmt::join(verdictOf(report).reasons, "; "));
+  EXPECT_NE(reasons.find("too dark: expose more"), std::string::npos) << reasons;
+}
+
+TEST(SolveVerdict, PhotographsThatTheModelDoesNotExplainAreNotGood) {
+  SolveReport report = reportWith(0.01);
+  report.residualMedian = 1.5;
+  EXPECT_EQ(verdictOf(report).word, Word::Good);
+  report.residualMedian = 30;
+  EXPECT_EQ(verdictOf(report).word, Word::Fair);
 }
 
 TEST(SolveVerdict, ASetOfWhichMuchMovedIsNotGood) {

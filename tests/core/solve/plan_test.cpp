@@ -235,10 +235,7 @@ TEST(Plan, ALightThatIsASumOfOthersIsNamed) {
 TEST(Plan, RedGreenBlueAndWhiteAreSingularInEveryChannel) {
   const Conditioning conditioning = rotated({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
   for (double amplification : conditioning.amplification) EXPECT_TRUE(std::isinf(amplification));
-  EXPECT_THAT(wordsOf(conditioning),
-              HasSubstr("the red channel alone cannot separate the lights (1 of its 4"));
-  EXPECT_THAT(wordsOf(conditioning),
-              HasSubstr("the green channel alone cannot separate the lights (2 of its 4"));
+  EXPECT_THAT(wordsOf(conditioning), HasSubstr("no channel alone can separate the lights"));
   EXPECT_TRUE(std::isfinite(conditioning.matteAmplification));
 }
 
