@@ -36,15 +36,15 @@ CapturePixels loadPhotographOf(const ColorConfig& config, const SolvedSet& set,
   photograph.frame = set.capture.frame;
   photograph.noise = set.capture.noise;
   photograph.shots.emplace_back().image = std::filesystem::absolute(file).string();
-  const auto fits = [&](const CapturePixels& one) {
+  const auto fits = [&](const auto& one) {
     return one.width() == set.width() && one.height() == set.height();
   };
-  CapturePixels pixels = loadCapturePixels(config, photograph, progress);
-  const bool framed = photograph.frame.crop || photograph.frame.scale != 1;
-  if (framed && !fits(pixels)) {  // cropped and scaled already, as a relit frame is
+  // One of the set's size is cropped and scaled already, as a relit frame is.
+  const bool framed = !photograph.frame.isWhole();
+  if (const ImageSpec spec = framed ? readImageSpec(file) : ImageSpec{};
+      spec.width == set.width() && spec.height == set.height())
     photograph.frame = {};
-    pixels = loadCapturePixels(config, photograph, progress);
-  }
+  CapturePixels pixels = loadCapturePixels(config, photograph, progress);
   if (!fits(pixels))
     throw InputError(
         "{}: is {} x {} pixels, the set is {} x {}{}. Take a photograph from the same camera, at the set's "

@@ -77,7 +77,9 @@ std::string lineAndColumn(std::string_view text, size_t byte) {
 
 /// Where, the parser's own words, and what people usually got wrong.
 std::string syntaxError(std::string_view text, const Json::parse_error& error) {
-  if (const size_t first = text.find_first_not_of(" \t\r\n");
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  const size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  if (const size_t first = text.find_first_not_of(" \t\r\n", begin);
       first == std::string_view::npos || (text[first] != '{' && text[first] != '['))
     return "is no JSON, which begins with { or [: is it another file?";
   const std::string_view all = error.what();

@@ -22,10 +22,10 @@ constexpr Limits kLost{0.05, 0.3};         ///< of the pixels: SolveReport::lost
 /// Lights that every channel tells apart like one lamp at a time need no surface to be matte: what that
 /// leaves unexplained says nothing of the colours.
 constexpr double kOneByOne = 1.1;
-// What is worth naming as a reason, by judgement: but for what moved it chooses words, never the verdict.
 /// The photographs' noise that a model leaves of them, which is not good any more: matte models, transport
 /// and auto leave .3 to 1.5 of good sets, a model that does not fit (single) 4 to 35.
 constexpr double kManyNoises = 3;
+// What is worth naming as a reason, by judgement: but for what moved it chooses words, never the verdict.
 constexpr double kMuchAmplified = 2;  ///< noise of the matte model over that of a photograph
 constexpr double kManyPixels = 0.05;  ///< clipped, too dark or moved
 

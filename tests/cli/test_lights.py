@@ -48,6 +48,16 @@ class LightsTest(cli.CliTest):
         cli.write_image(self.path('small.exr'), np.ones((10, 10, 3), np.float32))
         self.deny('lights', half, self.path('small.exr'), naming=('10 x 10', '64 x 48'))
 
+    def test_a_set_that_was_cropped_reads_its_own_frame(self):
+        self.capture.manifest['crop'] = [30, 20, 64, 48]
+        self.capture.save()
+        crop = self.path('crop.exr')
+        self.succeed('solve', self.capture.path, '-o', crop, '--float', '-q')
+        self.succeed('relight', crop, '--light', 'fill=rgb:0/1/0.5', '-o', self.path('relit.exr'), '--type', 'float')
+        said = self.colors(self.read(self.path('relit.exr'), source=crop))
+        np.testing.assert_allclose(said, [[1, 1, 1], [0, 1, .5]], atol=.01)
+        np.testing.assert_allclose(self.colors(self.read(self.photo(), source=crop)), LAMPS, atol=.01)
+
     def test_the_rig_gives_the_photograph_again(self):
         photo = self.photo()
         said = self.read(photo, '--rig', self.path('rig.json'))

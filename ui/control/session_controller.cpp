@@ -1,14 +1,18 @@
 #include "ui/control/session_controller.h"
 
+#include <fmt/format.h>
+
 #include <thread>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/ocio/color_config.h"
+#include "core/relight/rig.h"
 #include "core/session/broken_recovery.h"
 #include "core/session/open_source.h"
 #include "core/set/solve_verdict.h"
 #include "core/setups/other_set.h"
+#include "core/view/seen_exposure.h"
 #include "ui/state/view_memory.h"
 
 namespace swaplight {
@@ -208,6 +212,21 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   m_autosaved = m_editor.revision();
   if (unsaved) m_autosaved = kNothingAutosaved;
   m_recent.add(m_file.empty() ? m_editor.document().source : m_file);
+  warnOfDarkness();
+}
+
+/// A director who sees a black picture does not know whether it is broken.
+void SessionController::warnOfDarkness() {
+  constexpr float kDarkStops = 3;
+  if (!m_set || m_view.settings.exposureStops != 0) return;
+  const Rig& rig = m_editor.document().rig;
+  const auto stops = stopsToSee(m_set->pictures().layers(
+      {}, rigFactors(*m_colors.config(), rig, m_set->solved().colorSpace()), rig.ambient));
+  if (stops && *stops > kDarkStops)
+    m_messages.info(
+        fmt::format("The picture is {:.0f} stops below white. View, Expose to see (Ctrl+Shift+E), shows "
+                    "it brighter here and leaves exports as they are.",
+                    *stops));
 }
 
 void SessionController::checkDisplay(Document& document) {

@@ -106,6 +106,7 @@ class SessionController {
   void adopt(Pending pending, std::optional<OpenSet> set);
   /// Says where the display's view is not to be had.
   void checkDisplay(Document& document);
+  void warnOfDarkness();
   void autosave();
   [[nodiscard]] Session currentSession() const;
   /// What is being saved, or waits until something else has been.

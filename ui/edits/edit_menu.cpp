@@ -20,7 +20,9 @@ Edit newEdit(const EditingContext& studio, const std::string& what, const Operat
              EnergyMode energy) {
   const std::vector<LightSetting>& lights = studio.document().rig.lights;
   const LightSetting& light = lights[shownLight(studio)];
-  const bool ofOne = std::holds_alternative<PlaceOperation>(operation);  // two lamps never stand in one place
+  // Two lamps never stand in one place, and two lights have no beta map in common.
+  const bool ofOne = std::holds_alternative<PlaceOperation>(operation) ||
+                     std::holds_alternative<BetaMapOperation>(operation);
   std::vector<std::string> titles;
   Edit edit;
   for (const size_t i : ofOne ? std::vector{shownLight(studio)} : lightsFor(studio, shownLight(studio))) {
@@ -98,7 +100,7 @@ void drawAddEdit(EditingContext& studio, float width) {
   if (studio.edits.files().choosing()) return reading(studio, width);
   if (ImGui::Button("Add \u2026", ImVec2(width, 0))) ImGui::OpenPopup("##add edit");
   markItem("edits.add");
-  tooltip("Add an edit to the selected light.");
+  tooltip("Add an edit to the selected lights.");
   if (!ImGui::BeginPopup("##add edit")) return;
   forEachOperation([&]<typename T>(const T& operation) {
     if (!T::info.inMenu) return;

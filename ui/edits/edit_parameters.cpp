@@ -59,9 +59,10 @@ void label(const char* words) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - px(6));
 }
 
-bool percent(const char* words, const char* mark, float* part, float low, float high, const char* tip) {
+bool percent(const char* words, const char* mark, float* part, float low, float high, const char* tip,
+             const char* format = "%.0f %%") {
   float shown = 100 * *part;
-  if (!labelledSlider(words, mark, &shown, 100 * low, 100 * high, "%.0f %%", tip, 0)) return false;
+  if (!labelledSlider(words, mark, &shown, 100 * low, 100 * high, format, tip, 0)) return false;
   *part = shown / 100;
   return true;
 }
@@ -164,20 +165,16 @@ const char* formatOf(Scale::Unit unit) {
   return "";
 }
 
-/// A lamp's distance is 0 where it is too far away for its light to fall off.
-bool isFar(const Scale& scale, float value) {
-  return scale.unit == Scale::Unit::Widths && value == 0;
-}
-
 template <typename Owner>
 bool control(const Parameters& /*of*/, const Field<Owner, float>& field, float& value) {
   const Scale& scale = field.scale;
   const bool percents = scale.unit == Scale::Unit::Percent;
+  const char* format = scale.zero && value == 0 ? scale.zero : percents ? "%.0f %%" : formatOf(scale.unit);
   const std::string mark = markOf(field.key);
-  const bool changed =
-      percents ? percent(field.label, mark.c_str(), &value, scale.sliderLeast, scale.sliderMost, field.tip)
-               : labelledSlider(field.label, mark.c_str(), &value, scale.sliderLeast, scale.sliderMost,
-                                isFar(scale, value) ? "far" : formatOf(scale.unit), field.tip, 0);
+  const bool changed = percents ? percent(field.label, mark.c_str(), &value, scale.sliderLeast,
+                                          scale.sliderMost, field.tip, format)
+                                : labelledSlider(field.label, mark.c_str(), &value, scale.sliderLeast,
+                                                 scale.sliderMost, format, field.tip, 0);
   value = std::clamp(value, static_cast<float>(scale.least), static_cast<float>(scale.most));
   return changed;
 }

@@ -23,6 +23,20 @@ constexpr float kSliderStops = 8;
 constexpr std::array<LampPlace, 4> kFirstPlaces{
     {{-45, 30, {}, {}}, {45, 15, {}, {}}, {160, 45, {}, {}}, {0, 75, {}, {}}}};
 
+LampPlace firstPlace(const LampPlaces& told) {
+  const auto isFree = [&](const LampPlace& place) {
+    return std::none_of(told.begin(), told.end(), [&](const auto& other) {
+      return other.second.azimuth == place.azimuth && other.second.elevation == place.elevation;
+    });
+  };
+  if (const auto* free = std::find_if(kFirstPlaces.begin(), kFirstPlaces.end(), isFree);
+      free != kFirstPlaces.end())
+    return *free;
+  LampPlace next = kFirstPlaces.front();
+  while (!isFree(next)) next.azimuth += 20;  // ends before it has gone round: lamps are few
+  return next;
+}
+
 bool isMetered(const LampPlaces& places) {
   return std::any_of(places.begin(), places.end(), [](const auto& told) { return told.second.stops; });
 }
@@ -80,7 +94,7 @@ void toldOrNot(const Telling& telling) {
     telling.change("The lamp of " + telling.light + ": not known", places);
   ImGui::SameLine(0, px(4));
   if (choiceButton("Stood there", told, width, "places.known", "Its place is told below.") && !told) {
-    const LampPlace first = kFirstPlaces[places.size() % kFirstPlaces.size()];
+    const LampPlace first = firstPlace(places);
     LampPlace& place = places[telling.light] = first;
     if (isMetered(telling.places())) place.stops = 0;
     telling.change("The lamp of " + telling.light + ": place", places);

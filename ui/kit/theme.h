@@ -20,7 +20,7 @@ void applyTheme(float scale);
 
 /// A length of the design, given at scale 1, in pixels of this screen.
 [[nodiscard]] float px(float length);
-/// The scale itself, for lengths that are told at scale 1.
+/// A length on this screen as it is at scale 1.
 [[nodiscard]] float atScaleOne(float length);
 
 /// Behind everything, as display codes.

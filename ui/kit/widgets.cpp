@@ -168,9 +168,9 @@ bool changedDot(const char* id, bool changed, const char* tip) {
 }
 
 void pushChosen(bool chosen) {
-  ImGui::PushStyleColor(ImGuiCol_Button, chosen ? kAccent : ImGui::GetColorU32(ImGuiCol_Button));
-  ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
-                        chosen ? kAccent : ImGui::GetColorU32(ImGuiCol_ButtonHovered));
+  for (const ImGuiCol color : {ImGuiCol_Button, ImGuiCol_ButtonHovered})
+    ImGui::PushStyleColor(color,
+                          chosen ? ImGui::ColorConvertU32ToFloat4(kAccent) : ImGui::GetStyleColorVec4(color));
 }
 
 void popChosen() {

@@ -18,7 +18,7 @@
 namespace swaplight {
 namespace {
 
-constexpr float kLabelWidth = 84;
+constexpr float kLabelWidth = 92;
 constexpr float kWordsWidth = 116;
 constexpr float kGap = 4;
 constexpr int kColumns = 3;

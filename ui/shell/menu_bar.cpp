@@ -81,6 +81,7 @@ const std::vector<Menu>& menus() {
         "view.pools",
         "view.probe",
         "view.probe_size",
+        "view.expose",
         "view.neutral",
         "display",
         "-",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/lower_case.h"
 #include "core/session/document.h"
 
 namespace swaplight {
@@ -10,7 +11,8 @@ std::string addNewLight(EditingContext& studio, const std::string& word, Documen
   std::string name = word;
   const auto taken = [&] {
     const auto& lights = document.rig.lights;
-    return std::any_of(lights.begin(), lights.end(), [&](const auto& light) { return light.light == name; });
+    return std::any_of(lights.begin(), lights.end(),
+                       [&](const auto& light) { return lowerCase(light.light) == lowerCase(name); });
   };
   for (int number = 2; taken(); ++number) name = word + std::to_string(number);
   document.edits.newLights.push_back(name);

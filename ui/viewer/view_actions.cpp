@@ -1,11 +1,23 @@
 #include "ui/viewer/viewer_actions.h"
 
+#include <algorithm>
+
+#include "core/relight/rig.h"
 #include "core/set/set_color_space.h"
+#include "core/view/seen_exposure.h"
 
 namespace swaplight {
 namespace {
 
 constexpr double kZoomStep = 1.25;
+
+/// Of the relit picture; nothing where it is black.
+std::optional<float> relitStopsToSee(const ViewerContext& studio) {
+  const OpenSet& set = *studio.set();
+  const Rig& rig = studio.document().rig;
+  return stopsToSee(set.pictures().layers(
+      {}, rigFactors(*studio.colors.config(), rig, set.solved().colorSpace()), rig.ambient));
+}
 
 void useColorConfig(ViewerContext& studio, const std::filesystem::path& file) {
   Document next = studio.document();
@@ -103,6 +115,15 @@ void addViewActions(ActionTable& actions, ViewerContext& studio, FileChooser& ch
                "outside the picture.",
                [&studio] { studio.view.pools = !studio.view.pools; }, shown,
                [&studio] { return studio.view.pools; }});
+  actions.add(
+      {"view.expose", "Expose to see", "Ctrl+Shift+E",
+       "Viewer exposure so that the brightest parts of the picture are bright: a dark set is seen, and "
+       "exports stay as they are.",
+       [&studio] {
+         if (const auto stops = relitStopsToSee(studio))
+           studio.view.settings.exposureStops = std::clamp(*stops, -20.0F, 20.0F);
+       },
+       shown});
   actions.add({"view.neutral", "Reset exposure and gamma", "Shift+E",
                "Viewer exposure and gamma off: matches the export.",
                [&studio] {

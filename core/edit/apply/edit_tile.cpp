@@ -74,12 +74,16 @@ EditTile::EditTile(const EditTile& whole, const LightIndices& lights, const Pixe
       }
       if (m_ambient) std::copy_n(whole.ambientRow(c, y) + skip, area.width, writableAmbientRow(c, y));
     }
-  m_recolored = whole.m_recolored;
-  if (whole.m_white.empty()) return;
-  m_white.resize(4 * m_plane);
-  for (int plane = 0; plane < 4; ++plane)
-    for (int y = area.y; y < area.bottom(); ++y)
-      std::copy_n(whole.whiteRow(plane, y) + skip, area.width, writableWhiteRow(plane, y));
+  const auto copyPlanes = [&](const std::vector<float>& from, size_t planes, std::vector<float>& to) {
+    if (from.empty()) return;
+    to.resize(planes * m_plane);
+    for (int plane = 0; plane < static_cast<int>(planes); ++plane)
+      for (int y = area.y; y < area.bottom(); ++y)
+        std::copy_n(whole.rowOf(from, plane, y) + skip, area.width,
+                    to.data() + (rowOf(to, plane, y) - to.data()));
+  };
+  copyPlanes(whole.m_white, 4, m_white);
+  copyPlanes(whole.m_surfaces, 6, m_surfaces);
 }
 
 void EditTile::needWhite() {
@@ -97,6 +101,14 @@ void EditTile::needWhite() {
     const float grey = white[p] + white[m_plane + p] + white[2 * m_plane + p];
     white[kInverseGrey * m_plane + p] = grey > 0 ? 1 / grey : 0;
   }
+}
+
+void EditTile::needSurfaces() {
+  if (!m_surfaces.empty()) return;
+  needWhite();
+  m_surfaces.resize(6 * m_plane);
+  for (const size_t half : {size_t{0}, size_t{3}})
+    std::copy_n(m_white.data(), 3 * m_plane, m_surfaces.data() + half * m_plane);
 }
 
 void EditTile::copyHighlights() {
@@ -193,27 +205,23 @@ void EditTile::forEachSpan(const PreparedEdit& edit, const PixelRect& area, cons
 std::array<const float*, 3> EditTile::onSurfaces(const Image& light, const Span& span,
                                                  std::vector<float>& room) const {
   const auto rowIn = [&](const Image& image, int c) { return image.view().row(c, span.y) + span.x; };
-  if (!m_recolored) return {rowIn(light, 0), rowIn(light, 1), rowIn(light, 2)};
+  if (m_surfaces.empty()) return {rowIn(light, 0), rowIn(light, 1), rowIn(light, 2)};
   const auto count = static_cast<size_t>(span.count);
-  room.assign(7 * count, 0);
-  const auto part = [&](size_t k) { return room.data() + k * count; };
-  float* given[3] = {part(0), part(1), part(2)};
-  float* solved[3] = {part(3), part(4), part(5)};
-  const float* now[3];
+  room.resize(4 * count);
+  float* const given[3] = {room.data(), room.data() + count, room.data() + 2 * count};
+  float* const inverse = room.data() + 3 * count;
+  const float* before[3];
+  const float* after[3];
   for (int c = 0; c < 3; ++c) {
-    now[c] = whiteRow(c, span.y) + (span.x - m_area.x);
+    before[c] = rowOf(m_surfaces, c, span.y) + (span.x - m_area.x);
+    after[c] = rowOf(m_surfaces, 3 + c, span.y) + (span.x - m_area.x);
     std::copy_n(rowIn(light, c), count, given[c]);
-    for (const Image& contribution : m_set->contributions) {
-      const float* in = rowIn(contribution, c);
-      for (size_t i = 0; i < count; ++i) solved[c][i] += in[i];
-    }
   }
-  float* inverse = part(6);
   for (size_t i = 0; i < count; ++i) {
-    const float grey = solved[0][i] + solved[1][i] + solved[2][i];
+    const float grey = before[0][i] + before[1][i] + before[2][i];
     inverse[i] = grey > 0 ? 1 / grey : 0;
   }
-  changeReflectanceRow(solved, now, inverse, darkestSurface(*m_set), span.count,
+  changeReflectanceRow(before, after, inverse, darkestSurface(*m_set), span.count,
                        {{given[0], given[1], given[2]}});
   return {given[0], given[1], given[2]};
 }
@@ -368,8 +376,7 @@ void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, cons
   const float* const afterRows[3] = {after[0].data(), after[1].data(), after[2].data()};
   const std::vector<int> lights = lightsHere(edit);
   const float dark = darkestSurface(*m_set);
-  needWhite();
-  m_recolored = true;
+  needSurfaces();
   forEachSpan(edit, area, [&](const Span& span) {
     const int skip = span.x - m_area.x;
     const auto pixels = [&](int light, int c) { return writableRow(light, c, span.y) + skip; };
@@ -388,6 +395,13 @@ void EditTile::applyOperation(const T& operation, const PreparedEdit& edit, cons
     if (m_ambient)
       changeReflectanceRow(white, afterRows, inverse, dark, span.count,
                            {{ambient(0), ambient(1), ambient(2)}});
+    for (int c = 0; c < 3; ++c) {  // white may have changed since the first recolouring, by other gels
+      float* surface = m_surfaces.data() + (rowOf(m_surfaces, 3 + c, span.y) - m_surfaces.data()) + skip;
+      for (int i = 0; i < span.count; ++i)
+        surface[i] = white[c][i] == surface[i] || !(white[c][i] > 0)
+                         ? afterRows[c][i]
+                         : surface[i] * (afterRows[c][i] / white[c][i]);
+    }
     for (int i = 0; i < span.count; ++i) {
       float grey = 0;
       for (int c = 0; c < 3; ++c) grey += white[c][i] = afterRows[c][i];

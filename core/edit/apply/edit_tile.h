@@ -34,7 +34,9 @@ class EditTile {
   void apply(const PreparedEdit& edit, const PixelRect& part);
 
   [[nodiscard]] const PixelRect& area() const { return m_area; }
-  [[nodiscard]] size_t bytes() const { return (m_data.size() + m_white.size()) * sizeof(float); }
+  [[nodiscard]] size_t bytes() const {
+    return (m_data.size() + m_white.size() + m_surfaces.size()) * sizeof(float);
+  }
   [[nodiscard]] bool has(int light) const { return m_places[static_cast<size_t>(light)] >= 0; }
   /// A contribution's row, of a light that it has: x from area().x on.
   [[nodiscard]] const float* row(int light, int channel, int y) const {
@@ -66,6 +68,7 @@ class EditTile {
   void needWhite();
   [[nodiscard]] const float* whiteRow(int channel, int y) const { return rowOf(m_white, channel, y); }
   [[nodiscard]] const float* inverseGreyRow(int y) const { return rowOf(m_white, kInverseGrey, y); }
+  void needSurfaces();
   void copyAmbient(const Image& ambient);
   void copyHighlights();
   void betaRow(int light, int y, int x, int count, float* out) const;
@@ -110,7 +113,8 @@ class EditTile {
   // Light by light R G B, the part of each light's R G B that is highlight, ambient R G B.
   std::vector<float> m_data;
   std::vector<float> m_white;  // R G B and 1 / their sum; empty until an edit needs it
-  bool m_recolored = false;    // surfaces are of other colours than as solved
+  // What edits have made of surfaces' colours: white before the first of them, R G B, and after; else empty.
+  std::vector<float> m_surfaces;
 };
 
 }  // namespace swaplight

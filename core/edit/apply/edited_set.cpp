@@ -59,8 +59,23 @@ void changeLights(const SolvedSet& set, const EditedLights& lights, SolvedSet& r
   result.capture.lights = std::move(described);
 }
 
+// What is highlight in a light. As it was, to the bit, where the light is: part of it and then times it, it
+// would be rounded twice.
+void writeHighlights(const SolvedSet& set, size_t light, const EditTile& tile, const PixelRect& part, int c,
+                     int y, float* to) {
+  const int skip = part.x - tile.area().x;
+  const float* now = tile.row(static_cast<int>(light), c, y) + skip;
+  const float* share = tile.highlightRow(static_cast<int>(light), c, y) + skip;
+  std::transform(now, now + part.width, share, to, std::multiplies<>());
+  if (light >= set.highlights.size()) return;
+  const float* was = set.contributions[light].view().row(c, y) + part.x;
+  const float* highlight = set.highlights[light].view().row(c, y) + part.x;
+  for (int x = 0; x < part.width; ++x)
+    if (now[x] == was[x] && was[x] > 0 && share[x] == highlight[x] / was[x]) to[x] = highlight[x];
+}
+
 // The lights that the tile has.
-void writeBack(const EditTile& tile, const PixelRect& part, SolvedSet& result) {
+void writeBack(const SolvedSet& set, const EditTile& tile, const PixelRect& part, SolvedSet& result) {
   const int skip = part.x - tile.area().x;
   for (int c = 0; c < 3; ++c)
     for (int y = part.y; y < part.bottom(); ++y) {
@@ -70,12 +85,9 @@ void writeBack(const EditTile& tile, const PixelRect& part, SolvedSet& result) {
       for (int i = 0; i < result.lightCount(); ++i) {
         if (!tile.has(i)) continue;
         const auto k = static_cast<size_t>(i);
-        const float* light = tile.row(i, c, y) + skip;
-        std::copy_n(light, part.width, placeIn(result.contributions[k]));
-        if (result.highlights.empty()) continue;
-        const float* highlight = tile.highlightRow(i, c, y) + skip;
-        std::transform(light, light + part.width, highlight, placeIn(result.highlights[k]),
-                       std::multiplies<>());
+        std::copy_n(tile.row(i, c, y) + skip, part.width, placeIn(result.contributions[k]));
+        if (!result.highlights.empty())
+          writeHighlights(set, k, tile, part, c, y, placeIn(result.highlights[k]));
       }
     }
 }
@@ -94,9 +106,9 @@ EditedLights editedLights(const SolvedSet& set, const EditStack& stack) {
     if (set.capture.lightIndex(name) >= 0)
       throw InputError("the edits add a light \"{}\", but the set has one of that name: give it another.",
                        name);
+    checkLightNames({&name, 1}, "the edits' new lights");
     lights.names.push_back(name);
   }
-  if (!stack.newLights.empty()) checkLightNames(lights.names, "the edits' new lights");
   return lights;
 }
 
@@ -113,7 +125,8 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
   for (const auto& edit : stack.edits) {
     const PreparedEdit prepared = prepareEdit(edit, lights, context, files);
     for (size_t k = 0; k < prepared.placed.size() && prepared.isActive(); ++k)
-      if (!prepared.placed[k].isNeutral() && !placed.insert(prepared.lights[k]).second)
+      if (prepared.lights[k] < set.lightCount() && !prepared.placed[k].isNeutral() &&
+          !placed.insert(prepared.lights[k]).second)
         result.capture.warnings.push_back(warningOf(
             *edit,
             fmt::format("\"{}\" is placed by an earlier edit, too, and each starts from where its lamp "
@@ -125,7 +138,7 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
     if (prepared.isActive() && usesHighlights(edit->operation) && set.highlights.empty())
       result.capture.warnings.push_back(warningOf(*edit, kNoHighlights));
   }
-  writeBack(picture, all, result);
+  writeBack(set, picture, all, result);
   updateBeta(result);
   return result;
 }
@@ -277,13 +290,13 @@ EditTile EditedSet::belowCheckpoint(const PixelRect& band) const {
 void EditedSet::compute(const PixelRect& area) {
   const size_t below = m_checkpoint.editsBelow();
   if (below == 0) {
-    writeBack(evaluate(area, m_prepared.size(), m_staleLights), area, m_result);
+    writeBack(*m_set, evaluate(area, m_prepared.size(), m_staleLights), area, m_result);
     return;
   }
   EditTile tile =
       m_checkpoint.stateAt(area, m_staleLights, [&](const PixelRect& band) { return belowCheckpoint(band); });
   for (size_t k = below; k < m_prepared.size(); ++k) tile.apply(*m_prepared[k], area);
-  writeBack(tile, area, m_result);
+  writeBack(*m_set, tile, area, m_result);
 }
 
 }  // namespace swaplight

@@ -17,6 +17,7 @@ struct Scale {
   Unit unit = Unit::Pixels;
   double least = -1e6, most = 1e6;        ///< in files; what lies outside is refused
   float sliderLeast = 0, sliderMost = 1;  ///< of the studio's slider
+  const char* zero = nullptr;             ///< what 0 means, where it is no number: "far"
 
   [[nodiscard]] constexpr float within(double value) const {
     return static_cast<float>(std::clamp(value, least, most));

@@ -37,7 +37,7 @@ struct PlaceOperation {
         numberField("elevation", &PlaceOperation::elevation, {Scale::Unit::Degrees, -90, 90, -90, 90},
                     "Height", "Degrees above the line from the set to the camera."),
         numberField(
-            "distance", &PlaceOperation::distance, {Scale::Unit::Widths, 0, 1000, 0, 10}, "Distance",
+            "distance", &PlaceOperation::distance, {Scale::Unit::Widths, 0, 1000, 0, 10, "far"}, "Distance",
             "From the middle of the set, in widths of what the picture shows there: a set that is 3 m "
             "wide, a lamp 6 m away: 2. 0: far away, as the sun."),
         numberField("diameter", &PlaceOperation::diameter, {Scale::Unit::Percent, 0, 4, 0, 2}, "Diameter",

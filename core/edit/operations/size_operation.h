@@ -29,7 +29,7 @@ struct SizeOperation {
         numberField("times", &SizeOperation::times, {Scale::Unit::Factor, .25, 8, .25F, 8}, "Size",
                     "Times the lamp's diameter: above 1 shadows get softer, below 1 harder."),
         numberField(
-            "diameter", &SizeOperation::diameter, {Scale::Unit::Percent, 0, 4, 0, 1}, "It was",
+            "diameter", &SizeOperation::diameter, {Scale::Unit::Percent, 0, 4, 0, 1, "not known"}, "It was",
             "The lamp's diameter when the set was photographed, in per cent of its distance from what "
             "it lights: 50 % is a softbox of 1 m, 2 m away. 0 %: not known; taken for 15 %, or 1 % "
             "where the light makes a cone.")};

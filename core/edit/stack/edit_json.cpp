@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/capture/light_name.h"
 #include "core/edit/fields/field_json.h"
 #include "core/edit/operations/operation_json.h"
 #include "core/edit/stack/edit.h"
@@ -109,6 +110,7 @@ EditStack editStackFromJson(const Json& json, int width, int height, const std::
   JsonFields fields(json, where);
   for (const char* key : {"format", "version"}) static_cast<void>(fields.find(key));  // of a file of edits
   stack.newLights = readNames(fields, "new_lights");
+  checkLightNames(stack.newLights, where + ": new_lights");
   stack.shadowThresholds = readThresholds(fields);
   stack.shadowMarks = readMarks(fields);
   if (const Json* places = fields.find("lamp_places"))

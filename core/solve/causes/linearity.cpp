@@ -316,9 +316,10 @@ void answerByMatte(const Capture& capture, const CapturePixels& photographs, con
                               percent(mostDeparture(*evidence.matte))));
   answer(evidence, Answer::Unknown,
          fmt::format(
-             "it cannot be told: matte surfaces show a curve of at most {} from dark to bright, as gloss "
-             "and bounced light do, too. {}",
-             mostDeparture(*evidence.matte) > 1 ? "more than 100 %" : percent(mostDeparture(*evidence.matte)),
+             "it cannot be told: matte surfaces show a curve of {} from dark to bright, as gloss and bounced "
+             "light do, too. {}",
+             mostDeparture(*evidence.matte) > 1 ? "more than 100 %"
+                                                : "at most " + percent(mostDeparture(*evidence.matte)),
              kWouldTell));
 }
 

@@ -80,13 +80,12 @@ void addChannelAdvice(const std::vector<const char*>& dark, const std::vector<co
   for (const char* channel : dark)
     advice.push_back(fmt::format("no light has {}: the set's {} is not recorded", channel, channel));
   if (singular.size() == 1)
-    advice.push_back(
-        fmt::format("the {} channel alone cannot separate the lights: it relies on the other channels",
-                    singular.front()));
+    advice.push_back(fmt::format("the {} channel alone cannot separate the lights{}", singular.front(),
+                                 dark.empty() ? ": it relies on the other channels" : ""));
   if (singular.size() == 2)
-    advice.push_back(fmt::format(
-        "neither the {} nor the {} channel alone can separate the lights: they rely on the other one",
-        singular[0], singular[1]));
+    advice.push_back(fmt::format("neither the {} nor the {} channel alone can separate the lights{}",
+                                 singular[0], singular[1],
+                                 dark.empty() ? ": they rely on the other one" : ""));
   if (singular.size() == 3)
     advice.emplace_back(
         "no channel alone can separate the lights: they can be told apart on matte surfaces only, by all "

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <random>
 
 #include "core/base/json.h"
 #include "core/edit/apply/edited_set.h"
@@ -194,6 +195,23 @@ TEST(Shine, OfASetWithoutHighlightsChangesNothingAndSaysSo) {
   EXPECT_THAT(edited.capture.warnings, Contains(HasSubstr("has no highlights")));
   EXPECT_TRUE(edited.highlights.empty());
   EXPECT_TRUE(shone(glossySet(), {shine(3)}).capture.warnings.empty());
+}
+
+TEST(Shine, HighlightsThatNothingTouchesStayToTheBit) {
+  SolvedSet set = glossySet();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> part(0, 1);
+  for (size_t i = 0; i < 2; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < set.beta.pixelCount(); ++p)
+        set.highlights[i].plane(c)[p] = part(random) * set.contributions[i].plane(c)[p];
+  expectSame(shone(set, {}), set);
+  const std::string first = set.capture.lights[0].name;
+  expectSame(shone(set, {shine(1)}), set);
+  const SolvedSet edited = shone(set, {shine(2, first)});  // the other light is as it was
+  for (int c = 0; c < 3; ++c)
+    for (size_t p = 0; p < set.beta.pixelCount(); ++p)
+      ASSERT_EQ(edited.highlights[1].plane(c)[p], set.highlights[1].plane(c)[p]);
 }
 
 }  // namespace

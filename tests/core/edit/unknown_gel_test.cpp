@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -105,6 +106,50 @@ TEST(UnknownGel, IsTheSetAsSolvedWhereItStands) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(color[c], set.report->openColor->taken[c], 1e-5);
   const Rgb exchanged = gelMixing(set, {.25F, Lamps::Exchanged}).color;
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(exchanged[c], set.report->openColor->exchanged[c], 1e-4);
+}
+
+/// What a gel really was is no colour of a surface, wherever one was recoloured: what a shadow edit adds is
+/// the same beside it, and in whatever tiles it is computed.
+TEST(UnknownGel, ChangesNoSurfaceBesideOneThatWasRecoloured) {
+  const auto set = std::make_shared<const SolvedSet>(swappedSet());
+  auto shadows = std::make_shared<LightShadows>();
+  shadows->visibility = Image(ImageSpec{60, 40, {"Y"}, "data"}, 0);
+  shadows->direct = Image(ImageSpec::rgb(60, 40), .4F);
+  shadows->labels.assign(shadows->visibility.pixelCount(), ShadowLabel::Umbra);
+  const ShadowSource source = [&](const std::string&) { return shadows; };
+  const auto edit = [](const Operation& operation, std::vector<std::string> lights, Mask mask = {}) {
+    Edit made;
+    made.operation = operation;
+    made.lights = std::move(lights);
+    made.mask = std::move(mask);
+    return made;
+  };
+  RecolorOperation red;
+  red.kind = RecolorOperation::Kind::Color;
+  red.to = Rgb(1, .2F, .2F);
+  EllipseShape corner{10, 10, 8, 8, 0};
+  EditStack plain, recolored;
+  for (EditStack* stack : {&plain, &recolored}) {
+    stack->append(edit(UnknownGelOperation{.9F, Lamps::AsSolved}, {}));
+    if (stack == &recolored) stack->append(edit(red, {}, {{corner, false}}));
+    stack->append(edit(ShadowOperation{}, {set->capture.lights[0].name}));
+  }
+  const SolvedSet one = applyEdits(*set, plain, source);
+  const SolvedSet two = applyEdits(*set, recolored, source);
+  EditedSet tiles(set, source);
+  tiles.setStack(recolored);
+  tiles.update();
+  size_t changed = 0;
+  for (int c = 0; c < 3; ++c)
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 60; ++x) {
+        const auto at = [&](const SolvedSet& of) { return of.contributions[0].view().at(c, x, y); };
+        ASSERT_NEAR(at(tiles.result()), at(two), 1e-6) << x << " " << y;
+        if (at(one) == at(two)) continue;
+        ++changed;
+        ASSERT_LT(std::hypot(float(x) - 10, float(y) - 10), 11) << x << " " << y;
+      }
+  EXPECT_GT(changed, 100U);
 }
 
 TEST(UnknownGel, TakesTheHighlightsAlong) {

@@ -21,6 +21,10 @@ SolveReport reportWith(double error) {
   return report;
 }
 
+std::string reasonsOf(const SolveReport& report) {
+  return fmt::format("{}", fmt::join(verdictOf(report).reasons, "; "));
+}
+
 TEST(SolveVerdict, FollowsFromTheErrorOfTheMedianPixel) {
   EXPECT_EQ(verdictOf(reportWith(0)).word, Word::Good);
   EXPECT_EQ(verdictOf(reportWith(0.11)).word, Word::Good);
@@ -79,7 +83,7 @@ TEST(SolveVerdict, LampsThatWereNotLitOneByOneAreAskedFor) {
   report.colorUncertainty = 2.28F;
   report.colorDisagreement = 0.95;
   report.tooDark = report.pixels;
-  const std::string reasons = fmt::format("{}", fmt::join(verdictOf(report).reasons, "; "));
+  const std::string reasons = reasonsOf(report);
   EXPECT_NE(reasons.find("was only one lit at a time"), std::string::npos) << reasons;
   EXPECT_EQ(reasons.find("too dark"), std::string::npos) << reasons;
 }
@@ -88,7 +92,7 @@ TEST(SolveVerdict, DarkPhotographsAreNamedBesideColoursThatFitLess) {
   SolveReport report = reportWith(0.2);
   report.colorDisagreement = 0.11;
   report.tooDark = report.pixels / 3;
-  const std::string reasons = fmt::format("{}", fmt::join(verdictOf(report).reasons, "; "));
+  const std::string reasons = reasonsOf(report);
   EXPECT_NE(reasons.find("too dark: expose more"), std::string::npos) << reasons;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/view/seen_exposure.h"
 #include "core/view/window_pixels.h"
 
 namespace swaplight {
@@ -150,6 +151,19 @@ TEST(Pyramid, OddSidesAverageWhatThereIs) {
   EXPECT_EQ(half.height(), 2);
   EXPECT_EQ(half.view().at(0, 0, 0), 0.5F);
   EXPECT_EQ(half.view().at(0, 2, 1), 4.0F);
+}
+
+TEST(StopsToSee, BringTheBrightestHundredthNearWhite) {
+  Image light(ImageSpec::rgb(400, 300));
+  for (int c = 0; c < 3; ++c)
+    for (int y = 0; y < 300; ++y)
+      for (int x = 0; x < 400; ++x) light.span().at(c, x, y) = x < 40 ? .01F : .001F;
+  const Pyramid picture(light.view());
+  const auto stops = stopsToSee(std::vector<ViewLayer>{{&picture, Rgb(2)}});
+  ASSERT_TRUE(stops);
+  EXPECT_NEAR(*stops, std::log2(.7 / .02), .02);
+  EXPECT_FALSE(stopsToSee(std::vector<ViewLayer>{{&picture, Rgb(0)}}));
+  EXPECT_FALSE(stopsToSee({}));
 }
 
 }  // namespace
