@@ -122,8 +122,8 @@ int balanceRig(const BalanceCommand& arguments, Terminal& terminal) {
         "--chart and --camera",
         arguments.photograph);
   const std::vector<std::filesystem::path> inputs{arguments.photograph};
-  checkEnding(arguments.output, std::array{".json"}, "a rig");
   checkOutput(arguments.output, inputs);
+  checkEnding(arguments.output, std::array{".json"}, "a rig");
   const WhitePoint white = whitePointFromText(arguments.white);
   Rig rig = readRig(arguments.photograph);
   try {

@@ -81,8 +81,8 @@ std::string unknownIn(const Json& lamps) {
 
 int run(const LightsCommand& arguments, Terminal& terminal) {
   const std::vector<std::filesystem::path> inputs{arguments.source, arguments.photograph};
-  checkEnding(arguments.rig, std::array{".json"}, "a rig");
   if (!arguments.rig.empty()) checkOutput(arguments.rig, inputs);
+  checkEnding(arguments.rig, std::array{".json"}, "a rig");
   LampReadingOptions options = arguments.options;
   options.ambient = arguments.ambient;
   if (!arguments.noise.empty()) options.noise = noiseFromText(arguments.noise);

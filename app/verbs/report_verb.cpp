@@ -26,9 +26,9 @@ int run(const ReportCommand& arguments, Terminal& terminal) {
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
   if (session) sayWarnings(session->warnings, terminal);
   config->checkView(arguments.display);
-  checkEnding(arguments.page, std::array{".html", ".htm"}, "a report");
   checkOutputs(std::array<std::filesystem::path, 2>{arguments.page, arguments.histogram},
                arguments.lighting.inputs(session));
+  checkEnding(arguments.page, std::array{".html", ".htm"}, "a report");
   arguments.lighting.check(*config, session);
 
   const Progress progress = terminal.progress();

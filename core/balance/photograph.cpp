@@ -36,21 +36,17 @@ CapturePixels loadPhotographOf(const ColorConfig& config, const SolvedSet& set,
   photograph.frame = set.capture.frame;
   photograph.noise = set.capture.noise;
   photograph.shots.emplace_back().image = std::filesystem::absolute(file).string();
-  const auto fits = [&](const auto& one) {
-    return one.width() == set.width() && one.height() == set.height();
-  };
-  // One of the set's size is cropped and scaled already, as a relit frame is.
   const bool framed = !photograph.frame.isWhole();
-  if (const ImageSpec spec = framed ? readImageSpec(file) : ImageSpec{};
-      spec.width == set.width() && spec.height == set.height())
-    photograph.frame = {};
+  const ImageSpec own = framed ? readImageSpec(file) : ImageSpec{};
+  // One of the set's size is cropped and scaled already, as a relit frame is.
+  if (own.width == set.width() && own.height == set.height()) photograph.frame = {};
   CapturePixels pixels = loadCapturePixels(config, photograph, progress);
-  if (!fits(pixels))
+  if (pixels.width() != set.width() || pixels.height() != set.height())
     throw InputError(
         "{}: is {} x {} pixels, the set is {} x {}{}. Take a photograph from the same camera, at the set's "
         "size.",
-        file.string(), pixels.width(), pixels.height(), set.width(), set.height(),
-        framed ? ", cropped or scaled from its photographs" : "");
+        file.string(), framed ? own.width : pixels.width(), framed ? own.height : pixels.height(),
+        set.width(), set.height(), framed ? ", cropped or scaled from its photographs" : "");
   Image& image = pixels.shots.front();
   if (image.spec().colorSpace != set.colorSpace()) {
     config.convert(image.span(), image.spec().colorSpace, set.colorSpace());

@@ -81,7 +81,7 @@ std::string syntaxError(std::string_view text, const Json::parse_error& error) {
   const size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   if (const size_t first = text.find_first_not_of(" \t\r\n", begin);
       first == std::string_view::npos || (text[first] != '{' && text[first] != '['))
-    return "is no JSON, which begins with { or [: is it another file?";
+    return "line 1, column 1: no JSON, which begins with { or [: is it another file?";
   const std::string_view all = error.what();
   const size_t cause = std::min(all.find("syntax error"), all.size());
   const std::string_view words = all.substr(cause, all.find("; last read") - cause);
