@@ -124,7 +124,7 @@ class NormalsTest(cli.CliTest):
         for place in ('left', 'left=1,2', 'left=1,2,3,4,5', 'left=x,2,far', 'left=181,0,far', 'left=0,91,far',
                       'left=0,0,-1', 'left=0,0,near', 'left=0,0,nan'):
             self.deny('normals', solved, *self.lamps()[2:], '--lamp', place, '-o', out, naming=['--lamp', place])
-        self.deny('normals', solved, *self.lamps()[:4], '-o', out, naming=['3 lamps'])
+        self.deny('normals', solved, *self.lamps()[:4], '-o', out, naming=['3 lamps', '2 given'])
         self.deny('normals', solved, *self.lamps(), *self.lamps()[:2], '-o', out, naming=['left', 'already'])
         self.deny('normals', solved, *self.lamps()[2:], '--lamp', 'left=0,0,far', '-o', out, naming=['stops'])
         self.deny('normals', solved, *self.lamps(), '-o', self.path('normals.png'), naming=['normals.png', 'OpenEXR'])
