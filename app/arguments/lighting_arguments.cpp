@@ -227,6 +227,10 @@ std::shared_ptr<const SolvedSet> LightingArguments::edited(const std::shared_ptr
   return m_edits.applyTo(set, session ? session->document.edits : EditStack{}, sessionFile());
 }
 
+void LightingArguments::refuseAmbient(const char* what) const {
+  if (m_ambient) throw InputError("--ambient: {} has no ambient light; leave it out", what);
+}
+
 void LightingArguments::takeAllFromSession(const std::string& option) const {
   if (sessionFile().empty())
     throw InputError("{}: cues stand in a session: give one (NAME.swaplight) as SOURCE", option);

@@ -61,6 +61,8 @@ class LightingArguments {
   /// Throws InputError where the command line sets lights or edits, or names no session: `option` takes them
   /// from there.
   void takeAllFromSession(const std::string& option) const;
+  /// Throws InputError where --ambient was given: `what` has no ambient light.
+  void refuseAmbient(const char* what) const;
   /// The same from another file: a frame of a sequence.
   [[nodiscard]] SolvedSet openFile(const ColorConfig& config, const std::filesystem::path& file,
                                    const std::optional<Session>& session, const Progress& progress) const;

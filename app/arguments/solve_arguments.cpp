@@ -164,6 +164,10 @@ SolveOptions SolveArguments::resolveFor(const std::filesystem::path& source) con
 SolveOptions SolveArguments::resolve() const {
   SolveOptions resolved = m_solve;
   resolved.model = modelFromName(m_model);
+  if (!resolved.solver.empty() && resolved.model != Model::Auto &&
+      resolved.model != estimatorInfo(resolved.solver).model)
+    throw InputError("--solver {} assumes --model {}: leave out --model {}", resolved.solver,
+                     modelName(estimatorInfo(resolved.solver).model), m_model);
   resolved.align = remedyFromText("--align", m_align, "off", "on");
   resolved.highlights = chosen(kHighlights, m_highlights, "off", "on");
   if (chosen("--denoise", m_denoise, "off", "guided")) resolved.denoise = Denoise::Guided;

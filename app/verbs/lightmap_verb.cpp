@@ -67,6 +67,7 @@ Rig rigOf(const Rig& rig, const Capture& capture) {
 
 void check(const ColorConfig& config, const LightmapCommand& arguments, const FrameOptions& output) {
   checkFrame(config, arguments.file, output);
+  arguments.lighting.refuseAmbient("a light map");
   const std::string& type = arguments.output.write.pixelType;
   if (lowerExtension(arguments.file) == ".exr" && (type == "uint8" || type == "uint16"))
     throw InputError("{}: an EXR holds half or float, not {}.", arguments.file, type);

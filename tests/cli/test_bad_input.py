@@ -215,6 +215,9 @@ class BadInputTest(cli.CliTest):
         self.deny('lights', self.solved, self.path('frame.exr'), '--rig', self.path('rig.xyz'), naming=('rig.xyz', 'rig.json'))
         self.deny('lightmap', self.solved, '--type', 'uint8', '-o', self.path('map.exr'), naming=('map.exr', 'uint8'))
         self.deny('versions', self.solved, naming=('solved.exr', 'no JSON'))
+        self.deny('lightmap', self.solved, '--ambient', '5', '-o', self.path('map.exr'), naming=('--ambient', 'light map'))
+        self.deny('solve', self.capture.path, '--solver', 'nnls', '--model', 'gloss', '-o', self.path('x.exr'),
+                  naming=('--solver nnls', '--model transport', '--model gloss'))
 
     def test_picture_of_no_pixels(self):
         # No library writes one: a PNG header that says 0 x 0.
