@@ -187,7 +187,8 @@ inline Edit anyEdit() {
 inline EditStack anyEditStack() {
   EditStack stack;
   stack.width = anyInt(1, 9000), stack.height = anyInt(1, 9000);
-  stack.newLights = anyList<std::string>(2, [] { return anyText(); });
+  for (const char* name : {"Lamp", "moon_2"})  // what lights may be called
+    if (anyBool()) stack.newLights.emplace_back(name);
   for (int i = anyInt(0, 4); i > 0; --i) stack.append(anyEdit());
   for (int i = anyInt(0, 2); i > 0; --i) stack.shadowThresholds[anyText()] = anyFloat(.01F, .99F);
   for (int i = anyInt(0, 3); i > 0; --i)
