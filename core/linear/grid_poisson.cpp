@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/simd/simd.h"
 
 namespace swaplight {
 namespace {
@@ -69,7 +70,49 @@ class Rows {
   std::vector<float> m_values;
 };
 
-// A row's residual: what is wanted less what flows out of each cell, to neighbours as wide as it is.
+// How much flows between neighbours in a row and to the rows beside it, times their difference.
+struct Flows {
+  float toSides, toUp, toDown;
+};
+
+// Of cells of size 1: the residual, what is wanted less what flows out of a cell, plus `keep` times what is
+// there.
+SWAPLIGHT_SIMD(void, residualInside,
+               (const float* wanted, const float* up, const float* here, const float* down, Flows flows,
+                float keep, int count, float* __restrict out),
+               (wanted, up, here, down, flows, keep, count, out)) {
+  for (int x = 0; x < count; ++x) {
+    const float flow = flows.toSides * (2 * here[x] - here[x - 1] - here[x + 1]) +
+                       (flows.toUp * (here[x] - up[x]) + flows.toDown * (here[x] - down[x]));
+    out[x] = wanted[x] - flow + keep * out[x];
+  }
+}
+
+SWAPLIGHT_SIMD(void, smoothInside,
+               (const float* wanted, const float* up, const float* here, const float* down, Flows flows,
+                float pull, int count, float* __restrict out),
+               (wanted, up, here, down, flows, pull, count, out)) {
+  for (int x = 0; x < count; ++x) {
+    const float flow = flows.toSides * (2 * here[x] - here[x - 1] - here[x + 1]) +
+                       (flows.toUp * (here[x] - up[x]) + flows.toDown * (here[x] - down[x]));
+    out[x] = here[x] + pull * (wanted[x] - flow);
+  }
+}
+
+SWAPLIGHT_SIMD(void, mixRows, (const float* near, const float* far, int count, float* __restrict out),
+               (near, far, count, out)) {
+  for (int x = 0; x < count; ++x) out[x] = .75F * near[x] + .25F * far[x];
+}
+
+// Two pixels from each of a row with one more on both sides.
+SWAPLIGHT_SIMD(void, addTwice, (const float* row, int count, float* __restrict out), (row, count, out)) {
+  for (int x = 0; x < count; ++x) {
+    out[2 * x] += .75F * row[x] + .25F * row[x - 1];
+    out[2 * x + 1] += .75F * row[x] + .25F * row[x + 1];
+  }
+}
+
+// A row of a level, between two others; the last two of its cells may be of another size.
 class RowResidual {
  public:
   RowResidual(const Level& level, Rows& rows, int y)
@@ -78,36 +121,38 @@ class RowResidual {
         m_up(rows.at(std::max(y - 1, 0))),
         m_here(rows.at(y)),
         m_down(rows.at(std::min(y + 1, level.height() - 1))),
-        m_toSides(level.down.size(y)),
-        m_toUp(level.down.link(y)),
-        m_toDown(level.down.link(y + 1)),
+        m_flows{level.down.size(y), level.down.link(y), level.down.link(y + 1)},
         m_scale(scaleOf(level.across) * scaleOf(level.down)) {}
 
-  /// use(x, residual, what is there) for each x.
-  template <typename Use>
-  void forEach(const Use& use) const {
-    const int width = m_across.cells;
-    const auto flow = [&](int x, float toLeft, float toRight, float size) {
-      return m_toSides * (toLeft * (m_here[x] - m_here[x - 1]) + toRight * (m_here[x] - m_here[x + 1])) +
-             size * (m_toUp * (m_here[x] - m_up[x]) + m_toDown * (m_here[x] - m_down[x]));
-    };
-    for (int x = 0; x < width - 2; ++x) use(x, m_wanted[x] - flow(x, 1, 1, 1), m_here[x]);
-    for (int x = std::max(width - 2, 0); x < width; ++x)
-      use(x, m_wanted[x] - flow(x, m_across.link(x), m_across.link(x + 1), m_across.size(x)), m_here[x]);
+  /// out = residual + keep * out.
+  void write(float keep, float* out) const {
+    residualInside(m_wanted, m_up, m_here, m_down, m_flows, keep, inside(), out);
+    for (int x = inside(); x < m_across.cells; ++x) out[x] = atSide(x) + keep * out[x];
   }
-  /// A step's, to what it is of cells with four neighbours.
-  [[nodiscard]] float scale() const { return m_scale; }
+  void smooth(float pull, float* out) const {
+    pull *= m_scale;
+    smoothInside(m_wanted, m_up, m_here, m_down, m_flows, pull, inside(), out);
+    for (int x = inside(); x < m_across.cells; ++x) out[x] = m_here[x] + pull * atSide(x);
+  }
 
  private:
   // Nothing flows across a single column or row: half as much to level, whatever its size.
   static float scaleOf(const Side& side) { return side.cells == 1 ? 2 / side.last : 1; }
+  [[nodiscard]] int inside() const { return std::max(m_across.cells - 2, 0); }
+  [[nodiscard]] float atSide(int x) const {
+    const float across =
+        m_across.link(x) * (m_here[x] - m_here[x - 1]) + m_across.link(x + 1) * (m_here[x] - m_here[x + 1]);
+    const float down = m_flows.toUp * (m_here[x] - m_up[x]) + m_flows.toDown * (m_here[x] - m_down[x]);
+    return m_wanted[x] - (m_flows.toSides * across + m_across.size(x) * down);
+  }
 
   Side m_across;
   const float* m_wanted;
   const float* m_up;
   const float* m_here;
   const float* m_down;
-  float m_toSides, m_toUp, m_toDown, m_scale;
+  Flows m_flows;
+  float m_scale;  // of a step, to what it is of cells with four neighbours
 };
 
 // The sums of neighbouring pairs; the last may be alone.
@@ -126,13 +171,10 @@ void addCoarser(const Level& coarser, const Level& level, int y, std::vector<flo
   const float* near = coarser.values + coarser.at(y / 2);
   const float* far = coarser.values + coarser.at(other);
   float* mixed = between.data() + 1;
-  for (int x = 0; x < half; ++x) mixed[x] = .75F * near[x] + .25F * far[x];
+  mixRows(near, far, half, mixed);
   mixed[-1] = mixed[0];
   mixed[half] = mixed[half - 1];
-  for (int x = 0; x < width / 2; ++x) {
-    row[2 * x] += .75F * mixed[x] + .25F * mixed[x - 1];
-    row[2 * x + 1] += .75F * mixed[x] + .25F * mixed[x + 1];
-  }
+  addTwice(mixed, width / 2, row);
   if (width % 2) row[width - 1] += mixed[half - 1];
 }
 
@@ -275,20 +317,15 @@ void Multigrid::smooth(size_t number, Pass pass) {
         if (!inReach(at, kReach - s)) continue;
         Rows& made = steps[static_cast<size_t>(s)];
         const RowResidual residual(level, steps[static_cast<size_t>(s - 1)], at);
-        const float pull = kPulls[static_cast<size_t>(s - 1)] * residual.scale();
         float* out = made.at(at);
-        residual.forEach([&](int x, float rest, float here) { out[x] = here + pull * rest; });
+        residual.smooth(kPulls[static_cast<size_t>(s - 1)], out);
         made.closeSides(at);
         if (s == kSteps && inReach(at, 0)) std::copy_n(out, width, level.values + level.at(at));
       }
       const int at = y - kReach;
       if (!pass.handDown || !inReach(at, 0)) continue;
       const RowResidual residual(level, steps[kSteps], at);
-      float* out = left.data();
-      if (at % 2)
-        residual.forEach([&](int x, float rest, float) { out[x] += rest; });
-      else
-        residual.forEach([&](int x, float rest, float) { out[x] = rest; });
+      residual.write(at % 2 ? 1.F : 0.F, left.data());
       if (at % 2 || at == height - 1) sumPairs(left, wantedRow(number + 1, at / 2));
     }
   });
