@@ -26,6 +26,7 @@ namespace swaplight {
 namespace {
 
 constexpr double kLeastKnown = 0.4;  // of the pixels: below, lamps cannot be placed by them either
+
 struct NormalsCommand {
   std::string source;
   SolveArguments solve;
@@ -179,8 +180,7 @@ int run(const NormalsCommand& arguments, Terminal& terminal) {
   if (found.refused.count() == found.normals.pixelCount())
     throw InputError(
         "{}: on no pixel can it be told how the surface is turned: three lamps that light the same things "
-        "must "
-        "not stand in one line. Check --lamp.",
+        "must not stand in one line. Check --lamp.",
         arguments.source);
   WriteOptions output;
   output.pixelType = "float";

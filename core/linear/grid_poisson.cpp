@@ -75,6 +75,13 @@ struct Flows {
   float toSides, toUp, toDown;
 };
 
+// Out of a cell of size 1.
+[[gnu::always_inline]] inline float flowAt(int x, const float* up, const float* here, const float* down,
+                                           const Flows& flows) {
+  return flows.toSides * (2 * here[x] - here[x - 1] - here[x + 1]) +
+         (flows.toUp * (here[x] - up[x]) + flows.toDown * (here[x] - down[x]));
+}
+
 // Of cells of size 1: the residual, what is wanted less what flows out of a cell, plus `keep` times what is
 // there.
 SWAPLIGHT_SIMD(void, residualInside,
@@ -82,9 +89,7 @@ SWAPLIGHT_SIMD(void, residualInside,
                 float keep, int count, float* __restrict out),
                (wanted, up, here, down, flows, keep, count, out)) {
   for (int x = 0; x < count; ++x) {
-    const float flow = flows.toSides * (2 * here[x] - here[x - 1] - here[x + 1]) +
-                       (flows.toUp * (here[x] - up[x]) + flows.toDown * (here[x] - down[x]));
-    out[x] = wanted[x] - flow + keep * out[x];
+    out[x] = wanted[x] - flowAt(x, up, here, down, flows) + keep * out[x];
   }
 }
 
@@ -93,9 +98,7 @@ SWAPLIGHT_SIMD(void, smoothInside,
                 float pull, int count, float* __restrict out),
                (wanted, up, here, down, flows, pull, count, out)) {
   for (int x = 0; x < count; ++x) {
-    const float flow = flows.toSides * (2 * here[x] - here[x - 1] - here[x + 1]) +
-                       (flows.toUp * (here[x] - up[x]) + flows.toDown * (here[x] - down[x]));
-    out[x] = here[x] + pull * (wanted[x] - flow);
+    out[x] = here[x] + pull * (wanted[x] - flowAt(x, up, here, down, flows));
   }
 }
 

@@ -94,8 +94,7 @@ SolvedSet openSource(const ColorConfig& config, const fs::path& path, const Solv
   throw InputError(
       "{}: neither a capture nor a solved set. Open a capture.json, a solved set (EXR) or a session "
       "(.swaplight). Of photographs make a capture first: in the studio by File, New from photographs, else "
-      "by "
-      "`swaplight new`.",
+      "by `swaplight new`.",
       path.string());
 }
 
