@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstring>
+#if defined(__SSE__)
+#include <immintrin.h>
+#endif
 
 #include "core/simd/padding.h"
 
@@ -30,6 +33,11 @@ using LaneMask = int __attribute__((vector_size(kLanes * sizeof(int))));
 
 #define SWAPLIGHT_LANES [[gnu::always_inline]] inline
 
+#if defined(__AVX512F__)
+/// For intrinsics: g++ 12 warns of those without a mask (its bug 105593).
+inline constexpr __mmask16 kAllLanes = 0xffff;
+#endif
+
 SWAPLIGHT_LANES Lanes splat(float x) {
   return Lanes{} + x;
 }
@@ -46,10 +54,46 @@ SWAPLIGHT_LANES Lanes select(LaneMask mask, Lanes yes, Lanes no) {
 }
 /// NaN in x gives `other`.
 SWAPLIGHT_LANES Lanes larger(Lanes x, Lanes other) {
+#if defined(__AVX512F__)
+  return Lanes(_mm512_maskz_max_ps(kAllLanes, __m512(x), __m512(other)));
+#elif defined(__AVX__)
+  return Lanes(_mm256_max_ps(__m256(x), __m256(other)));
+#else
   return x > other ? x : other;
+#endif
 }
 SWAPLIGHT_LANES Lanes smaller(Lanes x, Lanes other) {
+#if defined(__AVX512F__)
+  return Lanes(_mm512_maskz_min_ps(kAllLanes, __m512(x), __m512(other)));
+#elif defined(__AVX__)
+  return Lanes(_mm256_min_ps(__m256(x), __m256(other)));
+#else
   return x < other ? x : other;
+#endif
+}
+/// 1 / x by a step of Newton's from a guess.
+SWAPLIGHT_LANES Lanes refinedReciprocal(Lanes x, Lanes guess) {
+  return guess + guess * (1 - x * guess);
+}
+/// 1 / x, within 6e-5 of it: for weights. Of what is not normal, it may be no number.
+SWAPLIGHT_LANES Lanes roughReciprocal(Lanes x) {
+#if defined(__AVX512F__)
+  return Lanes(_mm512_maskz_rcp14_ps(kAllLanes, __m512(x)));
+#elif defined(__AVX__)
+  return refinedReciprocal(x, Lanes(_mm256_rcp_ps(__m256(x))));
+#elif defined(__SSE__)
+  return refinedReciprocal(x, Lanes(_mm_rcp_ps(__m128(x))));
+#else
+  return 1 / x;
+#endif
+}
+/// 1 / x to the last bits or so: faster than a division where many follow each other.
+SWAPLIGHT_LANES Lanes reciprocal(Lanes x) {
+#if defined(__AVX512F__)
+  return refinedReciprocal(x, roughReciprocal(x));
+#else
+  return roughReciprocal(x);
+#endif
 }
 SWAPLIGHT_LANES Lanes squareRoot(Lanes x) {
   Lanes y;
@@ -57,11 +101,15 @@ SWAPLIGHT_LANES Lanes squareRoot(Lanes x) {
   return y;
 }
 SWAPLIGHT_LANES bool any(LaneMask mask) {
+#if defined(__AVX512F__)
+  return _mm512_test_epi32_mask(__m512i(mask), __m512i(mask)) != 0;
+#else
   long long halves[kLanes / 2];
   std::memcpy(halves, &mask, sizeof mask);
   long long found = 0;
   for (const long long half : halves) found |= half;
   return found != 0;
+#endif
 }
 
 /// Natural logarithm of positive, finite, normal x; absolute error below 1e-4 (enough for evidence).

@@ -19,15 +19,15 @@ SWAPLIGHT_LANES void factorCholesky(int n, Lanes* a) {
       row[j] *= a[j * (j + 1) / 2 + j];
       pivot -= scaled * row[j];
     }
-    row[i] = 1 / larger(pivot, splat(1e-25F));
+    row[i] = reciprocal(larger(pivot, splat(1e-25F)));
   }
 }
 
-/// Solves in place with a factor of factorCholesky.
+/// Solves in place with a factor of factorCholesky; what lies before `first` of x is 0.
 template <int kMax>
-SWAPLIGHT_LANES void solveCholesky(int n, const Lanes* factor, Lanes* x) {
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < i; ++k) x[i] -= factor[i * (i + 1) / 2 + k] * x[k];
+SWAPLIGHT_LANES void solveCholesky(int n, const Lanes* factor, Lanes* x, int first = 0) {
+  for (int i = first + 1; i < n; ++i)
+    for (int k = first; k < i; ++k) x[i] -= factor[i * (i + 1) / 2 + k] * x[k];
   for (int i = n - 1; i >= 0; --i) {
     x[i] *= factor[i * (i + 1) / 2 + i];
     for (int k = i + 1; k < n; ++k) x[i] -= factor[k * (k + 1) / 2 + i] * x[k];

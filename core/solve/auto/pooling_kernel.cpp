@@ -24,15 +24,14 @@ template <int kN>
                                         float* left, int lights) {
   const int n = lights;
   const int tested = n == 2 ? 1 : n;  // of two shares, one says all
-  const float cut = 1 / (band.rejectChi2 * float(tested));
-  // The biweight of two values of the variance v is nearly a normal one of rejectChi2 v / 2 a share: of noise
+  // The biweight of two values of the variance v is nearly a normal one of `rejects` v / 2 a share: of noise
   // alone, that leaves so much of the variance.
-  const float keptNoise = 1 / (1 + 2 * cut);
+  const float keptNoise = band.rejects / (band.rejects + 2);
   const long first = long(row) * band.stride;
   for (int x = 0; x < width; x += kLanes) {
     const long at = first + x;
     const Lanes guide = load(band.guide + at);
-    const Lanes variance = load(band.variance + at);
+    const Lanes limit = load(band.limit + at);
     Lanes share[kN];
     Lanes sum[kN];
     for (int i = 0; i < n; ++i) {
@@ -46,33 +45,35 @@ template <int kN>
     for (int dy = -kPoolRadius; dy <= kPoolRadius; ++dy)
       for (int dx = -kPoolRadius; dx <= kPoolRadius; ++dx) {
         const long there = at + (long(dy) * band.stride + dx) * band.step;
-        const Lanes theirs = load(band.variance + there);
+        Lanes apart[kN];
         Lanes difference = splat(0);
         for (int i = 0; i < tested; ++i) {
-          const Lanes d = load(band.share[i] + there) - share[i];
-          difference += d * d;
+          apart[i] = load(band.share[i] + there) - share[i];
+          difference += apart[i] * apart[i];
         }
         const Lanes step = load(band.guide + there) - guide;
-        const Lanes alike = larger(1 - difference * cut / (theirs + variance), splat(0));
-        const Lanes near = larger(1 - step * step * band.guideScale, splat(0));
+        const Lanes alike =
+            larger(1 - difference * roughReciprocal(load(band.limit + there) + limit), splat(0));
+        const Lanes near = larger(1 - step * step, splat(0));
         const Lanes both = alike * near;
-        const Lanes weight = both * both * load(band.precision + there);
-        const Lanes weighted = weight * theirs;
+        const Lanes weighted = both * both;  // the weight times the variance
+        const Lanes weight = weighted * load(band.precision + there);
         total += weight;
         squares += weight * weighted;
         noise += weighted;
         spread += weight * difference;
-        for (int i = 0; i < tested; ++i) sum[i] += weight * load(band.share[i] + there);
+        for (int i = 0; i < tested; ++i) sum[i] += weight * apart[i];
       }
     total = 1 / larger(total, splat(1e-30F));
     // The squared distance from the mean, a share: spread was from the pixel.
     spread *= total;
     for (int i = 0; i < tested; ++i) {
-      sum[i] = sum[i] * total - share[i];
+      sum[i] *= total;
       spread -= sum[i] * sum[i];
     }
     // What it is more than noise is the neighbourhood's own, and a pixel keeps as much of its own.
     const Lanes real = larger(spread * (1 / float(tested)) - keptNoise * noise * total, splat(0));
+    const Lanes variance = limit * (1 / band.rejects);
     const Lanes kept = real / (real + variance);
     const Lanes given = 1 - kept;
     for (int i = 0; i < tested; ++i) share[i] += given * sum[i];

@@ -18,37 +18,46 @@ constexpr int kBand = 32;           // rows
 constexpr float kCertain = 1e-12F;  // a variance below which beta is not touched
 
 SWAPLIGHT_SIMD(void, invert,
-               (const float* __restrict variance, float* __restrict raised, float* __restrict precision,
-                int count),
-               (variance, raised, precision, count)) {
+               (const float* __restrict variance, float rejects, float* __restrict limit,
+                float* __restrict precision, int count),
+               (variance, rejects, limit, precision, count)) {
   for (int x = 0; x < count; ++x) {
-    raised[x] = variance[x] > kCertain ? variance[x] : kCertain;
-    precision[x] = 1 / raised[x];
+    const float raised = variance[x] > kCertain ? variance[x] : kCertain;
+    limit[x] = rejects * raised;
+    precision[x] = 1 / raised;
   }
+}
+
+SWAPLIGHT_SIMD(void, scale, (const float* __restrict from, float factor, float* __restrict to, int count),
+               (from, factor, to, count)) {
+  for (int x = 0; x < count; ++x) to[x] = factor * from[x];
 }
 
 /// The memory of a band.
 class Band {
  public:
   Band(int lights, int width, const SharePooling& options)
-      : m_margin(kPoolRadius * options.step), m_width(int(roundedUpToLanes(size_t(width)))) {
+      : m_margin(kPoolRadius * options.step),
+        m_width(int(roundedUpToLanes(size_t(width)))),
+        m_guideScale(1 / options.guideStep) {
     m_band.lights = lights;
     m_band.stride = m_width + 2 * m_margin;
     m_band.step = options.step;
-    m_band.rejectChi2 = options.rejectChi2;
+    // Of two shares, one says all.
+    m_band.rejects = options.rejectChi2 * float(lights == 2 ? 1 : lights);
     m_band.overlap = options.overlap;
     m_band.hiddenVariance = options.hiddenVariance;
     m_band.clampAtZero = options.clampAtZero;
-    m_band.guideScale = 1 / (options.guideStep * options.guideStep);
     m_rows = kBand + 2 * m_margin;
     m_data.resize(size_t(lights + 3) * size_t(m_rows) * size_t(m_band.stride), 0.0F);
     m_row.resize(size_t(lights + 1) * size_t(m_width));
     for (int i = 0; i < lights; ++i) m_band.share[i] = plane(i, 0);
-    m_band.variance = plane(lights, 0);
+    m_band.limit = plane(lights, 0);
     m_band.precision = plane(lights + 1, 0);
     m_band.guide = plane(lights + 2, 0);
-    // Beyond the picture there is no weight, but a variance that can be divided by.
+    // Beyond the picture nothing is alike, and there are limits that can be divided by.
     std::fill_n(plane(lights, -m_margin) - m_margin, size_t(m_rows) * size_t(m_band.stride), 1.0F);
+    std::fill_n(plane(lights + 2, -m_margin) - m_margin, size_t(m_rows) * size_t(m_band.stride), kNoPixel);
   }
 
   void load(std::span<const ImageSpan> shares, ImageView variance, ImageView guide, int top) {
@@ -56,13 +65,13 @@ class Band {
     for (int row = -m_margin; row < kBand + m_margin; ++row) {
       const int y = top + row;
       if (y < 0 || y >= variance.height) {
-        std::fill_n(plane(lights + 1, row), m_width, 0.0F);  // no weight beyond the picture
+        std::fill_n(plane(lights + 2, row), m_width, kNoPixel);
         continue;
       }
       for (int i = 0; i < lights; ++i)
         std::copy_n(shares[size_t(i)].row(0, y), variance.width, plane(i, row));
-      invert(variance.row(0, y), plane(lights, row), plane(lights + 1, row), variance.width);
-      std::copy_n(guide.row(0, y), variance.width, plane(lights + 2, row));
+      invert(variance.row(0, y), m_band.rejects, plane(lights, row), plane(lights + 1, row), variance.width);
+      scale(guide.row(0, y), m_guideScale, plane(lights + 2, row), variance.width);
     }
   }
 
@@ -84,6 +93,7 @@ class Band {
 
   PoolBand m_band;
   int m_margin, m_width, m_rows = 0;
+  float m_guideScale;
   std::vector<float> m_data, m_row;
 };
 

@@ -130,10 +130,14 @@ void Shrinkage::learn(const ShotSignal& signal, const float* noise) {
 void Shrinkage::finish(const PixelRun& in, const MatteRun& matte, const Evidence& evidence,
                        const SolvedRun& out, float* notMatte) const {
   const int n = m_plan.lights;
-  std::vector<int> index;
-  index.reserve(size_t(in.count));
-  for (int p = 0; p < in.count; ++p)
-    if (evidence.misfit[p] > m_gate) index.push_back(p);
+  // Written always and counted where it holds: which pixels it does, no processor foresees.
+  std::vector<int> index(size_t(in.count) + 1);
+  size_t found = 0;
+  for (int p = 0; p < in.count; ++p) {
+    index[found] = p;
+    found += evidence.misfit[p] > m_gate;
+  }
+  index.resize(found);
   const auto gather = [&](const float* from, float* to) {
     for (size_t j = 0; j < index.size(); ++j) to[j] = from[index[j]];
   };

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kScales = ShrinkagePrior::kScales;
 constexpr float kTiny = 1e-20F;
+constexpr float kLeastNormal = 1.2e-38F;
 
 /// A pixel in the coordinates that make its covariance diagonal.
 template <int kN>
@@ -81,11 +82,16 @@ SWAPLIGHT_LANES Lanes refit(const ShrinkagePlan& plan, const Modes<kN>& pixel, i
   Lanes step[kP];
   for (int a = 0; a < params * (params + 1) / 2; ++a) h[a] = splat(0);
   for (int a = 0; a < params; ++a) step[a] = splat(0);
-  Lanes logWeight = splat(0);
+  Lanes logWeight = splat(0);  // over that of no tau, which the evidence of every tau has
+  Lanes weights = splat(1);
   for (int m = 0; m < d; ++m) {
     const float s = plan.singular.data()[m];
-    const Lanes weight = 1 / (s * s * tau2 + pixel.noise);
-    logWeight += logarithm(weight);
+    const Lanes weight = reciprocal(s * s * tau2 + pixel.noise);
+    weights *= weight * pixel.noise;
+    if (m % 3 == 2) {  // as many as a float surely holds
+      logWeight += logarithm(larger(weights, splat(kLeastNormal)));
+      weights = splat(1);
+    }
     const Lanes sw = s * weight;
     const Lanes ssw = s * sw;
     const Lanes along = sw * pixel.residual[m];
@@ -122,13 +128,18 @@ SWAPLIGHT_LANES Lanes refit(const ShrinkagePlan& plan, const Modes<kN>& pixel, i
     }
   }
   factorCholesky<kP>(params, h);
+  // The factor's diagonal is 1 / D; two at a time, as a float holds.
   Lanes logDeterminant = -logarithm(trace);  // the gauge's own scale
-  for (int a = 0; a < params; ++a) logDeterminant -= logarithm(h[a * (a + 1) / 2 + a]);
+  for (int a = 0; a < params; a += 2) {
+    Lanes inverse = h[a * (a + 1) / 2 + a];
+    if (a + 1 < params) inverse *= h[(a + 1) * (a + 2) / 2 + a + 1];
+    logDeterminant -= logarithm(larger(inverse, splat(kLeastNormal)));
+  }
   solveCholesky<kP>(params, h, step);
   Lanes square = splat(0);
   for (int m = 0; m < d; ++m) {
     const float s = plan.singular.data()[m];
-    const Lanes weight = 1 / (s * s * tau2 + pixel.noise);
+    const Lanes weight = reciprocal(s * s * tau2 + pixel.noise);
     Lanes moved = splat(0);
     for (int a = 0; a < params; ++a) moved += pixel.slope[m][a] * step[a];
     const Lanes left = pixel.residual[m] - s * moved;

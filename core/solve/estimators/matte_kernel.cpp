@@ -40,14 +40,16 @@ SWAPLIGHT_LANES void accumulate(const MattePlan& plan, const PixelRun& in, int a
     for (int k = 0; k < plan.shots; ++k) {
       const float* color = plan.color.data() + (k * 3 + c) * n;
       const float* product = plan.product.data() + (k * 3 + c) * (n * (n + 1) / 2);
-      const Lanes y = load(in.signal[k][c] + at);
+      Lanes y = load(in.signal[k][c] + at);
       Lanes g = splat(0);
       for (int i = 0; i < n; ++i) g += color[i] * u[i];
       const Lanes s = g * rho[c];
       const LaneMask usable = y == y;
-      const Lanes w = select(usable, 1 / (plan.constant + s * (plan.linear + s * plan.square)), splat(0));
-      const Lanes wy = select(usable, w * y, splat(0));
-      out.energy += select(usable, wy * y, splat(0));
+      y = select(usable, y, splat(0));
+      const Lanes w =
+          select(usable, roughReciprocal(plan.constant + s * (plan.linear + s * plan.square)), splat(0));
+      const Lanes wy = w * y;
+      out.energy += wy * y;
       for (int i = 0; i < n; ++i) out.p[c][i] += wy * color[i];
       for (int i = 0; i < n * (n + 1) / 2; ++i) out.q[c][i] += w * product[i];
     }
@@ -83,7 +85,7 @@ SWAPLIGHT_LANES void evaluate(const Normal<kN>& normal, int n, const Lanes* u, A
   }
   const Lanes least = kUnseen * (seen[0] + seen[1] + seen[2]);
   for (int c = 0; c < 3; ++c) {
-    at.inverse[c] = 1 / (seen[c] + least);
+    at.inverse[c] = reciprocal(seen[c] + least);
     at.rho[c] = along[c] * at.inverse[c];
     at.explained += along[c] * at.rho[c];
   }
@@ -102,10 +104,11 @@ SWAPLIGHT_LANES void plainReflectance(const MattePlan& plan, const PixelRun& in,
       Lanes g = splat(0);
       for (int i = 0; i < n; ++i) g += color[i] * u[i];
       const LaneMask usable = y == y;
-      gg += select(usable, g * g, splat(0));
-      gy += select(usable, g * y, splat(0));
+      g = select(usable, g, splat(0));
+      gg += g * g;
+      gy += g * select(usable, y, splat(0));
     }
-    rho[c] = larger(gy / gg, splat(0));
+    rho[c] = larger(gy * reciprocal(gg), splat(0));
   }
 }
 
@@ -190,7 +193,7 @@ SWAPLIGHT_LANES Lanes newtonStep(const Normal<kN>& normal, const At<kN>& at, int
     Lanes slope;
     Lanes bend;
     acrossTwo(normal, at, slope, bend);
-    step[0] = slope / bend;
+    step[0] = slope * reciprocal(bend);
     if (hold) {
       const LaneMask held = ((u[0] <= 0) & (slope <= 0)) | ((u[1] <= 0) & (slope >= 0));
       step[0] = select(held, splat(0), step[0]);
@@ -234,7 +237,7 @@ SWAPLIGHT_LANES void shareCovariance(const Normal<kN>& normal, const At<kN>& at,
     factorCholesky<kN>(n, h);
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) covariance[i][j] = splat(i == j ? 1 : 0);
-      solveCholesky<kN>(n, h, covariance[i]);
+      solveCholesky<kN>(n, h, covariance[i], i);
       Lanes gauge = splat(0);
       for (int j = 0; j < n; ++j) gauge += covariance[i][j];
       for (int j = 0; j < n; ++j) covariance[i][j] -= gauge * u[j];
@@ -259,17 +262,21 @@ SWAPLIGHT_LANES void variances(const MattePlan& plan, const Normal<kN>& normal, 
   }
   Lanes covariance[kN][kN];
   shareCovariance<kN>(normal, at, n, u, covariance);
+  // t_i = u_i R has the derivative u_i slope + R e_i: its variance is a quadratic form of that. What rounding
+  // and held lights leave of the covariance's other half does not count.
+  Lanes across[kN];  // twice its symmetric part, times the slope
+  Lanes along = splat(0);
+  for (int i = 0; i < n; ++i) {
+    across[i] = splat(0);
+    for (int j = 0; j < n; ++j) across[i] += (covariance[i][j] + covariance[j][i]) * slope[j];
+    along += across[i] * slope[i];
+  }
+  const Lanes ofAll = rhoVariance + 0.5F * along;
   contribution = splat(0);
   share = splat(0);
   for (int i = 0; i < n; ++i) {
     share += larger(covariance[i][i], splat(0));
-    // t_i = u_i R has the derivative u_i slope + R e_i.
-    Lanes variance = u[i] * u[i] * rhoVariance;
-    for (int a = 0; a < n; ++a) {
-      Lanes row = splat(0);
-      for (int b = 0; b < n; ++b) row += covariance[a][b] * (u[i] * slope[b] + (b == i ? total : splat(0)));
-      variance += row * (u[i] * slope[a] + (a == i ? total : splat(0)));
-    }
+    const Lanes variance = u[i] * (u[i] * ofAll + total * across[i]) + total * total * covariance[i][i];
     contribution += larger(variance, splat(0));
   }
   contribution = smaller(contribution / (float(n) * larger(total * total, splat(kTiny))), splat(kWorst));
@@ -318,7 +325,7 @@ SWAPLIGHT_LANES void moveShares(int n, const Lanes* u, const Lanes* step, Lanes*
     next[i] = larger(u[i] + step[i], splat(0));
     sum += next[i];
   }
-  sum = 1 / sum;
+  sum = reciprocal(sum);
   for (int i = 0; i < n; ++i) next[i] *= sum;
 }
 
