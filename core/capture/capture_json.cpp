@@ -9,6 +9,7 @@
 #include "core/capture/left_out.h"
 #include "core/capture/light_name.h"
 #include "core/capture/lightings.h"
+#include "core/capture/response_curve.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
 #include "core/image/io/image_format.h"
@@ -389,7 +390,9 @@ Capture readCapture(const ColorConfig& config, const std::filesystem::path& file
   if (isPicture(file))
     throw InputError("{}: is a picture or a solved set; give capture.json or the folder that holds it",
                      file.string());
-  return captureBy(&config, readJson(file), file.parent_path(), file);
+  Capture capture = captureBy(&config, readJson(file), file.parent_path(), file);
+  if (!isResponseFile(capture.colorSpace)) capture.colorSpace = config.knownName(capture.colorSpace);
+  return capture;
 }
 
 std::vector<Shot> leftOutOf(const Capture& capture) {

@@ -128,6 +128,18 @@ void warnOfPixels(Picture& picture) {
                                            counts.negative == 1 ? " is" : "s are"));
 }
 
+/// Describes colours that are not what the capture calls them. What a person named is taken, and said.
+void warnOfColors(const std::string& colorSpace, Picture& picture) {
+  const std::string& stated = picture.info.statedColors;
+  const bool known = colorSpace == "lin_rec709" || chromaticitiesOf(colorSpace) || colorSpace == "srgb";
+  if (stated.empty() || stated == colorSpace || !known) return;
+  picture.warnings.push_back(
+      fmt::format("{}: says that its colours are {}; they are taken as {}, as the capture says. Where that "
+                  "is wrong, name "
+                  "their colour space there",
+                  picture.file.string(), stated, colorSpace));
+}
+
 Picture readPicture(const ColorConfig& config, const Capture& capture, const ResponseCurve* response,
                     const std::string& path) {
   Picture picture;
@@ -151,6 +163,7 @@ Picture readPicture(const ColorConfig& config, const Capture& capture, const Res
     coding.response = nullptr;
   }
   describeCoding(coding, picture);
+  warnOfColors(coding.from, picture);
   if (picture.info.format == "raw") spreadSaturation(picture.image, picture.clip);
   coding.toLight(picture.image.span());
   picture.image.setColorSpace(to);

@@ -12,7 +12,8 @@ using Chromaticities = std::array<float, 8>;
 /// Those of a scene-linear colour space by name (lin_rec709, acescg, aces2065_1); nothing for others.
 [[nodiscard]] std::optional<Chromaticities> chromaticitiesOf(const std::string& colorSpace);
 
-/// The scene-linear colour space that has these chromaticities, within 0.001; empty for others.
+/// The scene-linear colour space that has these chromaticities, within 0.001: one of those, lin_rec2020 or
+/// lin_p3d65; empty for others.
 [[nodiscard]] std::string colorSpaceOf(const Chromaticities& chromaticities);
 
 }  // namespace swaplight

@@ -63,6 +63,14 @@ bool isExport(const ImageFileInfo& info) {
   return saysSo || (written && !info.isFloat);
 }
 
+/// Colours that a file states, of no colour space that is known here: a sentence.
+std::string unknownColors(const ImageFileInfo& info, const FoundShot& shot) {
+  if (info.statedColors.empty() || info.statedColors == shot.colorSpace) return {};
+  return fmt::format(
+      "{} says that its colours are {}: they are taken as {}; name another colour space where that is wrong",
+      shot.file, info.statedColors, shot.colorSpace);
+}
+
 FoundShot describe(const ColorConfig& config, const fs::path& file, ImageFileInfo& info) {
   const ImageSpec spec = readImageSpec(file, &info);
   const std::string byRule = config.colorSpaceOfFile(file);
@@ -181,8 +189,11 @@ ShotFolder scanShotFolder(const ColorConfig& config, const fs::path& folder) {
         found.flats[file.stem().string().substr(kFlatPrefix.size())] = name;
       else if (lowerCase(name).starts_with(kChartPrefix))
         charts.push_back(std::move(shot));
-      else
+      else {
+        const std::string note = found.shots.empty() ? unknownColors(info, shot) : "";
+        if (!note.empty()) found.notes.push_back(note);
         found.shots.push_back(std::move(shot));
+      }
     } catch (const InputError&) {
       found.notes.push_back(name + " is left out: it is no picture that can be read");
     }

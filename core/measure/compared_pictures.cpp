@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/image/io/image_io.h"
 #include "core/image/rgb_image.h"
+#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {
@@ -78,10 +79,19 @@ Names commonChannels(const Image& test, const fs::path& testFile, const Image& r
   return both;
 }
 
+/// Linear light of any primaries to those of Rec.709, for which the differences are.
+void bringToRec709(Image& image) {
+  const std::string from = image.spec().colorSpace;
+  if (from != "lin_rec709" && from != "raw") ColorConfig("").convert(image.span(), from, "lin_rec709");
+  image.setColorSpace("lin_rec709");
+}
+
 void bringTogether(PicturePair& pair, bool testEncoded, bool referenceEncoded, std::optional<float> scale) {
   pair.encoded = testEncoded && referenceEncoded;
   if (testEncoded && !referenceEncoded) linearize(pair.test);
   if (referenceEncoded && !testEncoded) linearize(pair.reference);
+  if (!testEncoded) bringToRec709(pair.test);
+  if (!referenceEncoded) bringToRec709(pair.reference);
   if (!testEncoded && !referenceEncoded) pair.scale = scale.value_or(displayScale(pair.reference.view()));
 }
 

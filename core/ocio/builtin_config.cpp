@@ -184,10 +184,35 @@ void addHdrDisplay(const OCIO::ConfigRcPtr& config, const char* name, const char
                          "ACES 1.1 output for a monitor of 1000 cd/m2");
 }
 
+/// A variable of the environment that is not there while this lives.
+class Unset {
+ public:
+  explicit Unset(const char* name) : m_name(name), m_value(OCIO::GetEnvVariable(name)) {
+    OCIO::UnsetEnvVariable(name);
+  }
+  Unset(const Unset&) = delete;
+  Unset& operator=(const Unset&) = delete;
+  ~Unset() {
+    if (!m_value.empty()) OCIO::SetEnvVariable(m_name, m_value.c_str());
+  }
+
+ private:
+  const char* m_name;
+  std::string m_value;
+};
+
+/// What the environment makes active is of the facility's configuration; a new one would take it over, and
+/// end where it lacks a name.
+OCIO::ConfigRcPtr emptyConfig() {
+  const Unset displays("OCIO_ACTIVE_DISPLAYS"), views("OCIO_ACTIVE_VIEWS"),
+      spaces("OCIO_INACTIVE_COLORSPACES");
+  return OCIO::Config::Create();
+}
+
 }  // namespace
 
 OCIO::ConstConfigRcPtr builtinConfig() {
-  const auto config = OCIO::Config::Create();
+  const auto config = emptyConfig();
   config->setVersion(2, 1);
   config->setName("swaplight built-in");
   addSpace(config, {"lin_rec709", "Scene", "Linear light, Rec.709 primaries, D65", {}, {"linear"}});

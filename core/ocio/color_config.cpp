@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -12,7 +13,8 @@ namespace swaplight {
 namespace {
 
 /// The names that every capture may use (docs/formats.md, A capture), whatever configuration is in use.
-constexpr std::array<const char*, 5> kAlwaysKnown = {"lin_rec709", "srgb", "acescg", "aces2065_1", "raw"};
+constexpr std::array<const char*, 7> kAlwaysKnown = {"lin_rec709",  "srgb",      "acescg", "aces2065_1",
+                                                     "lin_rec2020", "lin_p3d65", "raw"};
 constexpr int kGrain = 16;           // rows
 constexpr float kBrightest = 65504;  // the largest half float
 
@@ -391,6 +393,34 @@ std::string ColorConfig::defaultDisplay() const {
 
 std::string ColorConfig::defaultView(const std::string& display) const {
   return m_impl->config->getDefaultView(display.c_str());
+}
+
+std::string ColorConfig::knownName(const std::string& name) const {
+  const std::array<const char*, 3> known = {"lin_rec709", "acescg", "aces2065_1"};
+  if (std::find(known.begin(), known.end(), name) != known.end()) return name;
+  const OCIO::ConstConfigRcPtr& config = m_impl->has(name) ? m_impl->config : sharedBuiltin();
+  const auto space = config->getColorSpace(name.c_str());
+  if (!space || space->isData()) return name;
+  // The primaries, and two greys: of a curve they do not become what they are.
+  constexpr std::array<std::array<float, 3>, 5> kColors = {
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.18F, 0.18F, 0.18F}, {4, 4, 4}}};
+  constexpr float kAlike = 1e-3F;  // configurations round their matrices
+  for (const char* candidate : known) {
+    Image colors(ImageSpec::rgb(int(kColors.size()), 1));
+    for (size_t i = 0; i < kColors.size(); ++i)
+      for (int c = 0; c < 3; ++c) colors.plane(c)[i] = kColors[i][size_t(c)];
+    try {
+      convert(colors.span(), name, candidate);
+    } catch (const InputError&) {
+      return name;  // a table is missing, say: whoever uses it is told
+    }
+    bool same = true;
+    for (size_t i = 0; i < kColors.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        same &= std::abs(colors.plane(c)[i] - kColors[i][size_t(c)]) < kAlike * std::max(kColors[i][0], 1.0F);
+    if (same) return candidate;
+  }
+  return name;
 }
 
 void ColorConfig::checkColorSpace(const std::string& name) const {

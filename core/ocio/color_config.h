@@ -50,6 +50,9 @@ class ColorConfig {
   /// Throws InputError where a display or view is unknown or does not work (a table is missing, say), and
   /// where a look does; lists the known ones.
   void checkView(const DisplayChoice& choice) const;
+  /// lin_rec709, acescg or aces2065_1 where a colour space is one of those, however the configuration calls
+  /// it (ACEScg, Utility - Linear - sRGB); else the name itself, also of one that is not known.
+  [[nodiscard]] std::string knownName(const std::string& name) const;
   /// Throws InputError that lists the known colour spaces.
   void checkColorSpace(const std::string& name) const;
 

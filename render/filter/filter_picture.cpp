@@ -9,6 +9,7 @@
 #include "core/file/atomic_file.h"
 #include "core/image/io/image_io.h"
 #include "core/image/rgb_image.h"
+#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {
@@ -74,9 +75,12 @@ Image readFilterPicture(const std::filesystem::path& file, FilterSpace space) {
   if (lowerExtension(file) == ".cube") return cubeImage(file);
   ImageFile read = readImage(file);
   const bool light = read.info.isFloat || read.info.format == "raw";
+  const std::string from = read.info.format == "raw" ? "lin_rec709" : read.image.spec().colorSpace;
   Image image = withAlpha(std::move(read.image), file);
+  if (space == FilterSpace::Any) return image;
   const bool wantsLight = space == FilterSpace::SceneLinear;
-  if (light == wantsLight || space == FilterSpace::Any) return image;
+  if (light && from != "lin_rec709") ColorConfig("").convert(image.span(), from, "lin_rec709");
+  if (light == wantsLight) return image;
   for (int c = 0; c < 3; ++c)
     for (size_t p = 0; p < image.pixelCount(); ++p) {
       float& value = image.plane(c)[p];

@@ -4,6 +4,7 @@ import os
 import shutil
 
 import numpy as np
+import OpenImageIO as oiio
 import swaplight_cli as cli
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../data/color')
@@ -138,6 +139,48 @@ class ColorConfigTest(cli.CliTest):
             json.dump(manifest, file)
         ruled = self.succeed('solve', self.capture.path, '-o', self.path('c.exr'), env={'OCIO': CONFIG}).stderr
         self.assertIn('log_camera assumed', ruled)
+
+    def test_displays_that_the_house_makes_active_are_its_configurations_own(self):
+        self.succeed('relight', self.solved, '-o', self.path('house.png'), '-q',
+                     env={'OCIO_ACTIVE_DISPLAYS': 'projector of the house'})
+
+    def test_a_colour_space_is_the_same_however_it_is_called(self):
+        frames = []
+        for name in ('acescg', 'ACEScg'):
+            self.capture.manifest['color_space'] = name
+            self.capture.save()
+            self.succeed('solve', self.capture.path, '-o', self.path(f'{name}1.exr'), '-q')
+            self.assertEqual(self.succeed_json('info', self.path(f'{name}1.exr'))['color_space'], 'acescg')
+            self.succeed('relight', self.path(f'{name}1.exr'), '-o', self.path(f'{name}2.exr'), '-q')
+            frames.append(cli.read_rgb(self.path(f'{name}2.exr')))
+        np.testing.assert_array_equal(frames[0], frames[1])
+
+    def test_colours_that_a_file_states_are_taken_or_said(self):
+        rec2020 = (.708, .292, .170, .797, .131, .046, .3127, .3290)
+        camera = (.684, .313, .221, .848, .0861, -.102, .3127, .3290)
+        for name, xy in (('rec2020', rec2020), ('camera', camera)):
+            spec = oiio.ImageSpec(self.capture.shots[0].shape[1], self.capture.shots[0].shape[0], 3, 'float')
+            spec.attribute('chromaticities', oiio.TypeDesc('float[8]'), xy)
+            os.makedirs(self.path(name))
+            for k, pixels in enumerate(self.capture.shots):
+                output = oiio.ImageOutput.create(self.path(name, f'{k}.exr'))
+                self.assertTrue(output.open(self.path(name, f'{k}.exr'), spec))
+                output.write_image(np.ascontiguousarray(pixels, np.float32))
+                output.close()
+        told = ('--colors', '#ff3322,#2244ff')
+        made = self.succeed('new', self.path('rec2020'), '--lights', 'key,fill', *told)
+        with open(self.path('rec2020', 'capture.json')) as file:
+            self.assertEqual(json.load(file)['color_space'], 'lin_rec2020')
+        self.assertNotIn('says that its colours', made.stdout + made.stderr)
+        made = self.succeed('new', self.path('camera'), '--lights', 'key,fill', *told)
+        self.assertIn('says that its colours are primaries 0.684', made.stdout + made.stderr)
+        with open(self.path('rec2020', 'capture.json')) as file:
+            manifest = json.load(file)
+        manifest['color_space'] = 'acescg'
+        with open(self.path('rec2020', 'capture.json'), 'w') as file:
+            json.dump(manifest, file)
+        solved = self.succeed('solve', self.path('rec2020'), '-o', self.path('d.exr'))
+        self.assertIn('says that its colours are lin_rec2020; they are taken as acescg', solved.stderr)
 
 
 if __name__ == '__main__':

@@ -18,6 +18,16 @@ class EvaluateTest(cli.CliTest):
         self.assertEqual(result['de2000']['max'], 0)
         self.assertEqual(result['rmse']['value'], 0)
 
+    def test_the_same_light_in_other_primaries_does_not_differ(self):
+        capture = cli.Capture(self.path('set'))
+        self.succeed('solve', capture.path, '-o', self.path('solved.exr'), '-q')
+        frames = []
+        for space in ('lin_rec709', 'acescg', 'lin_rec2020'):
+            frames.append(self.path(f'{space}.exr'))
+            self.succeed('relight', self.path('solved.exr'), '--color-space', space, '--type', 'float', '-o', frames[-1],
+                         '-q')
+        self.assertLess(self.succeed_json('evaluate', frames[1], frames[0])['de2000']['max'], .01)
+
     def test_the_statistics_are_those_of_the_pixels(self):
         test = self.path('test.exr')
         random = np.random.default_rng(2)

@@ -1,9 +1,12 @@
 #include "core/image/io/image_input.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/color/chromaticities.h"
 #include "core/image/io/header_oiio.h"
 #include "core/image/io/image_format.h"
@@ -43,15 +46,31 @@ std::vector<std::string> channelNames(const OIIO::ImageSpec& spec, int index) {
   return names;
 }
 
+std::optional<Chromaticities> statedChromaticities(const OIIO::ImageSpec& spec) {
+  const auto* attribute = spec.find_attribute("chromaticities");
+  if (!attribute || attribute->type() != OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8)) return std::nullopt;
+  Chromaticities xy;
+  std::copy_n(static_cast<const float*>(attribute->data()), xy.size(), xy.begin());
+  return xy;
+}
+
 std::string colorSpaceOfFile(const OIIO::ImageSpec& spec, const std::string& format) {
   if (format == "raw") return "raw";
-  const auto* attribute = spec.find_attribute("chromaticities");
-  if (attribute && attribute->type() == OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8)) {
-    Chromaticities xy;
-    std::copy_n(static_cast<const float*>(attribute->data()), xy.size(), xy.begin());
-    if (std::string known = colorSpaceOf(xy); !known.empty()) return known;
-  }
+  const auto xy = statedChromaticities(spec);
+  const std::string known = xy ? colorSpaceOf(*xy) : "";
+  if (!known.empty()) return known;
   return spec.format.is_floating_point() ? "lin_rec709" : "srgb";
+}
+
+std::string statedColors(const OIIO::ImageSpec& spec) {
+  if (const auto xy = statedChromaticities(spec)) {
+    const std::string known = colorSpaceOf(*xy);
+    return known.empty() ? fmt::format("primaries {:.4g}", fmt::join(*xy, " ")) : known;
+  }
+  const std::string profile = spec.get_string_attribute("ICCProfile:profile_description");
+  return profile.empty() || lowerCase(profile).find("srgb") != std::string::npos
+             ? ""
+             : fmt::format("the profile \"{}\"", profile);
 }
 
 ImageFileInfo infoOf(const OIIO::ImageSpec& spec, const std::string& format) {
@@ -61,6 +80,7 @@ ImageFileInfo infoOf(const OIIO::ImageSpec& spec, const std::string& format) {
   info.pixelType = type.c_str();
   info.isFloat = type.is_floating_point();
   info.bits = spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(type.size()) * 8);
+  info.statedColors = statedColors(spec);
   info.header = headerValuesOf(spec);
   info.pixelAspect = spec.get_float_attribute("PixelAspectRatio", 1);
   for (const auto& attribute : spec.extra_attribs) {

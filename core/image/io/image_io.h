@@ -26,10 +26,13 @@ struct ImageFileInfo {
   int parts = 1;
   std::map<std::string, std::string> text;  ///< text attributes of the header
   std::map<std::string, double> numbers;    ///< single numbers of the header, as ExposureTime
-  HeaderValues header;                      ///< of all kinds, those that are about the picture, not the file
-  float pixelAspect = 1;                    ///< width over height of a pixel
-  std::optional<PixelRect> dataWindow;      ///< EXR: where it leaves out something of the picture
-  std::vector<PixelType> channelTypes;      ///< of every channel as stored
+  /// What the header says of the colours: a colour space by name where it is a known one, else in words
+  /// (`primaries .684 .313 ...`, `the profile "Adobe RGB (1998)"`); empty where it says nothing, or sRGB.
+  std::string statedColors;
+  HeaderValues header;                  ///< of all kinds, those that are about the picture, not the file
+  float pixelAspect = 1;                ///< width over height of a pixel
+  std::optional<PixelRect> dataWindow;  ///< EXR: where it leaves out something of the picture
+  std::vector<PixelType> channelTypes;  ///< of every channel as stored
   bool operator==(const ImageFileInfo&) const = default;
 };
 

@@ -91,6 +91,7 @@ Json jsonFrom(const ImageFileInfo& info) {
                {"bits", info.bits},
                {"isFloat", info.isFloat},
                {"parts", info.parts},
+               {"statedColors", info.statedColors},
                {"header", jsonFrom(info.header)},
                {"pixelAspect", info.pixelAspect},
                {"channelTypes", numbersOf(info.channelTypes)},
@@ -110,6 +111,7 @@ ImageFileInfo infoFrom(const Json& json) {
   info.bits = integerOf(json.at("bits"));
   info.isFloat = json.at("isFloat").get<bool>();
   info.parts = integerOf(json.at("parts"));
+  info.statedColors = json.at("statedColors").get<std::string>();
   info.header = headerFrom(json.at("header"));
   info.pixelAspect = json.at("pixelAspect").get<float>();
   info.channelTypes = typesFrom(json.at("channelTypes"));

@@ -172,6 +172,33 @@ TEST(ColorConfig, AForeignConfigurationIsGivenTheNamesThatCapturesUse) {
   EXPECT_NEAR(image.plane(0)[0], 0.25F, 1e-4F);
 }
 
+TEST(ColorConfig, AKnownSpaceIsKnownByAnyName) {
+  const ColorConfig builtin("");
+  EXPECT_EQ(builtin.knownName("ACEScg"), "acescg");
+  EXPECT_EQ(builtin.knownName("ACES2065-1"), "aces2065_1");
+  EXPECT_EQ(builtin.knownName("linear"), "lin_rec709");
+  for (const char* other : {"srgb", "acescct", "raw", "lin_rec2020", "lin_p3d65", "gone", "response.json"})
+    EXPECT_EQ(builtin.knownName(other), other);
+  const TemporaryFolder folder;
+  test::writeBytes(folder / "config.ocio", kForeign);
+  const ColorConfig config((folder / "config.ocio").string());
+  EXPECT_EQ(config.knownName("work"), "acescg");
+  EXPECT_EQ(config.knownName("plate"), "plate") << "data";
+}
+
+TEST(ColorConfig, TheBuiltInOneKeepsItsDisplaysWhateverTheEnvironmentMakesActive) {
+  // In a program of its own: the built-in one is made once.
+  const auto build = [] {
+    setenv("OCIO_ACTIVE_DISPLAYS", "projector of the house", 1);
+    const ColorConfig config("");
+    Image image(ImageSpec::rgb(1, 1), 0.18F);
+    config.applyView(image.span(), "acescg", {});
+    const bool kept = std::string(getenv("OCIO_ACTIVE_DISPLAYS")) == "projector of the house";
+    std::exit(kept && config.displays().size() > 3 ? 0 : 1);
+  };
+  EXPECT_EXIT(build(), ::testing::ExitedWithCode(0), "");
+}
+
 TEST(ColorConfig, ActiveDisplaysAndViewsAndFileRulesAreHonoured) {
   const ColorConfig config(kHandMade);
   EXPECT_EQ(config.title(), "hand-made");
