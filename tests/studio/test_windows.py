@@ -6,6 +6,9 @@ import numpy as np
 
 from studio_session import StudioTest
 
+TOOLS = ('file.open', 'file.save', 'file.export', 'edit.undo', 'edit.redo', 'edit.history', 'view.fit', 'view.one_to_one',
+         'brush.take', 'light.neutral', 'view.probe', 'compare.wipe', 'view.photograph', 'view.scopes', 'view.gallery', 'help.keys')
+
 
 class Windows(StudioTest):
     def test_an_action_is_found_and_run_by_a_few_letters(self):
@@ -78,6 +81,44 @@ class Windows(StudioTest):
         self.assertTrue(studio.quit())
         studio = self.open_sample()
         self.assertGreater(width(), before + 300, 'what was hidden stays hidden')
+
+
+class Scale(StudioTest):
+    """At larger scales of the interface nothing leaves the window for good."""
+
+    def seen(self):
+        """The names of what lies within the window."""
+        self.studio.settle()
+        return {name for name, (x0, y0, x1, y1) in self.studio.layout()['items'].items()
+                if x0 >= 0 and y0 >= 0 and x1 <= self.size[0] and y1 <= self.size[1]}
+
+    def toolbar(self, scale):
+        """Those of its buttons that are seen; other panels have some of them, too."""
+        items, seen = self.studio.layout()['items'], self.seen()
+        return [tool for tool in TOOLS if 'button.' + tool in seen and items['button.' + tool][2] < 46 * float(scale)]
+
+    def test_every_tool_of_the_toolbar_is_in_it_or_in_its_list(self):
+        for scale in ('1', '1.25', '1.5', '2'):
+            with self.subTest(scale):
+                studio = self.open_sample(scale=scale)
+                shown = self.toolbar(scale)
+                self.assertEqual(shown, list(TOOLS[:len(shown)]))
+                studio.screenshot('scale_toolbar_' + scale)
+                if scale == '1':
+                    self.assertEqual(len(shown), len(TOOLS))
+                    self.assertFalse(studio.has('button.more_tools'))
+                else:
+                    self.assertIn('button.more_tools', self.seen())
+                    studio.click('button.more_tools')
+                    studio.item('menu.help.keys')
+                    listed = self.seen()
+                    for tool in TOOLS[len(shown):]:
+                        self.assertIn('menu.' + tool, listed)
+                    studio.screenshot('scale_toolbar_list_' + scale)
+                    studio.click('menu.view.probe' if 'view.probe' not in shown else 'menu.view.gallery')
+                    studio.settle()
+                    self.assertFalse(studio.has('menu.help.keys'), 'the list closes')
+                self.assertTrue(studio.quit())
 
 
 if __name__ == '__main__':

@@ -5,8 +5,6 @@
 #include "ui/camera_look/camera_look_panel.h"
 #include "ui/edits/edits_panel.h"
 #include "ui/grade/grade_panel.h"
-#include "ui/kit/action_widgets.h"
-#include "ui/kit/icons.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
@@ -15,6 +13,7 @@
 #include "ui/shell/progress_boxes.h"
 #include "ui/shell/status_bar.h"
 #include "ui/shell/studio_window.h"
+#include "ui/shell/toolbar.h"
 #include "ui/viewer/viewer_panel.h"
 
 namespace swaplight {
@@ -84,33 +83,6 @@ void drawPanel(const PanelInfo& panel, PanelLayout& layout, Room& room) {
 }
 
 }  // namespace
-
-void StudioWindow::drawToolbar() {
-  const float side = px(34);
-  const auto gap = [] { ImGui::Dummy(ImVec2(0, px(4))); };
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(4)));
-  actionButton(m_actions, "file.open", kIconOpen, side);
-  actionButton(m_actions, "file.save", kIconSave, side);
-  actionButton(m_actions, "file.export", kIconExport, side);
-  gap();
-  actionButton(m_actions, "edit.undo", kIconUndo, side);
-  actionButton(m_actions, "edit.redo", kIconRedo, side);
-  actionButton(m_actions, "edit.history", kIconHistory, side);
-  gap();
-  actionButton(m_actions, "view.fit", kIconFit, side);
-  actionButton(m_actions, "view.one_to_one", "1:1", side);
-  gap();
-  actionButton(m_actions, "brush.take", kIconBrush, side);
-  actionButton(m_actions, "light.neutral", kIconPicker, side);
-  actionButton(m_actions, "view.probe", kIconInfo, side);
-  actionButton(m_actions, "compare.wipe", kIconCompare, side);
-  actionButton(m_actions, "view.photograph", kIconPhoto, side);
-  actionButton(m_actions, "view.scopes", kIconScopes, side);
-  actionButton(m_actions, "view.gallery", kIconGallery, side);
-  gap();
-  actionButton(m_actions, "help.keys", kIconHelp, side);
-  ImGui::PopStyleVar();
-}
 
 std::vector<PanelInfo> StudioWindow::allPanels() {
   constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoScrollbar;
@@ -183,7 +155,7 @@ std::vector<PanelInfo> StudioWindow::allPanels() {
        {6, 8},
        fixed,
        {},
-       [this] { drawToolbar(); }},
+       [this] { drawToolbar(m_actions); }},
       {"view.edits",
        "Edits",
        "F4",

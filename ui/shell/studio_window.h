@@ -76,7 +76,6 @@ class StudioWindow {
   void addActions();
   void addFileActions();
   void addWindowActions();
-  void drawToolbar();
   [[nodiscard]] std::vector<PanelInfo> allPanels();
   void drawPanels();
   void drawViewer(ImVec2 size);
