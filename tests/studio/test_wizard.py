@@ -67,6 +67,22 @@ class Wizard(StudioTest):
         self.studio.move(640, 15)
         self.assertLess(np.abs(self.studio.picture('wizard_sample') - picture).mean(), 0.5)
 
+    def test_at_larger_scales_its_first_line_does_not_lie_over_itself(self):
+        self.photographs('three_point')
+        for scale in ('1', '1.25', '1.5'):
+            with self.subTest(scale):
+                studio = self.start(scale=scale)
+                studio.item('welcome.open')
+                self.drop()
+                items = studio.layout()['items']
+                studio.screenshot('wizard_scale_' + scale)
+                _, top, right, bottom = items['wizard.color_hint']
+                for other in ('wizard.more', 'wizard.field', 'wizard.align'):
+                    x0, y0, x1, y1 = items[other]
+                    self.assertTrue(right <= x0 or x1 <= items['wizard.color_hint'][0] or bottom <= y0 or y1 <= top, other)
+                self.assertLessEqual(right, items['wizard.align'][2] + 30, 'it stays in the dialog')
+                studio.kill()
+
     def test_the_photographs_are_asked_whether_they_hold_light(self):
         """Each lamp alone and both together, as light and through a camera's contrast."""
         random = np.random.default_rng(2)

@@ -29,6 +29,31 @@ constexpr float kFooterButton = 110, kFooterGap = 10;
 constexpr const char* kFooterWords =
     "Writes capture.json next to the photographs, then separates the lights.";
 
+constexpr const char* kColorHint =
+    "A colour: gel number, linear r/g/b, #rrggbb, 3200K, off, unknown, or picked from a white card.";
+
+float hintWidth(const std::string& words) {
+  ImGui::PushFont(fonts().small);
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  ImGui::PopFont();
+  return width;
+}
+
+/// Words that are larger where there is room, and stand in a tooltip, too, where there is too little.
+void drawInRestOfLine(const std::string& words) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (ImGui::CalcTextSize(words.c_str()).x <= room) return ImGui::TextUnformatted(words.c_str());
+  hint(words);
+  if (hintWidth(words) > room) tooltip(words.c_str());
+}
+
+void drawColorHint() {
+  ImGui::PushTextWrapPos(0);
+  hint(kColorHint);
+  ImGui::PopTextWrapPos();
+  markItem("wizard.color_hint");
+}
+
 /// From the window's edge to the buttons below.
 float footerWidth() {
   return ImGui::GetContentRegionMax().x - 2 * px(kFooterButton) - ImGui::GetStyle().ItemSpacing.x;
@@ -237,10 +262,15 @@ void CaptureWizard::drawLights() {
   if (fewer) setLights(m_lights.size() - 1);
   if (more) setLights(m_lights.size() + 1);
   ImGui::SameLine(0, px(16));
-  hint("A colour: gel number, linear r/g/b, #rrggbb, 3200K, off, unknown, or picked from a white card.");
   const float align = ImGui::CalcTextSize("Align photographs").x + 2 * side;
   const float even = ImGui::CalcTextSize("Even lamps").x + 2 * side;
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - align - even);
+  const float boxes = ImGui::GetContentRegionMax().x - align - even;
+  const bool beside = ImGui::GetCursorPosX() + hintWidth(kColorHint) + px(10) <= boxes;
+  if (beside) {
+    drawColorHint();
+    ImGui::SameLine();
+  }
+  ImGui::SetCursorPosX(boxes);
   ImGui::Checkbox("Even lamps", &m_solve.field);
   markItem("wizard.field");
   tooltip(
@@ -254,6 +284,7 @@ void CaptureWizard::drawLights() {
   tooltip(
       "Use this if the camera moved: photographs are registered to the first one before solving. Without it, "
       "they are where they surely show that it moved.");
+  if (!beside) drawColorHint();
 }
 
 void CaptureWizard::drawExposures() {
@@ -320,10 +351,7 @@ void CaptureWizard::drawGuess() {
       "must be known.");
   ImGui::SameLine(0, px(10));
   ImGui::AlignTextToFramePadding();
-  if (m_guess.empty())
-    ImGui::TextDisabled("Enter the first photograph's colours; the others can be guessed.");
-  else
-    ImGui::TextUnformatted(("Other photographs: " + m_guess).c_str());
+  drawInRestOfLine(m_guess.empty() ? "Enter the first photograph's colours to guess the others." : m_guess);
   if (!m_guess.empty()) markState("wizard.guess_words", m_guess);
 }
 
