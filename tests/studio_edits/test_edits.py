@@ -150,6 +150,25 @@ class Edits(StudioTest):
         self.assertEqual([edit['operation'] for edit in edits], ['move', 'turn'])
         self.assertLess(edits[1]['pan'], -5)
 
+    def test_a_lamp_that_is_turned_far_is_held_at_the_viewers_edge(self):
+        studio = self.open_edits()
+        self.add('turn')
+        start = studio.point('lamp.handle')
+        left, top, right, bottom = studio.item('viewer.picture')
+        self.drag_slider('parameters.pan', 0.5, 0.98)
+        studio.settle()
+        x0, y0, x1, y1 = studio.item('lamp.handle')
+        self.assertTrue(left < x0 and x1 < right and top < y0 and y1 < bottom, 'it is in the window')
+        studio.screenshot('lamp_turned_far')
+        path, edits = self.save('far')
+        far = edits[0]['pan']
+        self.assertGreater(far, 35)
+        edge = studio.point('lamp.handle')
+        studio.drag(edge, (edge[0] - 4, edge[1]))
+        self.assertAlmostEqual(self.saved(path)[0]['pan'], far, delta=3)  # it is not torn to the hand
+        studio.drag(studio.point('lamp.handle'), start)
+        self.assertAlmostEqual(self.saved(path)[0]['pan'], 0, delta=1)
+
     def test_a_beam_is_widened_by_its_ring(self):
         studio = self.open_edits()
         self.add('spread')

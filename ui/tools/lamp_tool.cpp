@@ -19,6 +19,7 @@ namespace {
 constexpr float kLampReach = 14;  // pixels of the screen at scale 1
 constexpr float kLampRadius = 11;
 constexpr float kLeastLampDrag = 1;
+constexpr float kCatchUp = 90;  // of a drag from the edge inwards, until the light's middle is at the hand
 constexpr ImU32 kLampShade = IM_COL32(0, 0, 0, 190);
 constexpr ImU32 kGuessInk = IM_COL32(240, 160, 64, 200);
 
@@ -81,14 +82,52 @@ class LampView {
   ImVec2 m_origin;
 };
 
-/// Where the lamp is held; nothing where that does not meet the set.
-std::optional<PlanePoint> handleNow(const EditingContext& studio, const PreparedEdit& prepared) {
+/// Where the lamp is held.
+PlanePoint handleNow(const EditingContext& studio, const PreparedEdit& prepared) {
   return std::visit(
-      [&]<typename T>(const T& operation) -> std::optional<PlanePoint> {
+      [&]<typename T>(const T& operation) -> PlanePoint {
         if constexpr (DraggedOperation<T>) return operation.handle(heldLamp(prepared));
-        return std::nullopt;
+        return {};
       },
       chosenEdit(studio)->operation);
+}
+
+/// The middle of what the lamp lit as the set was photographed, on the screen.
+ImVec2 middleOfPool(const PreparedEdit& prepared, const LampView& view) {
+  const cv::Vec3d aim = heldLamp(prepared).lamp.aim;
+  return view.shown({aim[0], aim[1]});
+}
+
+/// Where a handle is drawn: in its place, or, where that is out of the viewer, at the viewer's edge on the
+/// way there from the middle of what the lamp lit.
+ImVec2 withinViewer(ImVec2 middle, ImVec2 place, const ViewWindow& window, ImVec2 origin) {
+  const float margin = px(kLampRadius + 3);
+  const ImVec2 low(origin.x + margin, origin.y + margin);
+  const ImVec2 high(std::max(low.x, origin.x + static_cast<float>(window.width) - margin),
+                    std::max(low.y, origin.y + static_cast<float>(window.height) - margin));
+  const auto partOfWay = [](float from, float to, float least, float most) {
+    if (to < least && from > least) return (from - least) / (from - to);
+    if (to > most && from < most) return (most - from) / (to - from);
+    return 1.F;
+  };
+  const float part =
+      std::min(partOfWay(middle.x, place.x, low.x, high.x), partOfWay(middle.y, place.y, low.y, high.y));
+  return {std::clamp(middle.x + part * (place.x - middle.x), low.x, high.x),
+          std::clamp(middle.y + part * (place.y - middle.y), low.y, high.y)};
+}
+
+/// Where a drag has brought the light's middle, pixels of the picture. A handle that waited at the edge is
+/// not torn to the hand from far outside: it catches up while the hand goes inwards.
+std::array<float, 2> draggedTo(const LampHandleState::Going& going, const std::array<float, 2>& mouse,
+                               double zoom) {
+  const std::array<float, 2> hand{mouse[0] - going.offset[0], mouse[1] - going.offset[1]};
+  const float far = std::hypot(going.beyond[0], going.beyond[1]);
+  if (far == 0) return hand;
+  const float inward =
+      ((going.shown[0] - hand[0]) * going.beyond[0] + (going.shown[1] - hand[1]) * going.beyond[1]) / far *
+      static_cast<float>(zoom);
+  const float left = std::clamp(1 - inward / px(kCatchUp), 0.F, 1.F);
+  return {hand[0] + left * left * going.beyond[0], hand[1] + left * left * going.beyond[1]};
 }
 
 void previewLamp(EditingContext& studio, const PreparedEdit& prepared, const PlanePoint& to) {
@@ -128,21 +167,24 @@ bool dragLamp(EditingContext& studio, const ToolInput& input) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
     const float far = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left];
     if (far > kLeastLampDrag * kLeastLampDrag)
-      previewLamp(studio, *prepared,
-                  view.onPlane({mouse[0] - state.going->offset[0], mouse[1] - state.going->offset[1]}));
+      previewLamp(studio, *prepared, view.onPlane(draggedTo(*state.going, mouse, input.window.zoom)));
     if (!ImGui::GetIO().MouseDown[ImGuiMouseButton_Left]) state.going.reset();
     return true;
   }
-  const std::optional<PlanePoint> held = handleNow(studio, *prepared);
-  if (!input.hovered || studio.editing.dragging() || !held) return false;
-  const ImVec2 handle = view.shown(*held);
+  if (!input.hovered || studio.editing.dragging()) return false;
+  const ImVec2 place = view.shown(handleNow(studio, *prepared));
+  const ImVec2 handle = withinViewer(middleOfPool(*prepared, view), place, input.window, input.origin);
   if (!underMouse(handle)) return false;
   ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     const float x = static_cast<float>(input.window.pictureX(double{handle.x} - input.origin.x));
     const float y = static_cast<float>(input.window.pictureY(double{handle.y} - input.origin.y));
-    state.going = {
-        studio.document(), static_cast<size_t>(studio.editing.chosen), {mouse[0] - x, mouse[1] - y}};
+    const auto zoom = static_cast<float>(input.window.zoom);
+    state.going = {studio.document(),
+                   static_cast<size_t>(studio.editing.chosen),
+                   {x, y},
+                   {mouse[0] - x, mouse[1] - y},
+                   {(place.x - handle.x) / zoom, (place.y - handle.y) / zoom}};
   }
   return true;
 }
@@ -172,15 +214,13 @@ void drawLamp(EditingContext& studio, const ViewWindow& window, ImVec2 origin) {
   if (!prepared) return;
   const LampView view(studio, window, origin);
   hatchGuesses(*prepared, view, window, origin);
-  const std::optional<PlanePoint> held = handleNow(studio, *prepared);
-  if (!held) return;
-  const LampModel lamp = heldLamp(*prepared).lamp;
-  const ImVec2 from = view.shown({lamp.aim[0], lamp.aim[1]});
-  const ImVec2 to = view.shown(*held);
+  const ImVec2 from = middleOfPool(*prepared, view);
+  const ImVec2 place = view.shown(handleNow(studio, *prepared));
+  const ImVec2 to = withinViewer(from, place, window, origin);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float radius = px(kLampRadius);
   if (isHeldByRing(chosenEdit(studio)->operation)) {
-    const float around = std::hypot(to.x - from.x, to.y - from.y);
+    const float around = std::hypot(place.x - from.x, place.y - from.y);
     draw->AddCircle(from, around, kLampShade, 0, px(3));
     draw->AddCircle(from, around, kText, 0, std::max(1.F, px(1)));
     markRect("lamp.middle", from.x - 1, from.y - 1, from.x + 1, from.y + 1);

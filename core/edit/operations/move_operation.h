@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <optional>
 #include <string>
 
 #include "core/edit/fields/field.h"
@@ -46,9 +45,7 @@ struct MoveOperation {
     change.distance = distance;
     return change;
   }
-  [[nodiscard]] std::optional<PlanePoint> handle(const LampInHand& held) const {
-    return middleOf(held.lamp, lampChange());
-  }
+  [[nodiscard]] PlanePoint handle(const LampInHand& held) const { return middleOf(held.lamp, lampChange()); }
   /// Moves the lamp so that the middle of its light comes to a place.
   void dragTo(const LampInHand& held, const PlanePoint& place) {
     const LampChange change = movedTo(held.lamp, place);

@@ -84,7 +84,7 @@ concept HighlightOperation = requires(const T& operation) {
 /// Its lamp can be dragged in the picture.
 template <typename T>
 concept DraggedOperation = requires(T& operation, const LampInHand& held, const PlanePoint& place) {
-  { operation.handle(held) } -> std::same_as<std::optional<PlanePoint>>;
+  { operation.handle(held) } -> std::same_as<PlanePoint>;
   operation.dragTo(held, place);
 };
 /// The same, by a ring around the middle of what it lights.

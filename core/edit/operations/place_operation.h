@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string>
 
 #include "core/edit/fields/field.h"
@@ -55,9 +54,9 @@ struct PlaceOperation {
   }
   /// The direction to the lamp as a place on a ball of kBall before the middle of the set; where it is behind
   /// the set, on the ball's far side.
-  [[nodiscard]] std::optional<PlanePoint> handle(const LampInHand& /*held*/) const {
+  [[nodiscard]] PlanePoint handle(const LampInHand& /*held*/) const {
     const cv::Vec3d to = LampRays(place()).at(0, 0).direction;
-    return PlanePoint{kBall * to[0], kBall * to[1]};
+    return {kBall * to[0], kBall * to[1]};
   }
   void dragTo(const LampInHand& /*held*/, const PlanePoint& to) {
     const bool behind = std::abs(azimuth) > 90;

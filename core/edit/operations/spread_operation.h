@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <optional>
 #include <string>
 
 #include "core/edit/fields/field.h"
@@ -35,9 +34,7 @@ struct SpreadOperation {
   }
   /// A ring is held, not the middle: it is drawn whole.
   static constexpr bool kHeldByRing = true;
-  [[nodiscard]] std::optional<PlanePoint> handle(const LampInHand& held) const {
-    return ringHandle(held, width);
-  }
+  [[nodiscard]] PlanePoint handle(const LampInHand& held) const { return ringHandle(held, width); }
   /// Widens or narrows the beam so that the ring goes through a place.
   void dragTo(const LampInHand& held, const PlanePoint& place) {
     width = kTimes.within(static_cast<float>(spreadThrough(held, place)));

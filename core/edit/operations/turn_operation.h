@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <optional>
 #include <string>
 
 #include "core/edit/fields/field.h"
@@ -36,9 +35,7 @@ struct TurnOperation {
     change.tilt = tilt;
     return change;
   }
-  [[nodiscard]] std::optional<PlanePoint> handle(const LampInHand& held) const {
-    return middleOf(held.lamp, lampChange());
-  }
+  [[nodiscard]] PlanePoint handle(const LampInHand& held) const { return middleOf(held.lamp, lampChange()); }
   /// Turns the lamp so that the middle of its light comes to a place.
   void dragTo(const LampInHand& held, const PlanePoint& place) {
     const LampChange change = turnedTo(held.lamp, place);

@@ -14,13 +14,14 @@ double ringRadius(const LampInHand& held) {
 
 }  // namespace
 
-std::optional<PlanePoint> middleOf(const LampModel& lamp, const LampChange& change) {
+PlanePoint middleOf(const LampModel& lamp, const LampChange& change) {
+  constexpr double kFarthest = 20;  // widths of the picture: nobody looks so far beside it
+  constexpr double kLeast = 1e-9;
   const LampModel now = ChangedLamp(lamp, change).after();
   const cv::Vec3d axis = now.axis();
-  constexpr double kGrazes = 1e-3;
-  if (axis[2] > -kGrazes) return std::nullopt;
-  const double far = now.position[2] / -axis[2];
-  return PlanePoint{now.position[0] + far * axis[0], now.position[1] + far * axis[1]};
+  double far = kFarthest / std::max(std::hypot(axis[0], axis[1]), kLeast);
+  if (axis[2] < -kLeast) far = std::min(far, now.position[2] / -axis[2]);
+  return {now.position[0] + far * axis[0], now.position[1] + far * axis[1]};
 }
 
 LampChange movedTo(const LampModel& lamp, const PlanePoint& place) {

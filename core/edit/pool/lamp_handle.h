@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/edit/pool/lamp_model.h"
 
 namespace swaplight {
@@ -20,9 +18,9 @@ struct LampInHand {
   double width = 1;  ///< of what it lights, widths of the picture
 };
 
-/// Where the middle of what the lamp lights lies after a change; nothing where its axis no longer meets the
-/// plane.
-[[nodiscard]] std::optional<PlanePoint> middleOf(const LampModel& lamp, const LampChange& change);
+/// Where the middle of what the lamp lights lies after a change; where its axis hardly meets the plane, or no
+/// longer does, far out on the side that it points to.
+[[nodiscard]] PlanePoint middleOf(const LampModel& lamp, const LampChange& change);
 
 /// The change that brings that middle to a place by moving the lamp.
 [[nodiscard]] LampChange movedTo(const LampModel& lamp, const PlanePoint& place);

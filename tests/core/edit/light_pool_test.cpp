@@ -137,15 +137,22 @@ TEST(LampHandle, TheLampFollowsTheMiddleOfItsLight) {
     for (const PlanePoint wanted :
          {PlanePoint{.2, -.1}, PlanePoint{-.3, .2}, PlanePoint{lamp.aim[0], lamp.aim[1]}})
       for (const LampChange& change : {movedTo(lamp, wanted), turnedTo(lamp, wanted)}) {
-        const auto middle = middleOf(lamp, change);
-        ASSERT_TRUE(middle);
-        EXPECT_NEAR(middle->x, wanted.x, 1e-5);
-        EXPECT_NEAR(middle->y, wanted.y, 1e-5);
+        const PlanePoint middle = middleOf(lamp, change);
+        EXPECT_NEAR(middle.x, wanted.x, 1e-5);
+        EXPECT_NEAR(middle.y, wanted.y, 1e-5);
       }
   EXPECT_TRUE(turnedTo(LampModel(), {0, 0}).isNeutral());
-  LampChange away;
-  away.pan = 89.99F;
-  EXPECT_FALSE(middleOf(LampModel(), away));  // it shines past the set
+}
+
+TEST(LampHandle, StaysOnTheSideToWhichALampThatShinesPastTheSetPoints) {
+  for (const float degrees : {89.F, 89.99F, 90.F, 127.F}) {
+    LampChange away;
+    away.pan = .6F * degrees;
+    away.tilt = -.8F * degrees;
+    const PlanePoint middle = middleOf(LampModel(), away);
+    EXPECT_NEAR(middle.x, 12, .1) << degrees;
+    EXPECT_NEAR(middle.y, -16, .1) << degrees;
+  }
 }
 
 TEST(LampHandle, TheRingOfABeamGoesThroughTheHand) {
