@@ -60,6 +60,12 @@ class LargeShapesTest(cli.CliTest):
         self.assertLess(abs(edge[:298] - 1).max(), 2e-3)
         self.assertLess(abs(edge[302:]).max(), 2e-3)
 
+    def test_a_key_of_lights_that_are_not_there(self):
+        key = {'shape': 'key', 'lights': {'fill': [1, 1, 1], 'backk': [1, 1, 1]}}
+        for shape in (key, {'shape': 'selection', 'parts': [key]}):
+            self.deny('relight', self.solved, '--edits', self.edits(shape), '-o', self.path('o.exr'),
+                      naming='edit "fill": the key of its mask: there is no light "backk"; the lights are key, fill')
+
     def test_text_larger_than_the_picture(self):
         for height in (1e6, 41):
             self.deny('relight', self.solved, '--edits', self.edits({'shape': 'text', 'text': 'L', 'x': 0, 'y': 9, 'height': height}),

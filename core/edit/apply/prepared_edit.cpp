@@ -27,6 +27,14 @@ std::vector<int> chosenLights(const Edit& edit, const EditedLights& lights) {
   return chosen;
 }
 
+// A key, also one that is part of a selection, names the lights that it was taken under.
+void checkKey(const MaskShape& mask, const EditedLights& lights, const std::string& where) {
+  if (const auto* key = std::get_if<KeyShape>(&mask.shape))
+    for (const auto& [name, factor] : key->lights) static_cast<void>(placeOfLight(lights.names, name, where));
+  if (const auto* selection = std::get_if<SelectionShape>(&mask.shape))
+    for (const SelectionPart& part : *selection->parts) checkKey(part.shape, lights, where);
+}
+
 int zoneOf(const Operation& operation, int width) {
   const auto* shadow = std::get_if<ShadowOperation>(&operation);
   return shadow ? shadowZone(*shadow, width) : 0;
@@ -106,6 +114,8 @@ PreparedEdit prepareEdit(std::shared_ptr<const Edit> edit, const EditedLights& l
                      calledName(*edit), operationName(edit->operation));
   PreparedEdit prepared;
   prepared.lights = chosenLights(*edit, lights);
+  for (const MaskShape& shape : edit->mask)
+    checkKey(shape, lights, fmt::format("edit \"{}\": the key of its mask", calledName(*edit)));
   const int zone = zoneOf(edit->operation, lights.width);
   if (earlier && earlier->edit->mask == edit->mask && zoneOf(earlier->edit->operation, lights.width) == zone)
     prepared.mask = earlier->mask;

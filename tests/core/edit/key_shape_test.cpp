@@ -8,6 +8,7 @@
 
 #include "core/base/json.h"
 #include "core/color/srgb.h"
+#include "core/edit/apply/edited_set.h"
 #include "core/edit/mask/mask.h"
 #include "core/ocio/chosen_config.h"
 #include "core/set/set_color_space.h"
@@ -127,6 +128,25 @@ TEST(KeyShape, BadValuesAreOneLine) {
   EXPECT_THAT(error(R"(, "lights": [1])"), HasSubstr("an object"));
   EXPECT_THAT(error(R"(, "lights": {"key": [1, -1, 1]})"), HasSubstr("key is 1 -1 1"));
   EXPECT_THAT(error(R"(, "lights": {"key": [1, 1e99, 1]})"), HasSubstr("factors"));
+}
+
+TEST(KeyShape, NamesLightsOfTheSetAndThoseThatEditsAdd) {
+  const SolvedSet set = screenAndSkin();
+  const auto edited = [&](const std::string& shape) {
+    const std::string text =
+        R"({"new_lights": ["sun"], "edits": [{"operation": "gain", "mask": [)" + shape + "]}]}";
+    return applyEdits(set, editStackFromJson(Json::parse(text), kSide, kSide));
+  };
+  const auto error = [&](const std::string& shape) {
+    return test::inputError([&] { static_cast<void>(edited(shape)); });
+  };
+  const std::string unknown = R"({"shape": "key", "lights": {"light2": [1, 1, 1], "lihgt1": [1, 1, 1]}})";
+  EXPECT_EQ(error(unknown),
+            "edit \"gain\": the key of its mask: there is no light \"lihgt1\"; the lights are light1, "
+            "light2, sun");
+  EXPECT_THAT(error(R"({"shape": "selection", "parts": [)" + unknown + "]}"),
+              HasSubstr("no light \"lihgt1\""));
+  EXPECT_EQ(edited(R"({"shape": "key", "lights": {"light1": [1, 1, 1], "sun": [2, 2, 2]}})").lightCount(), 3);
 }
 
 }  // namespace
