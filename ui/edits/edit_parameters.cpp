@@ -258,8 +258,12 @@ bool control(const Parameters& of, const Field<Owner, Choice>& field, Choice& ch
 
 /// What nobody can know of what an edit of lamps makes.
 void warnings(const Parameters& of, const PreparedEdit& prepared) {
-  const EditedLights all = editedLights(*of.studio.set()->original, of.studio.document().edits);
-  for (const std::string& warning : lampWarnings(prepared, all)) {
+  const EditStack& stack = of.studio.document().edits;
+  const EditedLights all = editedLights(*of.studio.set()->original, stack);
+  EarlierEdits earlier;
+  for (size_t i = 0; i < of.index; ++i)
+    if (auto edit = of.studio.edits.prepared(*stack.edits[i])) earlier.push_back(std::move(edit));
+  for (const std::string& warning : lampWarnings(prepared, all, earlier)) {
     ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
     ImGui::TextWrapped("%s", warning.c_str());
     ImGui::PopStyleColor();

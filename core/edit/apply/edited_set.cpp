@@ -122,8 +122,10 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
   EditTile picture(set, count, allLights(count), all);
   SolvedSet result = emptyResult(set, lights);
   std::set<int> placed;
+  EarlierEdits earlier;  // how far a lamp is moved is judged together
   for (const auto& edit : stack.edits) {
-    const PreparedEdit prepared = prepareEdit(edit, lights, context, files);
+    const auto kept = std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, context, files));
+    const PreparedEdit& prepared = *kept;
     for (size_t k = 0; k < prepared.placed.size() && prepared.isActive(); ++k)
       if (prepared.lights[k] < set.lightCount() && !prepared.placed[k].isNeutral() &&
           !placed.insert(prepared.lights[k]).second)
@@ -133,8 +135,9 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
                         "stood: change that one instead",
                         lights.names[static_cast<size_t>(prepared.lights[k])])));
     picture.apply(prepared, all);
-    for (const std::string& warning : lampWarnings(prepared, lights))
+    for (const std::string& warning : lampWarnings(prepared, lights, earlier))
       result.capture.warnings.push_back(warningOf(*edit, warning));
+    if (std::holds_alternative<MoveOperation>(edit->operation)) earlier.push_back(kept);
     if (prepared.isActive() && usesHighlights(edit->operation) && set.highlights.empty())
       result.capture.warnings.push_back(warningOf(*edit, kNoHighlights));
   }

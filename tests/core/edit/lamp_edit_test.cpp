@@ -127,6 +127,36 @@ TEST(LampEdit, SaysWhatNobodyCanKnow) {
   EXPECT_THAT(warned(SpreadOperation{2}, Mask{{RectangleShape{0, 0, 10, 10, 0}, false}}), ElementsAre());
 }
 
+TEST(LampEdit, JudgesMovesTogether) {
+  using testing::ElementsAre;
+  using testing::HasSubstr;
+  const SolvedSet bare = test::lampSet(kWidth, kHeight, {});  // no cone: nothing is a guess
+  const auto warned = [&](const std::vector<std::pair<Operation, Mask>>& edits) {
+    EditStack stack;
+    for (const auto& [operation, mask] : edits) stack.append(*stackOf(operation, "key", mask).edits[0]);
+    return applyEdits(bare, stack).capture.warnings;
+  };
+  const MoveOperation some{.15F, 0, 1};
+  const MoveOperation back{-.1F, 0, 1};
+  const Mask left{{RectangleShape{0, 0, 100, 270, 0}, false}};
+  const Mask right{{RectangleShape{150, 0, 100, 270, 0}, false}};
+  EXPECT_THAT(warned({{some, {}}}), ElementsAre());
+  EXPECT_THAT(warned({{some, {}}, {some, {}}}), ElementsAre(HasSubstr("with the moves before")));
+  EXPECT_THAT(warned({{some, {}}, {TurnOperation{5, 0}, {}}, {some, left}}),
+              ElementsAre(HasSubstr("with the moves before")));
+  EXPECT_THAT(warned({{some, left}, {some, right}}), ElementsAre()) << "nowhere together";
+  EXPECT_THAT(warned({{some, {}}, {back, {}}, {some, {}}}), ElementsAre()) << "back, and there again";
+  EditStack other = stackOf(some, "fill");
+  other.append(*stackOf(some, "key").edits[0]);
+  EXPECT_THAT(applyEdits(bare, other).capture.warnings, ElementsAre()) << "another light's";
+  EditStack off = stackOf(some, "key");
+  Edit first = *off.edits[0];
+  first.on = false;
+  off.replace(0, first);
+  off.append(*stackOf(some, "key").edits[0]);
+  EXPECT_THAT(applyEdits(bare, off).capture.warnings, ElementsAre()) << "one that is off";
+}
+
 TEST(LampEdit, ChangesOnlyWhereItsMaskIs) {
   const SolvedSet set = smallSet(2, kWidth, kHeight);
   for (const Operation& operation : lampOperations()) {
