@@ -159,6 +159,7 @@ class Edits(StudioTest):
         studio.settle()
         x0, y0, x1, y1 = studio.item('lamp.handle')
         self.assertTrue(left < x0 and x1 < right and top < y0 and y1 < bottom, 'it is in the window')
+        studio.item('parameters.lamp.warning')
         studio.screenshot('lamp_turned_far')
         path, edits = self.save('far')
         far = edits[0]['pan']

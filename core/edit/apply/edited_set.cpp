@@ -122,7 +122,7 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
   EditTile picture(set, count, allLights(count), all);
   SolvedSet result = emptyResult(set, lights);
   std::set<int> placed;
-  EarlierEdits earlier;  // how far a lamp is moved is judged together
+  EarlierEdits earlier;  // how far a lamp is moved and turned is judged together
   for (const auto& edit : stack.edits) {
     const auto kept = std::make_shared<const PreparedEdit>(prepareEdit(edit, lights, context, files));
     const PreparedEdit& prepared = *kept;
@@ -137,7 +137,9 @@ SolvedSet applyEdits(const SolvedSet& set, const EditStack& stack, const ShadowS
     picture.apply(prepared, all);
     for (const std::string& warning : lampWarnings(prepared, lights, earlier))
       result.capture.warnings.push_back(warningOf(*edit, warning));
-    if (std::holds_alternative<MoveOperation>(edit->operation)) earlier.push_back(kept);
+    if (std::holds_alternative<MoveOperation>(edit->operation) ||
+        std::holds_alternative<TurnOperation>(edit->operation))
+      earlier.push_back(kept);
     if (prepared.isActive() && usesHighlights(edit->operation) && set.highlights.empty())
       result.capture.warnings.push_back(warningOf(*edit, kNoHighlights));
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/edit/pool/lamp_gain.h"
+#include "core/edit/pool/lamp_handle.h"
 
 namespace swaplight {
 namespace {
@@ -51,10 +52,12 @@ std::vector<const PreparedEdit*> alikeBefore(const PreparedEdit& edit, int light
 LampChange together(LampChange change, const LampChange& other) {
   change.right += other.right;
   change.up += other.up;
+  change.pan += other.pan;
+  change.tilt += other.tilt;
   return change;
 }
 
-// How far the edit moves the light's lamp, with what earlier edits of its kind have done: what
+// How far the edit moves and turns the light's lamp, with what earlier edits of its kind have done: what
 // comes together at places where it acts. One that is nowhere strong counts by itself.
 std::vector<LampChange> changesOf(const PreparedEdit& edit, int light, const EditedLights& lights,
                                   const EarlierEdits& earlier) {
@@ -70,6 +73,16 @@ std::vector<LampChange> changesOf(const PreparedEdit& edit, int light, const Edi
     if (std::ranges::find(changes, sum) == changes.end()) changes.push_back(sum);
   });
   return changes.empty() ? std::vector{own} : changes;
+}
+
+bool inPicture(const PlanePoint& place, const EditedLights& lights) {
+  return std::abs(place.x) <= .5 && std::abs(place.y) <= .5 * lights.height / lights.width;
+}
+
+// Whether the turn carries the middle of its light out of the picture.
+bool turnsOut(const LampModel& lamp, const LampChange& change, const EditedLights& lights) {
+  return (change.pan != 0 || change.tilt != 0) && inPicture({lamp.aim[0], lamp.aim[1]}, lights) &&
+         !inPicture(middleOf(lamp, change), lights);
 }
 
 // Of a cone, what lies in the picture: of its ellipse, where its outline goes on beyond.
@@ -101,8 +114,10 @@ LampLimits lampLimits(const PreparedEdit& edit, size_t k, const EditedLights& li
   const LightPool& pool = *edit.lamps[k].pool;
   const LampGain& gain = *edit.lamps[k].gain;
   limits.guessed = guessedArea(edit, lights, [&](int x, int y) { return gain.guessAt(x, y) >= .5F; });
-  for (const LampChange& change : changesOf(edit, edit.lights[k], lights, earlier))
+  for (const LampChange& change : changesOf(edit, edit.lights[k], lights, earlier)) {
     limits.shift = std::max(limits.shift, std::hypot(change.right, change.up) / pool.width);
+    limits.turnsOut = limits.turnsOut || turnsOut(pool.lamp, change, lights);
+  }
   if (pool.cone) limits.seen = seenOf(*pool.cone, lights);
   return limits;
 }
@@ -152,6 +167,11 @@ std::vector<std::string> lampWarnings(const PreparedEdit& edit, const EditedLigh
                       "where they are: up to {:.0f} % looks right",
                       light, 100 * limits.shift, limits.shift == alone ? "" : ", with the moves before,",
                       100 * LampLimits::kFarthest));
+    if (limits.turnsOut)
+      warnings.push_back(
+          fmt::format("\"{}\" is turned until the middle of its light lies outside the picture: the part of "
+                      "its beam that lights it now was never photographed, and is a guess",
+                      light));
   }
   return warnings;
 }

@@ -21,6 +21,10 @@ struct LampLimits {
   /// turns in its place throws the same ones.
   double shift = 0;
 
+  /// The lamp turns, together with the turns of earlier edits, until the middle of its light lies outside the
+  /// picture: what of its beam lights the picture then lay outside it before.
+  bool turnsOut = false;
+
   /// Of a spot's cone: what lies in the picture, 0..1. What is mostly outside tells little of its lamp.
   double seen = 1;
 

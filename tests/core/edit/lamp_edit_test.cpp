@@ -157,6 +157,27 @@ TEST(LampEdit, JudgesMovesTogether) {
   EXPECT_THAT(applyEdits(bare, off).capture.warnings, ElementsAre()) << "one that is off";
 }
 
+TEST(LampEdit, SaysThatATurnCarriesTheLightOutOfThePicture) {
+  using testing::Contains;
+  using testing::ElementsAre;
+  using testing::HasSubstr;
+  using testing::Not;
+  const auto outside = HasSubstr("middle of its light lies outside the picture");
+  const SolvedSet bare = test::lampSet(kWidth, kHeight, {0, 0, .8});
+  const auto warned = [](const SolvedSet& set, const std::vector<Operation>& operations) {
+    EditStack stack;
+    for (const Operation& operation : operations) stack.append(*stackOf(operation, "key").edits[0]);
+    return applyEdits(set, stack).capture.warnings;
+  };
+  EXPECT_THAT(warned(bare, {TurnOperation{20, 0}}), ElementsAre());
+  for (const TurnOperation& turn : {TurnOperation{50, 0}, TurnOperation{0, -50}, TurnOperation{-90, 90}})
+    EXPECT_THAT(warned(bare, {turn}), ElementsAre(outside)) << turn.summary();
+  EXPECT_THAT(warned(bare, {TurnOperation{25, 0}, TurnOperation{25, 0}}), ElementsAre(outside)) << "together";
+  const SolvedSet spot = test::lampSet(kWidth, kHeight, {0, 0, .8, .2});
+  EXPECT_THAT(warned(spot, {TurnOperation{20, 0}}), Not(Contains(outside)));
+  EXPECT_THAT(warned(spot, {TurnOperation{70, 0}}), Contains(outside));
+}
+
 TEST(LampEdit, ChangesOnlyWhereItsMaskIs) {
   const SolvedSet set = smallSet(2, kWidth, kHeight);
   for (const Operation& operation : lampOperations()) {
