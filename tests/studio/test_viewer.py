@@ -88,16 +88,16 @@ class Viewer(StudioTest):
     def test_every_subject_shows_something_of_its_own(self):
         studio = self.open_sample()
         seen = {'Relit': studio.picture('viewer_subject_relit')}
-        names = ['Photograph 1', 'Photograph 2', 'Light: key', 'β of key', 'Reflectance', 'Residual', 'Standard error (σ)',
+        names = ['Photograph 1', 'Photograph 2', 'Light: key', 'Beta of key', 'Reflectance', 'Residual', 'Standard error (σ)',
                  'Flags']
-        within = {'β of key': 'Shares (β)'}
+        within = {'Beta of key': 'Beta maps'}
         within.update((name, 'Diagnostics') for name in names[-3:])
         for number, name in enumerate(names):
             self.show(name, within.get(name))
             seen[name] = studio.picture(f'viewer_subject_{number}')
             if name not in ('Reflectance', 'Flags'):  # under white light nothing is between the relit set and its sum
                 self.assertGreater(np.abs(seen[name] - seen['Relit']).mean(), 3, name)
-        beta = seen['β of key']
+        beta = seen['Beta of key']
         self.assertEqual(np.ptp(beta.astype(int), axis=-1)[:-90].max(), 0, 'a share is grey')
         self.assertTrue(studio.has('viewer.legend'))
         # The photograph is the file's, through the view.

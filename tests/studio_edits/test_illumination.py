@@ -8,7 +8,7 @@ from studio import StudioTest
 
 class Illumination(StudioTest):
     def light_on_the_set(self, words, name):
-        self.show(words, 'Light without texture')
+        self.show(words, 'Illumination')
         self.studio.settle()
         self.studio.wait(lambda _: self.studio.picture(name).mean() > 8, 'the light on the set is found')
         return self.studio.picture(name)
@@ -16,7 +16,7 @@ class Illumination(StudioTest):
     def test_the_light_is_shown_without_texture_in_the_colours_of_the_lights(self):
         studio = self.open_sample()
         relit = studio.picture('illumination_relit')
-        whole = self.light_on_the_set('Illumination', 'illumination_all')
+        whole = self.light_on_the_set('Illumination by all lights', 'illumination_all')
         self.assertGreater(np.abs(whole.astype(int) - relit).mean(), 3)
         self.assertGreater(np.ptp(relit.astype(int), axis=-1)[60:-120].max(), 20, 'things have colours')
         self.assertLess(np.ptp(whole.astype(int), axis=-1)[60:-120].max(), 3, 'under white light it is grey')

@@ -126,13 +126,13 @@ std::string subjectWords(const ViewerContext& studio, const ViewSubject& told) {
     case ViewSubject::Kind::Contribution:
       return "Light: " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Beta:
-      return "\u03b2 of " + lightTitle(studio, subject.index);
+      return "Beta of " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Visibility:
       return "Visibility of " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Illumination:
       return "Illumination by " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Lighting:
-      return "Illumination";
+      return "Illumination by all lights";
     case ViewSubject::Kind::Highlight:
       return "Highlights of " + lightTitle(studio, subject.index);
     case ViewSubject::Kind::Diffuse:

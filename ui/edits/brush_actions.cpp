@@ -19,7 +19,7 @@ void addBrushActions(ActionTable& actions, EditingContext& studio) {
   const auto painting = [&studio] { return studio.tool == &kBrush && studio.hasLights(); };
   BrushState& brush = studio.editing.brush;
   actions.add({"edit.cancel_drag", "Cancel drag", "Escape",
-               "While dragging: cancel the stroke, stencil, handle or lasso.",
+               "While dragging: cancel the stroke, gobo, handle or lasso.",
                [&studio] {
                  studio.editor.cancel();
                  studio.editing.endDrags();

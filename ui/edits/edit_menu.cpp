@@ -119,7 +119,7 @@ void drawAddEdit(EditingContext& studio, float width) {
   if (ImGui::MenuItem("Beta map from a file \u2026")) studio.actions.run("edits.add_picture");
   markItem("add.picture");
   tooltip("Use a beta map edited in another program: an EXR or PNG of the same size as the picture.");
-  if (ImGui::MenuItem("Beta maps to a file \u2026")) studio.actions.run("file.export_beta");
+  if (ImGui::MenuItem("Export beta maps \u2026")) studio.actions.run("file.export_beta");
   markItem("add.export");
   tooltip("Export the lights' current beta maps for an image editor.");
   if (ImGui::MenuItem("Shadows \u2026") && !studio.layout.shadows) studio.actions.run("view.shadows");

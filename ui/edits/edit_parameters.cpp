@@ -307,7 +307,7 @@ void fields(const Parameters& of, T operation) {
   if (!swapsTwoLights(operation)) return;
   const size_t all = of.studio.document().rig.lights.size();
   hint(of.edit.lights.size() == 2 || (of.edit.lights.empty() && all == 2) ? "The two lights change places."
-                                                                          : "1 \u2212 \u03b2 of each light.");
+                                                                          : "1 \u2212 beta of each light.");
 }
 
 /// Which end is which, and what it is now.

@@ -85,7 +85,7 @@ void rectangle(EditingContext& studio, size_t index) {
                                        {&next.y, "y %.0f", -1e5F, "place.y"},
                                        {&next.width, "w %.0f", 1, "place.width"},
                                        {&next.height, "h %.0f", 1, "place.height"},
-                                       {&next.feather, "soft %.0f", 0, "place.feather"}}};
+                                       {&next.feather, "feather %.0f", 0, "place.feather"}}};
   const float width = std::floor((ImGui::GetContentRegionAvail().x - px(10)) / 2);
   bool changed = false;
   for (size_t i = 0; i < numbers.size(); ++i) {

@@ -27,7 +27,7 @@ namespace {
 /// A row as wide as the panel; every button as wide as its word and its part of what is left.
 void drawTools(EditingContext& studio) {
   constexpr std::array<std::pair<const char*, const char*>, 4> tools = {
-      {{kBrush.id, "Brush"}, {kStencil.id, "Stencil"}, {kSelect.id, "Select"}, {"view.shadows", "Shadow"}}};
+      {{kBrush.id, "Brush"}, {kStencil.id, "Gobo"}, {kSelect.id, "Select"}, {"view.shadows", "Shadow"}}};
   const float gap = px(4);
   float left = ImGui::GetContentRegionAvail().x - gap * float(tools.size() - 1);
   for (const auto& [action, word] : tools) left -= ImGui::CalcTextSize(word).x;

@@ -86,7 +86,7 @@ void drawSelectionPanel(EditingContext& studio) {
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Select");
   ImGui::PopFont();
-  tooltip("The brush, stencils, gradients and new edits stay inside the selection.");
+  tooltip("The brush, gobos, gradients and new edits stay inside the selection.");
   kinds(state, light.title());
   const float top = ImGui::GetCursorPosY();
   if (state.kind == Kind::Similar) similar(state);
@@ -103,7 +103,7 @@ void drawSelectionBar(EditingContext& studio) {
   if (none) markItem("select.none");
   ImGui::BeginDisabled(none);
   float feather = none ? 0 : featherOf(selection);
-  if (labelledSlider("Soft edge", "select.feather", &feather, 0, kMostSelectionFeather, "%.0f px",
+  if (labelledSlider("Feather", "select.feather", &feather, 0, kMostSelectionFeather, "%.0f px",
                      "Width of the soft edge, in image pixels.", kLogarithmic)) {
     Document next = studio.document();
     next.selection = featheredSelection(selection, std::round(feather));
@@ -113,7 +113,7 @@ void drawSelectionBar(EditingContext& studio) {
   const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
   actionTextButton(studio.actions, "select.invert", "Invert", width);
   ImGui::SameLine(0, gap);
-  actionTextButton(studio.actions, "select.clear", "Clear", width);
+  actionTextButton(studio.actions, "select.clear", "Deselect", width);
   ImGui::EndDisabled();
   const Edit* edit = none ? nullptr : editToLimit(studio);
   ImGui::BeginDisabled(!edit);

@@ -61,8 +61,8 @@ void views(EditingContext& studio) {
   };
   constexpr std::array<View, 4> kViews{
       {{SubjectKind::Relit, "Picture", "shadows.view.picture", "The picture with all lights."},
-       {SubjectKind::Beta, "\u03b2", "shadows.view.beta",
-        "\u03b2, the light's share of each pixel at unit white: black is none, white is all."},
+       {SubjectKind::Beta, "Beta", "shadows.view.beta",
+        "Beta, the light's share of each pixel at unit white: black is none, white is all."},
        {SubjectKind::Contribution, "Light", "shadows.view.light", "This light only."},
        {SubjectKind::Visibility, "Visibility", "shadows.view.reach",
         "How much of the light reaches a place: black is umbra, grey penumbra, white fully lit."}}};

@@ -41,7 +41,7 @@ void show(EditingContext& studio, const Point& at) {
   Document next = going.before;
   next.edits.append(std::move(edit));
   studio.editing.chosen = static_cast<int>(going.before.edits.edits.size());
-  studio.editor.preview("Stencil: " + going.base.name, std::move(next));
+  studio.editor.preview("Gobo: " + going.base.name, std::move(next));
 }
 
 }  // namespace

@@ -50,11 +50,10 @@ class SubjectMenu {
         ImGui::Separator();
         eachLight(Kind::Diffuse);
       });
-    list("Shares (\u03b2)", "Each light's part of all light, pixel by pixel.",
-         [&] { eachLight(Kind::Beta); });
+    list("Beta maps", "Each light's share of every pixel, at unit white.", [&] { eachLight(Kind::Beta); });
     list("Visibility", "How much of each light a place sees: its shadows.",
          [&] { eachLight(Kind::Visibility); });
-    list("Light without texture", "The light on the set as if everything were painted one grey.", [&] {
+    list("Illumination", "The light on the set as if everything were painted one grey.", [&] {
       line({Kind::Lighting, 0},
            "The light on the set as you have set it, as if everything were painted one grey.");
       eachLight(Kind::Illumination,
