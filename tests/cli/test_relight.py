@@ -98,6 +98,14 @@ class RelightTest(cli.CliTest):
         self.near(self.frame('--linear', '--type', 'uint16', name='frame.png'), np.clip(expected, 0, 1), 1e-4)
         self.near(self.frame(name='frame.hdr'), expected, .02)
 
+    def test_a_tiff_holds_no_half(self):
+        self.deny('relight', self.solved, '--type', 'half', '-o', self.path('frame.tif'),
+                  naming='a TIFF holds integers or 32-bit float, not half')
+        frames = cli.run('relight', self.solved, '-F', '1-2', '--type', 'half', '-o', self.path('frame.####.tif'))
+        self.assertEqual(frames.returncode, 2)
+        self.assertIn('not half', frames.stderr)
+        self.near(self.frame('--linear', '--type', 'float', name='frame.tif'), self.key + self.fill, 1e-5)
+
     def test_a_view_is_applied_to_exr_too(self):
         # As sRGB without tone mapping.
         self.near(self.frame('--display', 'sRGB', '--view', 'sRGB'), encoded(self.key + self.fill), 2e-3)

@@ -117,6 +117,8 @@ void checkSuits(const FileToWrite& contents, const std::string& format, const st
     throw InputError("{}: an EXR holds half or float, not {}.", name, pixelTypeName(type));
   if (format == "png" && (!integer || channels > 4))
     refuse("a PNG holds 8 or 16-bit pixels of 1 to 4 channels.");
+  if (format == "tiff" && type == PixelType::Half)
+    throw InputError("{}: a TIFF holds integers or 32-bit float, not half. Take float, or write .exr.", name);
   if (format == "jpeg" && std::max(contents.width, contents.height) > kLongestJpegSide)
     refuse(fmt::format("is {} x {} pixels; no side of a JPEG may be longer than {}.", contents.width,
                        contents.height, kLongestJpegSide));
@@ -160,6 +162,13 @@ class Output {
     if (!m_output->close()) fail();
     if (m_memory) m_memory->copyTo(m_proxy);
     if (m_proxy.finish() != 0) m_file.fail(m_proxy.failure());
+  }
+  /// Throws where the writer has put another type in the place of one that was asked for: it would take the
+  /// packed pixels for that.
+  void checkTypes(const OIIO::ImageSpec& asked) {
+    for (int c = 0; c < asked.nchannels; ++c)
+      if (m_output->spec().channelformat(c) != asked.channelformat(c))
+        m_file.fail(fmt::format("{} holds no {}", m_output->format_name(), asked.channelformat(c).c_str()));
   }
   [[noreturn]] void fail() {
     check();
@@ -207,6 +216,7 @@ void writeByOpenImageIO(const FileToWrite& contents, const std::string& format, 
   int64_t written = 0;
   for (size_t i = 0; i < specs.size(); ++i) {
     if (i > 0 && !output->open(temporary, specs[i], OIIO::ImageOutput::AppendSubimage)) output.fail();
+    output.checkTypes(specs[i]);
     writePart(output, contents, contents.parts[i], band, [&](int rows) {
       written += rows;
       progress.update(
