@@ -87,7 +87,7 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   const bool look = isLookFile(arguments.file);
   if (look) checkLookFile(arguments);
   if (look) config->checkView(displayOver(session, arguments.display));
-  if (!options.colorSpace.empty()) config->checkColorSpace(options.colorSpace);
+  if (!options.colorSpace.empty()) config->checkLinear(options.colorSpace);
   const std::shared_ptr<CameraLook> seen = look ? nullptr : arguments.cameraLook.look(session, terminal);
   if (!look && !seen && !arguments.display.empty() && lowerExtension(arguments.file) == ".exr")
     throw InputError(

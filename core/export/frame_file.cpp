@@ -34,7 +34,7 @@ void checkFrame(const ColorConfig& config, const std::filesystem::path& file, co
   static_cast<void>(imageFormatForWriting(file));
   if (options.tone && (options.linear || !options.display.empty()))
     throw InputError("a tone mapping takes the place of a view: ask for one of them");
-  if (!options.colorSpace.empty()) config.checkColorSpace(options.colorSpace);
+  if (!options.colorSpace.empty()) config.checkLinear(options.colorSpace);
   if (!options.colorSpace.empty() && (options.tone || !options.display.empty()))
     throw InputError("a colour space is for scene-linear light, a view gives its own: ask for one of them");
   if (options.tone && isSceneLinear(file))

@@ -129,6 +129,26 @@ void applyProcessor(const OCIO::ConstCPUProcessorRcPtr& cpu, const ImageSpan& im
   });
 }
 
+/// True where light in this space can be added and multiplied: whatever is brighter by a factor has numbers
+/// larger by it, and white is the sum of the primaries.
+bool addsUp(const ColorConfig& config, const std::string& colorSpace) {
+  constexpr std::array<float, 5> kLevels = {1, 0, 0.01F, 0.18F, 16};
+  Image colors(ImageSpec::rgb(4, static_cast<int>(kLevels.size())), 0);  // red, green, blue, white
+  for (size_t i = 0; i < kLevels.size(); ++i)
+    for (int c = 0; c < 3; ++c) colors.plane(c)[4 * i + c] = colors.plane(c)[4 * i + 3] = kLevels[i];
+  config.convert(colors.span(), "lin_rec709", colorSpace);
+  for (int c = 0; c < 3; ++c) {
+    const float* numbers = colors.plane(c);
+    const auto near = [](float a, float b, float level) {
+      return std::abs(a - b) <= 1e-3F * std::max(level, std::abs(b)) + 1e-5F;
+    };
+    if (!near(numbers[0] + numbers[1] + numbers[2], numbers[3], 1)) return false;
+    for (size_t i = 0; i < 4 * kLevels.size(); ++i)
+      if (!near(numbers[i], kLevels[i / 4] * numbers[i % 4], kLevels[i / 4])) return false;
+  }
+  return true;
+}
+
 void checkThreeChannels(const ImageSpan& image) {
   if (image.channels < 3)
     throw InputError("a picture with {} channels has no colour to convert, expected R, G, B.",
@@ -428,6 +448,16 @@ void ColorConfig::checkColorSpace(const std::string& name) const {
   if (always || m_impl->has(name)) return;
   throw InputError("the colour space \"{}\" is not known. Known ({}): {}.", name, m_impl->name,
                    join(colorSpaces()));
+}
+
+void ColorConfig::checkLinear(const std::string& name) const {
+  checkColorSpace(name);
+  const auto space = (m_impl->has(name) ? m_impl->config : sharedBuiltin())->getColorSpace(name.c_str());
+  if (space->isData() || !addsUp(*this, name))
+    throw InputError(
+        "the colour space \"{}\" holds {}, not scene-linear light: give lin_rec709, acescg, aces2065_1 or "
+        "another linear one",
+        name, space->isData() ? "data" : "codes");
 }
 
 void ColorConfig::convert(ImageSpan image, const std::string& from, const std::string& to) const {

@@ -55,6 +55,8 @@ class ColorConfig {
   [[nodiscard]] std::string knownName(const std::string& name) const;
   /// Throws InputError that lists the known colour spaces.
   void checkColorSpace(const std::string& name) const;
+  /// The same, and where it holds no scene-linear light: codes, or data.
+  void checkLinear(const std::string& name) const;
 
   /// In place, on the first three channels. Throws InputError on an unknown space.
   void convert(ImageSpan image, const std::string& from, const std::string& to) const;

@@ -259,6 +259,15 @@ class ExportTest(cli.CliTest):
         self.deny('relight', self.solved, '--color-space', 'film', '-o', self.path('a.exr'), naming=['"film"', 'acescg'])
         self.deny('export', self.solved, '--color-space', 'film', '-o', self.path('a.exr'), naming=['"film"', 'acescg'])
 
+    def test_codes_and_data_are_no_light(self):
+        self.solve()
+        for space in ('srgb', 'acescct', 'arri_logc_ei800_awg', 'raw'):
+            for verb in ('relight', 'export'):
+                self.deny(verb, self.solved, '--color-space', space, '-o', self.path('a.exr'),
+                          naming=[f'"{space}"', 'not scene-linear light', 'acescg'])
+        self.deny('relight', self.solved, '--linear', '--color-space', 'srgb', '-o', self.path('a.png'),
+                  naming='not scene-linear light')
+
     def test_luminance_before_and_after_as_a_plot(self):
         self.solve()
         plot = self.path('histogram.png')

@@ -108,6 +108,21 @@ TEST(ColorConfig, EveryConversionAndViewWorksAndConversionsComeBack) {
     }
 }
 
+TEST(ColorConfig, LightIsKnownFromCodesAndData) {
+  const ColorConfig builtin(""), handMade(kHandMade);
+  for (const char* space : {"lin_rec709", "acescg", "aces2065_1", "lin_rec2020", "lin_p3d65"})
+    EXPECT_NO_THROW(builtin.checkLinear(space)) << space;
+  for (const char* space : {"lin_rec709", "acescg", "work", "aces"})
+    EXPECT_NO_THROW(handMade.checkLinear(space)) << space;
+  for (const char* space : {"srgb", "acescct", "arri_logc_ei800_awg", "raw"})
+    EXPECT_THAT(inputError([&] { builtin.checkLinear(space); }), HasSubstr("not scene-linear light"))
+        << space;
+  for (const char* space : {"srgb", "log_camera", "monitor", "film", "raw"})
+    EXPECT_THAT(inputError([&] { handMade.checkLinear(space); }), HasSubstr("not scene-linear light"))
+        << space;
+  EXPECT_THAT(inputError([&] { builtin.checkLinear("film"); }), HasSubstr("\"film\" is not known"));
+}
+
 TEST(ColorConfig, UnknownNamesAreListed) {
   const ColorConfig config("");
   Image image = colours();
