@@ -7,6 +7,7 @@
 #include "core/image/io/image_format.h"
 #include "core/image/io/image_write_progress.h"
 #include "core/ocio/icc_profile.h"
+#include "core/ocio/luminance.h"
 
 namespace swaplight {
 namespace {
@@ -94,6 +95,7 @@ void writeFrame(const ColorConfig& config, Image frame, const std::filesystem::p
   if (!options.colorSpace.empty()) {
     config.convert(frame.span(), space, options.colorSpace);
     frame.setColorSpace(options.colorSpace);
+    options.write.chromaticities = chromaticitiesIn(config, options.colorSpace);
   }
   keepInHalf(frame, file, options.write);
   writeImage(frame, file, options.write, progress);

@@ -14,6 +14,7 @@
 #include "core/image/half.h"
 #include "core/image/io/image_write.h"
 #include "core/ocio/color_config.h"
+#include "core/ocio/luminance.h"
 #include "core/relight/relative_light.h"
 
 namespace swaplight {
@@ -222,6 +223,7 @@ PixelType exportLayers(const ColorConfig& config, const SolvedSet& set, const Ri
   FileToWrite contents{set.width(), set.height(),        std::move(parts),
                        colorSpace,  options.compression, written.text};
   contents.dataWindow = options.dataWindow;
+  contents.chromaticities = chromaticitiesIn(config, colorSpace);
   if (set.carried) addCarried(contents, *set.carried);
   writeChannels(contents, file, progress.part(0.4F, 1));
   return written.pictures;

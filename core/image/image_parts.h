@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/color/chromaticities.h"
 #include "core/image/header_values.h"
 #include "core/image/pixel_pack.h"
 #include "core/image/pixel_rect.h"
@@ -37,6 +38,13 @@ struct FileToWrite {
   float pixelAspect = 1;                       ///< width over height of a pixel
   std::optional<PixelRect> dataWindow = {};    ///< EXR: the part of the picture that is written, inside of it
   std::vector<unsigned char> iccProfile = {};  ///< PNG, TIFF, JPEG: embedded
+  std::optional<Chromaticities> chromaticities =
+      {};  ///< EXR: where the colour space's name does not say them
+
+  /// What an EXR says of its primaries and its white.
+  [[nodiscard]] std::optional<Chromaticities> saidChromaticities() const {
+    return chromaticities ? chromaticities : chromaticitiesOf(colorSpace);
+  }
 
   /// What is written of the picture.
   [[nodiscard]] PixelRect window() const { return dataWindow.value_or(PixelRect{0, 0, width, height}); }

@@ -268,6 +268,14 @@ class ExportTest(cli.CliTest):
         self.deny('relight', self.solved, '--linear', '--color-space', 'srgb', '-o', self.path('a.png'),
                   naming='not scene-linear light')
 
+    def test_primaries_are_said_of_every_linear_space(self):
+        self.solve()
+        rec2020 = [.708, .292, .170, .797, .131, .046, .3127, .3290]
+        for options in (['relight'], ['export'], ['export', '--multipart'], ['export', '--compression', 'piz']):
+            self.succeed(*options, self.solved, '--color-space', 'lin_rec2020', '-o', self.path('a.exr'))
+            said = spec_of(self.path('a.exr')).getattribute('chromaticities')
+            np.testing.assert_allclose(said, rec2020, atol=2e-4)
+
     def test_luminance_before_and_after_as_a_plot(self):
         self.solve()
         plot = self.path('histogram.png')

@@ -4,7 +4,6 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/color/chromaticities.h"
 #include "core/image/exr/exr_context.h"
 #include "core/image/exr/exr_file.h"
 #include "core/image/exr/exr_header.h"
@@ -24,7 +23,7 @@ exr_compression_t compressionOf(const FileToWrite& contents) {
 }
 
 void setChromaticities(exr_context_t exr, int part, const FileToWrite& contents, const AtomicFile& file) {
-  const auto known = chromaticitiesOf(contents.colorSpace);
+  const auto known = contents.saidChromaticities();
   if (!known) return;
   const Chromaticities& xy = *known;
   const exr_attr_chromaticities_t value = {xy[0], xy[1], xy[2], xy[3], xy[4], xy[5], xy[6], xy[7]};

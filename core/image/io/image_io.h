@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/color/chromaticities.h"
 #include "core/image/header_values.h"
 #include "core/image/image.h"
 #include "core/image/pixel_pack.h"
@@ -70,6 +71,8 @@ struct WriteOptions {
   int jpegQuality = 95;
   std::shared_ptr<const CarriedData> carried;  ///< from the photographs, handed on
   std::vector<unsigned char> iccProfile = {};  ///< PNG, TIFF, JPEG: embedded
+  std::optional<Chromaticities> chromaticities =
+      {};  ///< EXR: where the colour space's name does not say them
 };
 
 /// Writes to a temporary name beside the file, then renames. The format follows the extension. Pixels are

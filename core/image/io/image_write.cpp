@@ -10,7 +10,6 @@
 
 #include "core/base/error.h"
 #include "core/base/version.h"
-#include "core/color/chromaticities.h"
 #include "core/file/atomic_file.h"
 #include "core/image/exr/exr_file.h"
 #include "core/image/io/carried_data.h"
@@ -67,7 +66,7 @@ OIIO::ImageSpec specOf(const FileToWrite& contents, const PartToWrite& part, con
 
   if (!part.name.empty()) spec.attribute("oiio:subimagename", part.name);
   if (contents.colorSpace == "srgb") spec.attribute("oiio:ColorSpace", "sRGB");
-  if (const auto xy = chromaticitiesOf(contents.colorSpace); xy && format == "openexr")
+  if (const auto xy = contents.saidChromaticities(); xy && format == "openexr")
     spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), xy->data());
   if (format == "jpeg") {
     spec.attribute("compression", fmt::format("jpeg:{}", contents.jpegQuality));
@@ -260,6 +259,7 @@ void writeImage(const Image& image, const std::filesystem::path& file, const Wri
   }
   contents.parts.push_back(std::move(part));
   contents.iccProfile = options.iccProfile;
+  contents.chromaticities = options.chromaticities;
   if (options.carried) addCarried(contents, *options.carried, format == "openexr");
   writeChannels(contents, file, progress);
 }

@@ -11,6 +11,7 @@
 
 #include "core/ocio/chosen_config.h"
 #include "core/ocio/color_config.h"
+#include "core/ocio/luminance.h"
 #include "tests/support/temporary_folder.h"
 
 namespace swaplight {
@@ -121,6 +122,21 @@ TEST(ColorConfig, LightIsKnownFromCodesAndData) {
     EXPECT_THAT(inputError([&] { handMade.checkLinear(space); }), HasSubstr("not scene-linear light"))
         << space;
   EXPECT_THAT(inputError([&] { builtin.checkLinear("film"); }), HasSubstr("\"film\" is not known"));
+}
+
+TEST(ColorConfig, PrimariesOfALinearSpaceAreWhatItsMatrixSays) {
+  const ColorConfig builtin(""), handMade(kHandMade);
+  const auto expect = [](const std::optional<Chromaticities>& found, const Chromaticities& expected) {
+    ASSERT_TRUE(found);
+    for (size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR((*found)[i], expected[i], 2e-4) << i;
+  };
+  expect(chromaticitiesIn(builtin, "lin_rec2020"),
+         {.708F, .292F, .170F, .797F, .131F, .046F, .3127F, .3290F});
+  expect(chromaticitiesIn(builtin, "lin_p3d65"), {.680F, .320F, .265F, .690F, .150F, .060F, .3127F, .3290F});
+  for (const char* space : {"lin_rec709", "acescg", "aces2065_1"})
+    EXPECT_EQ(chromaticitiesIn(builtin, space), chromaticitiesOf(space));
+  EXPECT_EQ(chromaticitiesIn(handMade, "work"), chromaticitiesOf("acescg"));
+  EXPECT_EQ(chromaticitiesIn(handMade, "aces"), chromaticitiesOf("aces2065_1"));
 }
 
 TEST(ColorConfig, UnknownNamesAreListed) {
