@@ -100,8 +100,7 @@ bool hasFrameNumber(const std::string& pattern) {
 std::string frameName(const std::string& pattern, int frame) {
   const std::optional<Place> place = placeIn(pattern);
   if (!place) return pattern;
-  const std::string number =
-      fmt::format("{}{:0{}}", frame < 0 ? "-" : "", std::abs(static_cast<int64_t>(frame)), place->digits);
+  const std::string number = fmt::format("{:0{}}", frame, place->digits);
   return pattern.substr(0, place->at) + number + pattern.substr(place->at + place->length);
 }
 

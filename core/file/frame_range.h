@@ -14,8 +14,8 @@ namespace swaplight {
 /// True where a file's name has a place for the frame's number: %d, %04d, #, ####, @@@.
 [[nodiscard]] bool hasFrameNumber(const std::string& pattern);
 
-/// The name of a frame's file: %04d and #### are four digits, a single # too, each @ is one digit; a negative
-/// number has its sign before the digits. The last such place counts.
+/// The name of a frame's file: %04d and #### are four digits, a single # too, each @ is one digit; a
+/// negative number's sign counts as one of them, as printf has it. The last such place counts.
 [[nodiscard]] std::string frameName(const std::string& pattern, int frame);
 
 /// The share of one of `count` jobs: neighbouring frames, as even as can be. Throws InputError where index is

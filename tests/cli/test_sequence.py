@@ -31,15 +31,18 @@ class SequenceTest(cli.CliTest):
                 ('1-10x4', 'out.####.exr', ['out.0001.exr', 'out.0005.exr', 'out.0009.exr']),
                 ('1,3,8-9', 'out.@@.exr', ['out.01.exr', 'out.03.exr', 'out.08.exr', 'out.09.exr']),
                 ('12', 'out.#.exr', ['out.0012.exr']), ('5-4 7', 'out%d.exr', ['out4.exr', 'out5.exr', 'out7.exr']),
-                ('-2--1', 'out.%03d.exr', ['out.-001.exr', 'out.-002.exr'])):
+                ('-2--1', 'out.%03d.exr', ['out.-01.exr', 'out.-02.exr'])):
             self.sequence('--frames=' + frames, out=out)
             self.assertEqual(self.made(), sorted(names))
             for name in names:
                 os.remove(self.path(name))
-        for frames, word in (('1-', '1-'), ('a', "'a'"), ('1-5x0', 'step'), ('', 'none'), ('1-9999999', 'million')):
+        for frames, word in (('1-', '1-'), ('a', "'a'"), ('1-5x0', 'step'), ('', 'none'), ('1-9999999', 'million'),
+                             ('1-1000000000', 'million')):
             if frames:
                 self.deny('relight', self.solved, '-F', frames, '-o', self.path('out.%04d.exr'), naming=word)
         self.deny('relight', self.solved, '-F', '1-3', '-o', self.path('out.exr'), naming='%04d')
+        os.rename(self.solved, self.path('s2.exr'))
+        self.deny('relight', self.path('s2.exr'), '-F', '1-2', '-o', self.path('s%d.exr'), naming='is read here')
 
     def test_what_a_killed_batch_has_left_is_removed_on_restart(self):
         host = os.uname().nodename

@@ -7,6 +7,8 @@
 namespace swaplight {
 namespace {
 
+using test::inputError;
+using ::testing::HasSubstr;
 using Frames = std::vector<int>;
 
 TEST(FrameRange, EachFrameOnceInTheOrderGiven) {
@@ -21,6 +23,15 @@ TEST(FrameRange, AMillionFramesAreMany) {
   EXPECT_EQ(framesFromRange("1-1000000").size(), 1000000U);
   EXPECT_THROW(static_cast<void>(framesFromRange("0-1000000")), InputError);
   EXPECT_THROW(static_cast<void>(framesFromRange("-999999999-999999999")), InputError);
+}
+
+TEST(FrameRange, ASignCountsAsADigitAsInPrintf) {
+  EXPECT_EQ(frameName("a.%04d.exr", -1), "a.-001.exr");
+  EXPECT_EQ(frameName("a.####.exr", -12), "a.-012.exr");
+  EXPECT_EQ(frameName("a.#.exr", -12), "a.-012.exr");
+  EXPECT_EQ(frameName("a.%d.exr", -3), "a.-3.exr");
+  EXPECT_EQ(frameName("a.@@.exr", -1234), "a.-1234.exr");
+  EXPECT_EQ(frameName("a.%04d.exr", 7), "a.0007.exr");
 }
 
 // Found by fuzzing: a short text that asks for the same frames again and again took minutes.
