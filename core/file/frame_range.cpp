@@ -17,6 +17,7 @@ namespace swaplight {
 namespace {
 
 constexpr size_t kMostFrames = 1000000;
+constexpr int64_t kHighestFrame = 999999999;
 
 struct Place {
   size_t at = 0;
@@ -56,18 +57,20 @@ std::optional<Place> placeIn(const std::string& pattern) {
 /// The frames of one part after those before it. They are counted before any is made: a short text can ask
 /// for many.
 void addRange(const std::string& part, std::vector<int>& frames) {
-  static const std::regex kRange("(-?[0-9]{1,9})(?:-(-?[0-9]{1,9})(?:x([0-9]{1,9}))?)?");
+  static const std::regex kRange("(-?[0-9]{1,18})(?:-(-?[0-9]{1,18})(?:x([0-9]{1,18}))?)?");
   std::smatch match;
   if (!std::regex_match(part, match, kRange))
     throw InputError("frames '{}': write 7, 1-100, 1-100x5, or several with commas", part);
-  const int first = std::stoi(match[1]);
-  const int last = match[2].matched ? std::stoi(match[2]) : first;
-  const int step = match[3].matched ? std::stoi(match[3]) : 1;
+  const int64_t first = std::stoll(match[1]);
+  const int64_t last = match[2].matched ? std::stoll(match[2]) : first;
+  const int64_t step = match[3].matched ? std::stoll(match[3]) : 1;
   if (step == 0) throw InputError("frames '{}': the step is 0; write 1 or more", part);
   const int64_t direction = last < first ? -1 : 1;
-  const int64_t count = direction * (int64_t{last} - first) / step + 1;
+  const int64_t count = direction * (last - first) / step + 1;
   if (frames.size() + static_cast<size_t>(count) > kMostFrames)
-    throw InputError("frames '{}': more than a million", part);
+    throw InputError("frames '{}': more than a million; write a shorter range", part);
+  if (std::max(std::abs(first), std::abs(last)) > kHighestFrame)
+    throw InputError("frames '{}': no frame's number has more than nine digits", part);
   for (int64_t i = 0; i < count; ++i) frames.push_back(static_cast<int>(first + direction * i * step));
 }
 

@@ -1,8 +1,10 @@
 #include "core/file/frame_range.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace swaplight {
 namespace {
@@ -23,6 +25,10 @@ TEST(FrameRange, AMillionFramesAreMany) {
   EXPECT_EQ(framesFromRange("1-1000000").size(), 1000000U);
   EXPECT_THROW(static_cast<void>(framesFromRange("0-1000000")), InputError);
   EXPECT_THROW(static_cast<void>(framesFromRange("-999999999-999999999")), InputError);
+  for (const char* text : {"1-1000000000", "1-99999999999", "-5000000000-5000000000"})
+    EXPECT_THAT(inputError([&] { static_cast<void>(framesFromRange(text)); }),
+                HasSubstr("more than a million"));
+  EXPECT_THAT(inputError([] { static_cast<void>(framesFromRange("1000000000")); }), HasSubstr("nine digits"));
 }
 
 TEST(FrameRange, ASignCountsAsADigitAsInPrintf) {
