@@ -1,6 +1,7 @@
 #include "app/arguments/look_frame.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "core/image/io/image_io.h"
@@ -10,21 +11,23 @@ namespace swaplight {
 
 namespace fs = std::filesystem;
 
-FilteredImage readFrame(const fs::path& file, bool alpha) {
+ReadFrame readFrame(const fs::path& file, bool alpha) {
   ImageFile read = readImage(file);
   const FilterSpace space =
       read.info.isFloat || read.info.format == "raw" ? FilterSpace::SceneLinear : FilterSpace::Display;
   const int plane = alpha ? read.image.channelIndex("A") : -1;
+  const auto [r, g, b] = rgbChannels(read.image, file);
+  auto carried = carriedData(read.image, read.info, std::array<int, 4>{r, g, b, plane});
   std::vector<float> matte;
   if (plane >= 0) matte.assign(read.image.plane(plane), read.image.plane(plane) + read.image.pixelCount());
   Image rgb = rgbImage(std::move(read.image), file);
-  if (!alpha) return {std::move(rgb), space};
+  if (!alpha) return {{std::move(rgb), space}, std::move(carried)};
   ImageSpec spec = rgb.spec();
   spec.channels.emplace_back("A");
   Image all(spec, 1);
   for (int c = 0; c < 3; ++c) std::copy_n(rgb.plane(c), rgb.pixelCount(), all.plane(c));
   if (!matte.empty()) std::copy(matte.begin(), matte.end(), all.plane(3));
-  return {std::move(all), space};
+  return {{std::move(all), space}, std::move(carried)};
 }
 
 std::unique_ptr<const ImagesInFiles> largeImagesBeside(const std::filesystem::path& output, int partSide) {

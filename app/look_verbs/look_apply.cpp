@@ -40,12 +40,14 @@ int applyFilters(const LookArguments& arguments, Terminal& terminal) {
                 {arguments.time.framesPerSecond, arguments.tileSide, arguments.mostSeconds}, terminal);
 
   const std::unique_ptr<const ImagesInFiles> large = largeImagesBeside(arguments.output, arguments.tileSide);
-  FilteredImage frame = readFrame(file, arguments.alpha);
+  auto [frame, carried] = readFrame(file, arguments.alpha);
+  FrameOptions output = arguments.frame;
+  output.write.carried = std::move(carried);
   const int width = frame.image.width(), height = frame.image.height();
   const std::string space = frame.image.spec().colorSpace;
   frame = look->apply(std::move(frame), displayFromScene(*config, space, arguments.frame),
                       arguments.time.frame, terminal.progress());
-  writeFilteredFrame(*config, std::move(frame), arguments.output, arguments.frame);
+  writeFilteredFrame(*config, std::move(frame), arguments.output, output);
   terminal.say("wrote {}, {} x {} pixels", arguments.output, width, height);
   if (!arguments.save.empty()) {
     writePipeline(standalone(pipeline, installedFilters()), arguments.save);

@@ -68,7 +68,7 @@ int drawThumbnails(const LookArguments& arguments, Terminal& terminal) {
   fs::create_directories(arguments.output, error);
   if (error) throw InputError("{}: the folder cannot be made: {}", arguments.output, error.message());
   const std::shared_ptr<const ColorConfig> config = programConfig();
-  const FilteredImage frame = shrunk(readFrame(arguments.names[0], false), arguments.width);
+  const FilteredImage frame = shrunk(readFrame(arguments.names[0], false).frame, arguments.width);
   const FilterLibrary library = installedFilters();
   const EglContext context;
   PipelineRenderer renderer;

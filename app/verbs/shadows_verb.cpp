@@ -151,7 +151,7 @@ int run(const ShadowsCommand& arguments, Terminal& terminal) {
     text += textOf(lights.back());
     json["lights"][name] = jsonFromShadows(*lights.back().shadows);
   }
-  writeShadows(lights, arguments.output);
+  writeShadows(set, lights, arguments.output);
   writeImage(drawShadowOutlines(set, lights), overlay);
   terminal.say("wrote {} and {}", arguments.output, overlay.string());
   terminal.result(text, json);

@@ -178,6 +178,11 @@ class ExportTest(cli.CliTest):
                     out = self.path('out.exr')
                     self.succeed(verb, source, '-o', out, *more)
                     self.carried(out, extra)
+        for verb in 'beta', 'shadows':
+            self.succeed(verb, self.solved, '-o', self.path('maps.exr'))
+            spec = spec_of(self.path('maps.exr'))
+            self.assertEqual((spec.getattribute('PixelAspectRatio'), spec.getattribute('studio/slate')), (2, '12A take 3'))
+            self.assertFalse({'A', 'Z', 'matte.hero'} & set(spec.channelnames), 'maps are no picture')
 
     def test_a_smaller_data_window_stays_and_can_be_chosen(self):
         for s, pixels in zip(self.capture.manifest['shots'], self.capture.shots):
@@ -201,6 +206,9 @@ class ExportTest(cli.CliTest):
             self.assertEqual(window(self.path('layers.exr')), (2, 3, 4, 5, 33, 24))
         self.export('--data-window', 'full')
         self.assertEqual(window(self.path('layers.exr')), (0, 0, 33, 24, 33, 24))
+        for verb in 'beta', 'shadows':
+            self.succeed(verb, self.solved, '-o', self.path('maps.exr'))
+            self.assertEqual(window(self.path('maps.exr')), (5, 6, 20, 10, 33, 24), verb)
         out = ('-o', self.path('no.exr'))
         self.deny('export', self.solved, '--data-window', '30,0,20,10', *out, naming='data window')
         self.deny('export', self.solved, '--data-window', 'lots', *out, naming='lots')

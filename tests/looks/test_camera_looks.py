@@ -3,6 +3,7 @@ import json
 import os
 
 import numpy as np
+import OpenImageIO as oiio
 
 from cli import CliTest, main, read_image, read_rgb, write_image
 
@@ -165,6 +166,28 @@ class Apply(CameraLookTest):
         np.testing.assert_array_equal(matte[0, [5, 50], 0], [0, 1])
         self.apply('chroma-key,show=2', frame=self.path('front.png'), output='a.png', options=['--alpha'])
         np.testing.assert_array_equal(read_image(self.path('a.png'))['A'][0, [5, 50]], [0, 1])
+
+    def test_what_else_a_frame_holds_goes_along(self):
+        pixels = np.concatenate([ramp()[6:16, 5:25], np.full((10, 20, 1), .5), np.full((10, 20, 1), 7)], -1)
+        spec = oiio.ImageSpec(20, 10, 5, 'float')
+        spec.channelnames = ('R', 'G', 'B', 'A', 'id')
+        spec.x, spec.y, spec.full_width, spec.full_height = 5, 6, 64, 36
+        spec.attribute('PixelAspectRatio', 2.0)
+        spec.attribute('studio/slate', '12A take 3')
+        output = oiio.ImageOutput.create(self.frame)
+        assert output.open(self.frame, spec) and output.write_image(np.ascontiguousarray(pixels, np.float32))
+        output.close()
+        for options in ((), ('--alpha',)):
+            out = self.apply('exposure,stops=1', options=[*options, '--type', 'float'])
+            np.testing.assert_allclose(out, 2 * pixels[..., :3], rtol=1e-5)
+            source = oiio.ImageInput.open(self.path('out.exr'))
+            found = source.spec()
+            source.close()
+            self.assertEqual((found.x, found.y, found.width, found.height, found.full_width, found.full_height),
+                             (5, 6, 20, 10, 64, 36))
+            self.assertEqual((found.getattribute('PixelAspectRatio'), found.getattribute('studio/slate')), (2, '12A take 3'))
+            channels = read_image(self.path('out.exr'))
+            self.assertEqual((channels['A'].min(), channels['A'].max(), channels['id'].max()), (.5, .5, 7))
 
     def test_a_colour_table_that_swaps_red_and_blue(self):
         lines = [f'{b} {g} {r}' for b in (0, 1) for g in (0, 1) for r in (0, 1)]

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lower_case.h"
+#include "core/image/io/carried_data.h"
 #include "core/image/io/image_io.h"
 
 namespace swaplight {
@@ -68,6 +69,9 @@ void findSums(BetaMaps& beta) {
 
 std::vector<std::filesystem::path> writeBetaMaps(const SolvedSet& set, const std::filesystem::path& file) {
   WriteOptions options;
+  if (set.carried)  // of the picture's channels none
+    options.carried = std::make_shared<CarriedData>(
+        CarriedData{set.carried->header, set.carried->pixelAspect, set.carried->dataWindow, {}, {}});
   if (lowerExtension(file) != ".png") {
     options.pixelType = "float";
     writeImage(set.beta, file, options);

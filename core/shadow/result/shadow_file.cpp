@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lower_case.h"
+#include "core/image/io/carried_data.h"
 #include "core/image/io/image_write.h"
 
 namespace swaplight {
@@ -15,7 +16,8 @@ void checkShadowFile(const std::filesystem::path& file) {
                      std::filesystem::path(file).replace_extension(".exr").string());
 }
 
-void writeShadows(const std::vector<NamedShadows>& lights, const std::filesystem::path& file) {
+void writeShadows(const SolvedSet& set, const std::vector<NamedShadows>& lights,
+                  const std::filesystem::path& file) {
   checkShadowFile(file);
   const Image& first = lights.front().shadows->visibility;
   FileToWrite contents{first.width(), first.height(), {{}}, "data", {}, {}};
@@ -27,6 +29,10 @@ void writeShadows(const std::vector<NamedShadows>& lights, const std::filesystem
     auto& channels = contents.parts.front().channels;
     channels.push_back({"shadow_" + light + ".Y", shadows->visibility.plane(0)});
     channels.push_back({"shadow_" + light + ".label", plane.data()});
+  }
+  if (set.carried) {  // of the picture's channels none
+    addCarried(contents, *set.carried, false);
+    contents.dataWindow = set.carried->dataWindow;
   }
   writeChannels(contents, file);
 }

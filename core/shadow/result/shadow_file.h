@@ -16,8 +16,10 @@ struct NamedShadows {
 };
 
 /// Writes an EXR with the channels shadow_<light>.Y (visibility 0..1, half) and shadow_<light>.label (0
-/// unknown, 1 umbra, 2 penumbra, 3 lit, half). Throws InputError where it cannot be written.
-void writeShadows(const std::vector<NamedShadows>& lights, const std::filesystem::path& file);
+/// unknown, 1 umbra, 2 penumbra, 3 lit, half), in the set's window and pixel aspect. Throws InputError where
+/// it cannot be written.
+void writeShadows(const SolvedSet& set, const std::vector<NamedShadows>& lights,
+                  const std::filesystem::path& file);
 
 /// Throws what writeShadows() would for a file that is no EXR, before the search.
 void checkShadowFile(const std::filesystem::path& file);
