@@ -11,6 +11,17 @@ namespace swaplight {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// What nothing of is covered stays as it is.
+void divideAlphaOut(Image& image) {
+  for (int c = 0; c < 3; ++c)
+    std::transform(image.plane(c), image.plane(c) + image.pixelCount(), image.plane(3), image.plane(c),
+                   [](float value, float alpha) { return alpha > 0 ? value / alpha : value; });
+}
+
+}  // namespace
+
 ReadFrame readFrame(const fs::path& file, bool alpha) {
   ImageFile read = readImage(file);
   const FilterSpace space =
@@ -27,6 +38,7 @@ ReadFrame readFrame(const fs::path& file, bool alpha) {
   Image all(spec, 1);
   for (int c = 0; c < 3; ++c) std::copy_n(rgb.plane(c), rgb.pixelCount(), all.plane(c));
   if (!matte.empty()) std::copy(matte.begin(), matte.end(), all.plane(3));
+  if (!matte.empty() && read.info.format == "openexr") divideAlphaOut(all);
   return {{std::move(all), space}, std::move(carried)};
 }
 

@@ -14,8 +14,8 @@ struct ReadFrame {
   std::shared_ptr<const CarriedData> carried;  ///< what else the file holds; null: nothing
 };
 
-/// R, G, B, and A where it is wanted (the file's own, or 1). Floats and raw files hold light, others codes.
-/// Throws InputError.
+/// R, G, B, and A where it is wanted (the file's own, or 1; not multiplied in, as an EXR has it). Floats and
+/// raw files hold light, others codes. Throws InputError.
 [[nodiscard]] ReadFrame readFrame(const std::filesystem::path& file, bool alpha);
 
 /// While it lives, pictures as large as a part of a frame lie in memory, larger ones beside the result.

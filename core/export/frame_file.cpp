@@ -1,5 +1,8 @@
 #include "core/export/frame_file.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "core/base/error.h"
 #include "core/export/png_cicp.h"
 #include "core/file/atomic_file.h"
@@ -17,6 +20,15 @@ void keepInHalf(const Image& frame, const std::filesystem::path& file, WriteOpti
   if (!write.pixelType.empty() || imageFormatForWriting(file) != "openexr") return;
   for (int c = 0; c < frame.channelCount(); ++c)
     if (!fitsHalf(frame.plane(c), frame.pixelCount())) write.pixelType = "float";
+}
+
+/// An EXR's colour is multiplied by its alpha; other formats hold it as it is.
+void multiplyAlphaIn(Image& frame, const std::filesystem::path& file) {
+  const int alpha = frame.channelIndex("A");
+  if (alpha < 0 || imageFormatForWriting(file) != "openexr") return;
+  for (int c = 0; c < 3; ++c)
+    std::transform(frame.plane(c), frame.plane(c) + frame.pixelCount(), frame.plane(alpha), frame.plane(c),
+                   std::multiplies<>());
 }
 
 }  // namespace
@@ -61,6 +73,7 @@ void writeCodes(Image codes, const std::filesystem::path& file, const DisplayCho
                 WriteOptions write, const Progress& progress) {
   codes.setColorSpace(display.empty() ? "srgb" : "data");
   write.iccProfile = display.empty() ? iccProfileOf("sRGB", "") : iccProfileOf(display.display, display.view);
+  multiplyAlphaIn(codes, file);
   const std::optional<CodePoints> codePoints = codePointsOf(display.display);
   if (!codePoints || imageFormatForWriting(file) != "png") {
     writeImage(codes, file, write, progress);
@@ -97,6 +110,7 @@ void writeFrame(const ColorConfig& config, Image frame, const std::filesystem::p
     frame.setColorSpace(options.colorSpace);
     options.write.chromaticities = chromaticitiesIn(config, options.colorSpace);
   }
+  multiplyAlphaIn(frame, file);
   keepInHalf(frame, file, options.write);
   writeImage(frame, file, options.write, progress);
 }

@@ -59,8 +59,9 @@ void checkFrame(const ColorConfig& config, const std::filesystem::path& file, co
 void writeCodes(Image codes, const std::filesystem::path& file, const DisplayChoice& display,
                 WriteOptions write, const Progress& progress = {});
 
-/// Writes R G B of a scene-linear frame, in its colour space's primaries, to a temporary name that is then
-/// renamed. Throws InputError as checkFrame and writeImage do; Stopped.
+/// Writes R G B (and A, which an EXR has multiplied in) of a scene-linear frame, in its colour space's
+/// primaries, to a temporary name that is then renamed. Throws InputError as checkFrame and writeImage do;
+/// Stopped.
 void writeFrame(const ColorConfig& config, Image frame, const std::filesystem::path& file,
                 FrameOptions options, const Progress& progress = {});
 

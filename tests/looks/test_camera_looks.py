@@ -167,6 +167,22 @@ class Apply(CameraLookTest):
         self.apply('chroma-key,show=2', frame=self.path('front.png'), output='a.png', options=['--alpha'])
         np.testing.assert_array_equal(read_image(self.path('a.png'))['A'][0, [5, 50]], [0, 1])
 
+    def test_an_exr_has_its_alpha_multiplied_in_and_is_read_so(self):
+        """PNG has not."""
+        x = np.linspace(0, 1, 60)[None, :, None]
+        front = ((1 - x) * [.1, .7, .2] + x * [.6, .4, .35]) * np.ones((40, 1, 1))
+        write_image(self.path('front.exr'), front)
+        key = 'chroma-key,key=#59dc7c,spill=0,show=2'
+        exr = self.apply(key, frame=self.path('front.exr'), options=['--alpha', '--type', 'float'])
+        alpha = read_image(self.path('out.exr'))['A'][..., None]
+        self.assertEqual((alpha.min(), alpha.max()), (0, 1))
+        self.assertTrue(((0 < alpha) & (alpha < 1)).any())
+        np.testing.assert_allclose(exr, front * alpha, atol=1e-5)
+        self.apply('exposure,stops=1', frame=self.path('out.exr'), output='twice.exr', options=['--alpha', '--type', 'float'])
+        np.testing.assert_allclose(read_rgb(self.path('twice.exr')), 2 * front * alpha, atol=1e-5)
+        png = self.apply(key, frame=self.path('front.exr'), output='a.png', options=['--alpha', '--type', 'uint16'])
+        np.testing.assert_allclose(png, srgb_codes(front), atol=1e-3)
+
     def test_what_else_a_frame_holds_goes_along(self):
         pixels = np.concatenate([ramp()[6:16, 5:25], np.full((10, 20, 1), .5), np.full((10, 20, 1), 7)], -1)
         spec = oiio.ImageSpec(20, 10, 5, 'float')
