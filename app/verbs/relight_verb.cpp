@@ -12,6 +12,7 @@
 #include "core/base/json.h"
 #include "core/export/frame_export.h"
 #include "core/export/provenance.h"
+#include "core/file/frame_range.h"
 #include "core/file/same_file.h"
 #include "core/image/half.h"
 #include "core/image/io/image_io.h"
@@ -74,6 +75,19 @@ void warnOfClipping(const ColorConfig& config, const RelightCommand& arguments, 
     }
 }
 
+/// A still has its number where its file's name has a place for one.
+void nameStill(RelightCommand& arguments) {
+  arguments.sequence.check();
+  if (arguments.sequence.given() || !hasFrameNumber(arguments.frame)) return;
+  if (!arguments.cameraLook.frameGiven())
+    throw InputError(
+        "{}: has a place for a frame's number, and none is given: add -F 1-24 for a sequence, --frame 12 for "
+        "a "
+        "still, or write a name without #, @ and %d",
+        arguments.frame);
+  arguments.frame = frameName(arguments.frame, arguments.cameraLook.frame());
+}
+
 int run(const RelightCommand& arguments, Terminal& terminal) {
   const std::optional<Session> session = arguments.lighting.session();
   const std::shared_ptr<const ColorConfig> config = LightingArguments::colors(session);
@@ -88,7 +102,6 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
         "--color-space {}: is of scene-linear frames: write EXR or HDR, or add --linear; for a picture to be "
         "looked at, give --display and --view",
         arguments.output.colorSpace);
-  arguments.sequence.check();
   if (arguments.sequence.given() && !arguments.histogram.empty())
     throw InputError("--histogram is of one frame: leave it out, or --frames");
   if (arguments.sequence.given() && arguments.cameraLook.frameGiven())
@@ -140,8 +153,11 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
 
 void addRelightVerb(Program& program) {
   const auto a = std::make_shared<RelightCommand>();
-  CLI::App& verb = program.addVerb("relight", "Relight a set: render a frame or a sequence",
-                                   [a](Terminal& terminal) { return run(*a, terminal); });
+  CLI::App& verb =
+      program.addVerb("relight", "Relight a set: render a frame or a sequence", [a](Terminal& terminal) {
+        nameStill(*a);
+        return run(*a, terminal);
+      });
   a->lighting.addTo(verb);
   a->sequence.addTo(verb);
   a->cameraLook.addTo(verb);

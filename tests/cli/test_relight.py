@@ -190,6 +190,14 @@ class RelightTest(cli.CliTest):
         self.deny('export', self.solved, '--key', 'key@1=off', *out, naming='--key')
         self.deny('relight', self.solved, '-F', '', '-o', self.path('frame.#.exr'), naming="''")
 
+    def test_a_still_has_its_number_in_its_name(self):
+        for name in ('a.####.exr', 'a.%04d.exr'):
+            self.deny('relight', self.solved, '-o', self.path(name), naming=['number', '-F', '--frame'])
+            self.assertEqual(self.succeed_json('relight', self.solved, '--frame', '12', '-o', self.path(name))['frame'],
+                             self.path('a.0012.exr'))
+        self.near(cli.read_rgb(self.path('a.0012.exr')), self.key + self.fill)
+        self.assertEqual([name for name in os.listdir(self.folder) if name.startswith('a.')], ['a.0012.exr'])
+
     def test_misspelt_keys_are_warned_of(self):
         with open(self.path('edits.json'), 'w') as file:
             json.dump({'format': 'swaplight-edits', 'version': 1, 'shadow_threshold': {'key': .1},
