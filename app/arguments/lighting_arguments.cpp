@@ -40,9 +40,11 @@ Rig withLook(const Rig& rig, const std::string& text, const std::optional<Sessio
              const SolvedSet* set) {
   const LookRequest request = lookRequestFromText(text);
   if (session && savedVersion(*session, request.name)) return rig;  // the session has it already
-  const SavedLook* saved = session ? findSavedLook(session->document.looks, request.name) : nullptr;
+  const std::vector<SavedLook> looks = session ? session->document.looks : std::vector<SavedLook>();
+  const SavedLook* saved = findSavedLook(looks, request.name);
   const Rig lit =
-      saved ? saved->rig : applyLook(rig, findLook(request.name), set ? LightRatios(*set) : LightRatios());
+      saved ? saved->rig
+            : applyLook(rig, findLook(request.name, looks), set ? LightRatios(*set) : LightRatios());
   return blendRigs(rig, lit, request.amount);
 }
 

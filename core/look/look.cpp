@@ -1,11 +1,14 @@
 #include "core/look/look.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/look/saved_look.h"
 #include "core/look/three_point.h"
 
 namespace swaplight {
@@ -49,12 +52,17 @@ bool sameLookName(const std::string& a, const std::string& b) {
 }
 
 const Look& findLook(const std::string& name) {
-  std::string known;
+  return findLook(name, {});
+}
+
+const Look& findLook(const std::string& name, const std::vector<SavedLook>& saved) {
+  std::vector<std::string> known;
+  for (const SavedLook& look : saved) known.push_back(look.name);
   for (const Look& look : presetLooks()) {
     if (sameLookName(look.name, name)) return look;
-    known += (known.empty() ? "" : ", ") + look.name;
+    known.push_back(look.name);
   }
-  throw InputError("there is no look \"{}\"; there are: {}", name, known);
+  throw InputError("there is no look \"{}\"; there are: {}", name, fmt::join(known, ", "));
 }
 
 Rig applyLook(Rig rig, const Look& look, const LightRatios& ratios) {

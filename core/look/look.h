@@ -9,6 +9,8 @@
 
 namespace swaplight {
 
+struct SavedLook;
+
 /// What a look does to a light by its role.
 struct RoleLook {
   enum class Level {
@@ -40,6 +42,8 @@ struct Look {
 /// By its name, whatever its case and with spaces, dashes or underscores. Throws InputError that lists the
 /// names.
 [[nodiscard]] const Look& findLook(const std::string& name);
+/// The same where it is none of `saved`, which are listed too.
+[[nodiscard]] const Look& findLook(const std::string& name, const std::vector<SavedLook>& saved);
 
 /// The rig under a look: colour, dimmer and switch of every light. Throws InputError where no light has the
 /// role key.

@@ -45,6 +45,7 @@ class Looks(cli.CliTest):
         result, _ = self.frame('--look', 'red-alert', source=session)
         lights = {light['name']: light for light in result['rig']['lights']}
         self.assertEqual((lights['key']['color'], lights['fill']['on']), ('#ff0000', False))
+        self.deny('relight', session, '--look', 'Nite', '-o', self.path('x.exr'), naming='there are: Red alert, High key')
 
     def test_what_cannot_be_is_said_in_one_line(self):
         frame = self.path('x.exr')

@@ -48,7 +48,7 @@ std::string runLook(const LightsContext& studio, const std::string& text) {
   if (numberFromText(request.name))
     throw InputError("there is no look {}: the gallery has {}", request.name, looks.size());
   const Rig before = studio.document().rig;
-  const Look& preset = findLook(request.name);
+  const Look& preset = findLook(request.name, looks);
   editRig(studio, preset.name,
           blendRigs(before, applyLook(before, preset, lightRatios(studio)), request.amount));
   return preset.name;
