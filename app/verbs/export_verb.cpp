@@ -37,6 +37,12 @@ PixelType floatTypeOf(const std::string& option, const std::string& name) {
   throw InputError("{} {}: give half or float", option, name);
 }
 
+/// True where an EXR's compression does not keep every bit of a layer's colours.
+bool losesLight(const std::string& compression, PixelType type) {
+  if (compression.starts_with("dwa")) return true;
+  return type == PixelType::Half ? compression.starts_with("b44") : compression.starts_with("pxr24");
+}
+
 /// "shots", "full" or "X,Y,W,H".
 std::optional<PixelRect> windowOf(const std::string& text, const SolvedSet& set) {
   if (text.empty() || text == "shots") return std::nullopt;
@@ -116,8 +122,9 @@ int run(const ExportCommand& arguments, Terminal& terminal) {
   if (options.highlights && set.highlights.empty())
     sayWarnings({"this set has no highlights: no layers LIGHT.spec are written"}, terminal);
   const std::vector<std::string> layers = exportedLayers(set, options);
-  terminal.say("wrote {}, {} x {} pixels; the layers {} add up to the picture", arguments.file, set.width(),
-               set.height(), fmt::join(layers, ", "));
+  terminal.say("wrote {}, {} x {} pixels; the layers {} add up to the picture{}", arguments.file, set.width(),
+               set.height(), fmt::join(layers, ", "),
+               losesLight(options.compression, type) ? ", but for what the compression loses" : "");
   if (seen) terminal.say("the layer camera_look is the picture seen through \"{}\"", seen->pipeline().name);
   terminal.result("", {{"file", arguments.file},
                        {"layers", layers},

@@ -97,6 +97,16 @@ class ExportTest(cli.CliTest):
         np.testing.assert_allclose(key, self.capture.truth[0] * [2, 1, 0], atol=2e-5)
         self.assertFalse(channels['fill.G'].any())
 
+    def test_what_a_compression_loses_is_said(self):
+        self.solve()
+        for compression, pixel_type, lossy in (('zip', 'half', 0), ('pxr24', 'half', 0), ('pxr24', 'float', 1),
+                                               ('b44', 'half', 1), ('b44a', 'float', 0), ('dwaa', 'half', 1),
+                                               ('dwab:45', 'float', 1)):
+            said = self.succeed('export', self.solved, '--compression', compression, '--type', pixel_type, '-o',
+                                self.path('a.exr')).stderr
+            self.assertIn('add up to the picture', said)
+            self.assertEqual('what the compression loses' in said, bool(lossy), (compression, pixel_type))
+
     def test_oiiotool_adds_them_up(self):
         self.solve()
         self.export('--type', 'float')
