@@ -1,3 +1,4 @@
+#!/usr/bin/python3
 """What every filter takes at 1920 x 1080, and a pipeline of ten at 8K and 16K: tables of docs/speed.md.
 
 usage: filter_table.py [--large FOLDER]     (SWAPLIGHT names the program)

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """How well light is told from texture: a table over the rendered sets.
 
-usage: lightmap_table.py SWAPLIGHT SHARED [--sets random/random_1,...]
+usage: lightmap_table.py SWAPLIGHT SHARED [--sets random/random_1,...]     (default: random_1 to random_10)
 
 A row a set. The lights' contributions are taken as rendered; the truth is what a light gives over what an even dome gives
 (ambient.exr), where both are above 2 % of their bright parts. An error is the standard deviation of the logarithm (beyond a
@@ -14,7 +14,6 @@ smooth    swaplight lightmap, as it is by default
 repaint   how far the map moves when the set is repainted with tiles of random colours: the same, map against map
 """
 import argparse
-import glob
 import json
 import os
 import subprocess
@@ -24,6 +23,7 @@ import tempfile
 import numpy as np
 import OpenImageIO as oiio
 
+SETS = [f'random/random_{k}' for k in range(1, 11)]
 CHOSEN_ON = ('random_1', 'random_3', 'random_7', 'random_8', 'random_10')  # the constants of core/illumination were
 
 
@@ -59,7 +59,8 @@ def maps_of(program, names, pictures, smooth):
             json.dump({'format': 'swaplight-capture', 'version': 1, 'name': 'rendered', 'color_space': 'lin_rec709',
                        'lights': [{'name': name} for name in names], 'shots': shots}, file)
         solved = folder + '/solved.exr'
-        subprocess.run([program, 'solve', folder, '-o', solved, '--float', '--model', 'transport', '-q'], check=True)
+        subprocess.run([program, 'solve', folder, '-o', solved, '--float', '--model', 'transport', '-q'], check=True,
+                       stdout=subprocess.DEVNULL)
         maps = []
         for amount in smooth:
             subprocess.run([program, 'lightmap', solved, '-o', folder + '/map.exr', '--type', 'float', '-q', '--smooth',
@@ -108,16 +109,12 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('program')
     parser.add_argument('shared')
-    parser.add_argument('--sets')
+    parser.add_argument('--sets', default=','.join(SETS))
     arguments = parser.parse_args()
     captures = os.path.join(arguments.shared, 'captures')
-    sets = arguments.sets.split(',') if arguments.sets else sorted(
-        os.path.relpath(os.path.dirname(path), captures)
-        for path in glob.glob(captures + '/**/scene.json', recursive=True)
-        if glob.glob(os.path.dirname(path) + '/T_*.exr'))
     print('| set | lights | picture | share | map | smooth | picture r | share r | map r | smooth r | repaint |')
     print('|---|---|---|---|---|---|---|---|---|---|---|')
-    for name in sets:
+    for name in arguments.sets.split(','):
         lights, values = row_of(arguments.program, os.path.join(captures, name))
         mark = ' (chosen on)' if os.path.basename(name) in CHOSEN_ON else ''
         print(f'| `{os.path.basename(name)}`{mark} | {lights} | ' + ' | '.join(f'{v:.2f}' for v in values) + ' |',

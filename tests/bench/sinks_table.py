@@ -1,14 +1,13 @@
 #!/usr/bin/python3
 """Where pools are found, and how many lamps: a table over the rendered sets, whose scene.json tells the lamps.
 
-usage: sinks_table.py SWAPLIGHT SHARED [--sets random/random_1,...]
+usage: sinks_table.py SWAPLIGHT SHARED [--sets random/random_1,...]     (default: random_1 to random_10)
 
 A row a light. Distances are widths of the picture, from the first pool to where the lamp's point of aim, or the lamp itself,
 lies in the picture (- : a sun has none; "out": it lies outside). An arrow's error is the angle to the direction in which the lamp
 lies from there. Lamps: found, and there.
 """
 import argparse
-import glob
 import json
 import os
 import subprocess
@@ -17,7 +16,7 @@ import tempfile
 
 import numpy as np
 
-from lightmap_table import CHOSEN_ON, read_rgb, write
+from lightmap_table import CHOSEN_ON, SETS, read_rgb, write
 
 
 def sinks_of(program, names, pictures):
@@ -69,17 +68,13 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('program')
     parser.add_argument('shared')
-    parser.add_argument('--sets')
+    parser.add_argument('--sets', default=','.join(SETS))
     arguments = parser.parse_args()
     captures = os.path.join(arguments.shared, 'captures')
-    sets = arguments.sets.split(',') if arguments.sets else sorted(
-        os.path.relpath(os.path.dirname(path), captures)
-        for path in glob.glob(captures + '/**/scene.json', recursive=True)
-        if glob.glob(os.path.dirname(path) + '/T_*.exr'))
     print('| set | light | lamp | lamps | to its aim | to itself | arrow |')
     print('|---|---|---|---|---|---|---|')
     right = []
-    for name in sets:
+    for name in arguments.sets.split(','):
         folder = os.path.join(captures, name)
         with open(folder + '/scene.json') as file:
             scene = json.load(file)
