@@ -60,12 +60,13 @@ struct Picture {
   std::filesystem::path file;
   Image image;
   ImageFileInfo info;
+  PixelRect window;  ///< of the image: what the file holds of it
   PixelCounts counts;
   float clip = kNoClip;  ///< of integer files
   float quantum = 0;
   std::vector<ValueVariance> rounding;     ///< of codes that are not proportional to light
   std::vector<ValueVariance> codingError;  ///< linear light
-  std::shared_ptr<const CarriedData> carried;
+  std::shared_ptr<CarriedData> carried;
   std::vector<std::string> warnings;
 };
 
@@ -140,6 +141,10 @@ void warnOfColors(const std::string& colorSpace, Picture& picture) {
                   picture.file.string(), stated, colorSpace));
 }
 
+PixelRect boundsOf(const Image& image) {
+  return {0, 0, image.width(), image.height()};
+}
+
 Picture readPicture(const ColorConfig& config, const Capture& capture, const ResponseCurve* response,
                     const std::string& path) {
   Picture picture;
@@ -150,12 +155,16 @@ Picture readPicture(const ColorConfig& config, const Capture& capture, const Res
   if (capture.frame.isWhole())
     picture.carried = carriedData(file.image, picture.info, rgbChannels(file.image, picture.file));
   picture.image = rgbImage(std::move(file.image), picture.file);
+  picture.window = picture.info.dataWindow.value_or(boundsOf(picture.image));
   const std::string to = linearSpaceOf(capture.colorSpace);
   // The coding's blocks begin at the corner of the whole picture.
   Coding coding{config, capture.colorSpace, to, response};
   if (picture.info.format == "jpeg") measureCodingError(coding, picture);
-  if (capture.frame.crop)
-    picture.image = croppedImage(picture.image, *capture.frame.crop, picture.file.string());
+  if (const auto& crop = capture.frame.crop) {
+    picture.image = croppedImage(picture.image, *crop, picture.file.string());
+    picture.window = intersection(picture.window, *crop);
+    picture.window.x -= crop->x, picture.window.y -= crop->y;
+  }
   if (picture.info.format == "raw" && coding.from != to) {
     picture.warnings.push_back(fmt::format("{}: camera raw is linear: the colour space {} is not applied",
                                            picture.file.string(), coding.from));
@@ -189,6 +198,51 @@ void checkSizes(std::span<const Picture> pictures) {
       throw InputError("{} is {} x {} pixels, {} is {} x {}. Export all pictures of a capture at one size.",
                        picture.file.string(), picture.image.width(), picture.image.height(),
                        first.file.string(), first.image.width(), first.image.height());
+}
+
+/// What all pictures hold of the picture.
+PixelRect commonWindow(std::span<const Picture> pictures) {
+  PixelRect common = pictures.front().window;
+  for (const Picture& picture : pictures) {
+    common = intersection(common, picture.window);
+    if (common.empty())
+      throw InputError(
+          "{}: its data window holds nothing of what the crop and the photographs before it leave. Export "
+          "all "
+          "pictures of a capture with the same data window.",
+          picture.file.string());
+  }
+  return common;
+}
+
+/// A rectangle of a picture that is scaled: the pixels that nothing outside has gone into.
+PixelRect scaledWindow(const PixelRect& window, const PixelRect& from, const PixelRect& to) {
+  const auto first = [](int64_t begin, int size, int scaled) {
+    return static_cast<int>((begin * scaled + size - 1) / size);
+  };
+  const auto last = [](int64_t end, int size, int scaled) { return static_cast<int>(end * scaled / size); };
+  const int x = first(window.x, from.width, to.width), y = first(window.y, from.height, to.height);
+  return {x, y, last(window.right(), from.width, to.width) - x,
+          last(window.bottom(), from.height, to.height) - y};
+}
+
+/// Where the pictures leave out a part, keeps with the pixels what is left.
+void keepWindow(std::span<const Picture> pictures, const PixelRect& whole, CapturePixels& pixels) {
+  const PixelRect common = commonWindow(pictures);
+  const PixelRect bounds = boundsOf(pixels.shots.front());
+  const PixelRect window = bounds == whole ? common : scaledWindow(common, whole, bounds);
+  if (window == bounds) return;
+  if (window.empty())
+    throw InputError("{}: the scale leaves no pixel of its data window. Choose a larger one.",
+                     pictures.front().file.string());
+  const auto carried = pictures.front().carried ? pictures.front().carried : std::make_shared<CarriedData>();
+  carried->dataWindow = window;
+  pixels.carried = carried;
+  const auto differs = [&](const Picture& picture) { return picture.window != common; };
+  if (std::any_of(pictures.begin(), pictures.end(), differs))
+    pixels.warnings.push_back(fmt::format(
+        "the data windows of the photographs differ: only what all of them hold is solved, {},{},{},{}",
+        window.x, window.y, window.width, window.height));
 }
 
 /// Takes the dark picture off. Saturated pixels stay: they tell nothing but that they are saturated. Where
@@ -290,6 +344,7 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
   }
   std::vector<Picture> pictures = readPictures(config, capture, response ? &*response : nullptr, progress);
   checkSizes(pictures);
+  const PixelRect whole = boundsOf(pictures.front().image);
 
   CapturePixels pixels;
   pixels.carried = pictures.front().carried;
@@ -317,6 +372,7 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
   }
   if (pixels.ambient) makeFinite(*pixels.ambient);
   if (capture.frame.scale != 1) scaleDown(pixels, capture.frame.scale);
+  keepWindow(pictures, whole, pixels);
   for (Picture& picture : pictures)
     for (std::string& warning : picture.warnings) pixels.warnings.push_back(std::move(warning));
   return pixels;

@@ -32,12 +32,17 @@ struct CapturePixels {
   /// What the JPEG coding of all shots has left: the variance of linear light around it (jpeg_error.h). Empty
   /// for other files, and for such that were JPEGs once.
   std::vector<ValueVariance> codingError = {};
-  /// What the first shot's file holds beside its colour; may be nothing.
+  /// What the first shot's file holds beside its colour; may be nothing. Its data window is what all pictures
+  /// show.
   std::shared_ptr<const CarriedData> carried;
   std::vector<std::string> warnings;  ///< such as pixels that are not finite, with their number
 
   [[nodiscard]] int width() const { return shots.empty() ? 0 : shots.front().width(); }
   [[nodiscard]] int height() const { return shots.empty() ? 0 : shots.front().height(); }
+  /// What all pictures show, where that is not all of them: the rest is 0 in some, and is no light.
+  [[nodiscard]] std::optional<PixelRect> dataWindow() const {
+    return carried ? carried->dataWindow : std::nullopt;
+  }
 };
 
 /// The variance of light that rounding to codes makes, over that of the last `step` below white (a step is
@@ -53,8 +58,8 @@ struct CapturePixels {
 [[nodiscard]] std::string linearSpaceOf(const std::string& colorSpace);
 
 /// Reads the pictures and brings them to linear light: see linearSpaceOf. Throws InputError: missing or
-/// broken file, sizes that differ (both named with their sizes), unknown colour space (the known ones
-/// listed).
+/// broken file, sizes that differ (both named with their sizes), data windows with nothing in common, unknown
+/// colour space (the known ones listed).
 [[nodiscard]] CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& capture,
                                               const Progress& progress = {});
 

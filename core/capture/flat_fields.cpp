@@ -91,6 +91,15 @@ std::map<std::string, std::string> checkedLamps(const Json& json, const std::str
 
 }  // namespace
 
+FlatFields FlatFields::within(const PixelRect& part, int width, int height) const {
+  FlatFields fields = *this;
+  for (auto& shot : fields.lamps)
+    for (auto& lamp : shot)
+      if (lamp) lamp = lamp->within(part, width, height);
+  if (lens) fields.lens = lens->within(part, width, height);
+  return fields;
+}
+
 FlatNames flatNamesOf(const Capture& capture) {
   FlatNames names;
   const Json& kept = capture.extra.json();

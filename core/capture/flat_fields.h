@@ -43,6 +43,8 @@ struct FlatFields {
   std::vector<std::string> warnings;  ///< pictures that are not even
 
   [[nodiscard]] bool empty() const { return lamps.empty() && !lens; }
+  /// As SmoothField::within.
+  [[nodiscard]] FlatFields within(const PixelRect& part, int width, int height) const;
 };
 
 /// Reads a capture's flat pictures, which are coded, cropped and scaled as its shots are. Throws InputError

@@ -118,22 +118,29 @@ FieldTerms robustTerms(const std::vector<FieldBlock>& blocks, const std::vector<
 }  // namespace
 
 double SmoothField::at(int channel, double x, double y) const {
-  return std::exp(valueOf(m_terms[static_cast<size_t>(channel)], fieldTerms(x, y)));
+  return std::exp(valueOf(m_terms[static_cast<size_t>(channel)], fieldTerms(m_across.at(x), m_down.at(y))));
 }
 
 void SmoothField::row(int channel, int y, int width, int height, float* out) const {
   const FieldTerms& terms = m_terms[static_cast<size_t>(channel)];
-  const double down = (2.0 * y + 1) / height - 1;
+  const double down = m_down.at((2.0 * y + 1) / height - 1);
   std::array<double, kDegree + 1> powers{};  // of x
   size_t next = 0;
   for (int sum = 0; sum <= kDegree; ++sum)
     for (int i = sum; i >= 0; --i) powers[static_cast<size_t>(i)] += terms[next++] * std::pow(down, sum - i);
   for (int column = 0; column < width; ++column) {
-    const double x = (2.0 * column + 1) / width - 1;
+    const double x = m_across.at((2.0 * column + 1) / width - 1);
     double value = powers[kDegree];
     for (int i = kDegree - 1; i >= 0; --i) value = value * x + powers[static_cast<size_t>(i)];
     out[column] = static_cast<float>(std::exp(value));
   }
+}
+
+SmoothField SmoothField::within(const PixelRect& part, int width, int height) const {
+  SmoothField field = *this;
+  field.m_across = m_across.part(part.x, part.width, width);
+  field.m_down = m_down.part(part.y, part.height, height);
+  return field;
 }
 
 void SmoothField::takeFrom(Image& image) const {

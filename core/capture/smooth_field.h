@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/image/pixel_rect.h"
 
 namespace swaplight {
 
@@ -27,8 +28,19 @@ class SmoothField {
   void shiftLevel(int channel, double level) { m_terms[static_cast<size_t>(channel)][0] += level; }
   /// Divides a picture by the field; infinite values stay.
   void takeFrom(Image& image) const;
+  /// The field over a part of a picture of that size: as the field of a picture that is no more than this.
+  [[nodiscard]] SmoothField within(const PixelRect& part, int width, int height) const;
 
  private:
+  /// Where the picture lies in that of the terms, whose sides are -1 and 1.
+  struct Side {
+    double middle = 0, half = 1;
+    [[nodiscard]] double at(double place) const { return middle + half * place; }
+    [[nodiscard]] Side part(int begin, int length, int size) const {
+      return {at((2.0 * begin + length) / size - 1), half * length / size};
+    }
+  };
+  Side m_across, m_down;
   std::array<std::array<double, kTerms>, 3> m_terms{};
 };
 

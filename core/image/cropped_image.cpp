@@ -21,4 +21,15 @@ Image croppedImage(const Image& image, const PixelRect& crop, const std::string&
   return part;
 }
 
+Image placedImage(const Image& image, const PixelRect& place, int width, int height) {
+  ImageSpec spec = image.spec();
+  spec.width = width;
+  spec.height = height;
+  Image whole(spec, 0);
+  for (int c = 0; c < image.channelCount(); ++c)
+    for (int y = 0; y < place.height; ++y)
+      std::copy_n(image.view().row(c, y), place.width, whole.span().row(c, place.y + y) + place.x);
+  return whole;
+}
+
 }  // namespace swaplight

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <new>
 
+#include "core/image/cropped_image.h"
 #include "core/solve/causes/cause_context.h"
 #include "core/solve/causes/cause_evidence.h"
 #include "core/solve/causes/cause_sight.h"
@@ -66,10 +67,9 @@ std::vector<CauseSight> sightOf(const Capture& capture, const CapturePixels& pho
                     told ? std::optional(scaledNoise(*told, scale)) : std::nullopt, progress);
 }
 
-}  // namespace
-
-SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, const FlatFields& fields,
-                           const SolveOptions& options, const Progress& progress) {
+/// Photographs that hold something everywhere.
+SolvedSet solveAll(const Capture& capture, CapturePixels photographs, const FlatFields& fields,
+                   const SolveOptions& options, const Progress& progress) {
   const auto solved = [&] {
     if (isPartlyCrossed(capture))
       return solveCrossed(capture, std::move(photographs), fields, options, progress);
@@ -138,6 +138,37 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
     set.report->seconds += secondsSince(started);
   }
   return set;
+}
+
+/// The part of photographs that they hold.
+CapturePixels croppedPixels(CapturePixels photographs, const PixelRect& window) {
+  const auto crop = [&](Image& image) { image = croppedImage(image, window, "a photograph"); };
+  std::for_each(photographs.shots.begin(), photographs.shots.end(), crop);
+  if (photographs.ambient) crop(*photographs.ambient);
+  return photographs;
+}
+
+/// A set of the window as one of the whole picture: outside there is no light, and nothing to doubt.
+SolvedSet placedSet(SolvedSet set, const PixelRect& window, int width, int height) {
+  const auto place = [&](Image& image) { image = placedImage(image, window, width, height); };
+  std::for_each(set.contributions.begin(), set.contributions.end(), place);
+  std::for_each(set.highlights.begin(), set.highlights.end(), place);
+  if (set.ambient) place(*set.ambient);
+  place(set.beta);
+  place(set.quality);
+  return set;
+}
+
+}  // namespace
+
+SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, const FlatFields& fields,
+                           const SolveOptions& options, const Progress& progress) {
+  const std::optional<PixelRect> window = photographs.dataWindow();
+  if (!window) return solveAll(capture, std::move(photographs), fields, options, progress);
+  const int width = photographs.width(), height = photographs.height();
+  return placedSet(solveAll(capture, croppedPixels(std::move(photographs), *window),
+                            fields.within(*window, width, height), options, progress),
+                   *window, width, height);
 }
 
 }  // namespace swaplight

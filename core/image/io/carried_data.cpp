@@ -9,8 +9,8 @@ ChannelToWrite CarriedData::channel(int index) const {
   return {channels.spec().channels[i], channels.plane(index), types[i]};
 }
 
-std::shared_ptr<const CarriedData> carriedData(const Image& image, const ImageFileInfo& info,
-                                               std::span<const int> used) {
+std::shared_ptr<CarriedData> carriedData(const Image& image, const ImageFileInfo& info,
+                                         std::span<const int> used) {
   auto carried = std::make_shared<CarriedData>();
   carried->header = info.header;
   carried->pixelAspect = info.pixelAspect;

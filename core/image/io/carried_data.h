@@ -17,7 +17,7 @@ namespace swaplight {
 struct CarriedData {
   HeaderValues header;
   float pixelAspect = 1;
-  std::optional<PixelRect> dataWindow;  ///< where it is smaller than the picture
+  std::optional<PixelRect> dataWindow;  ///< where it is smaller than the picture: nothing is known outside
   Image channels;                       ///< of the picture's size, under the names they had; may be empty
   std::vector<PixelType> types;         ///< of each channel, half or float
 
@@ -26,8 +26,8 @@ struct CarriedData {
 };
 
 /// What a file holds beside the channels `used`. Nothing where there is nothing worth carrying.
-[[nodiscard]] std::shared_ptr<const CarriedData> carriedData(const Image& image, const ImageFileInfo& info,
-                                                             std::span<const int> used);
+[[nodiscard]] std::shared_ptr<CarriedData> carriedData(const Image& image, const ImageFileInfo& info,
+                                                       std::span<const int> used);
 
 /// Puts the header and the aspect into a file; with `channels` also the data window, and the channels into
 /// its first part, where no channel has that name already. Only an EXR holds those.

@@ -49,6 +49,22 @@ double largestError(const SmoothField& field, int c, double (*truth)(double, dou
   return largest;
 }
 
+TEST(SmoothField, OfAPartIsThatPartOfIt) {
+  const SmoothField field = colorFieldOf(flatPicture(drifting), "flat").field;
+  const PixelRect part{40, 10, 60, 80}, inner{5, 20, 30, 25};
+  const SmoothField of = field.within(part, kWide, kHigh),
+                    ofInner = of.within(inner, part.width, part.height);
+  std::vector<float> whole(kWide), found(60);
+  for (int c = 0; c < 3; ++c)
+    for (int y = 0; y < 80; ++y) {
+      field.row(c, 10 + y, kWide, kHigh, whole.data());
+      of.row(c, y, 60, 80, found.data());
+      for (int x = 0; x < 60; ++x)
+        ASSERT_NEAR(found[size_t(x)], whole[size_t(40 + x)], 1e-6) << x << " " << y;
+    }
+  EXPECT_NEAR(ofInner.at(0, -1, 1), field.at(0, 2 * 45 / 150.0 - 1, 2 * 55 / 100.0 - 1), 1e-9);
+}
+
 TEST(ColorField, IsTheLampsColourWithoutItsLevel) {
   const FieldFit fit = colorFieldOf(flatPicture(drifting), "flat");
   // The ratio of two channels has no level in it.
