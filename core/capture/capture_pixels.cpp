@@ -61,6 +61,7 @@ struct Picture {
   Image image;
   ImageFileInfo info;
   PixelRect window;  ///< of the image: what the file holds of it
+  bool hasOverscan = false;
   PixelCounts counts;
   float clip = kNoClip;  ///< of integer files
   float quantum = 0;
@@ -155,7 +156,10 @@ Picture readPicture(const ColorConfig& config, const Capture& capture, const Res
   if (capture.frame.isWhole())
     picture.carried = carriedData(file.image, picture.info, rgbChannels(file.image, picture.file));
   picture.image = rgbImage(std::move(file.image), picture.file);
-  picture.window = picture.info.dataWindow.value_or(boundsOf(picture.image));
+  const PixelRect whole = boundsOf(picture.image);
+  const PixelRect held = picture.info.dataWindow.value_or(whole);
+  picture.window = intersection(held, whole);
+  picture.hasOverscan = enclosing(held, whole) != whole;
   const std::string to = linearSpaceOf(capture.colorSpace);
   // The coding's blocks begin at the corner of the whole picture.
   Coding coding{config, capture.colorSpace, to, response};
@@ -243,6 +247,13 @@ void keepWindow(std::span<const Picture> pictures, const PixelRect& whole, Captu
     pixels.warnings.push_back(fmt::format(
         "the data windows of the photographs differ: only what all of them hold is solved, {},{},{},{}",
         window.x, window.y, window.width, window.height));
+}
+
+/// The picture is the display window.
+void warnOfOverscan(std::span<const Picture> pictures, CapturePixels& pixels) {
+  if (std::any_of(pictures.begin(), pictures.end(), std::mem_fn(&Picture::hasOverscan)))
+    pixels.warnings.emplace_back(
+        "the photographs hold pixels outside of their display window (overscan): they are left out");
 }
 
 /// Takes the dark picture off. Saturated pixels stay: they tell nothing but that they are saturated. Where
@@ -373,6 +384,7 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
   if (pixels.ambient) makeFinite(*pixels.ambient);
   if (capture.frame.scale != 1) scaleDown(pixels, capture.frame.scale);
   keepWindow(pictures, whole, pixels);
+  warnOfOverscan(pictures, pixels);
   for (Picture& picture : pictures)
     for (std::string& warning : picture.warnings) pixels.warnings.push_back(std::move(warning));
   return pixels;

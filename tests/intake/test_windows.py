@@ -110,6 +110,17 @@ class WindowTest(cli.CliTest):
         apart = self.windowed((0, 0), (100, 100))
         self.deny('solve', apart.path, '-o', self.path('no.exr'), naming=['shot_02.exr', 'data window'])
 
+    def test_overscan_that_is_left_out_is_said(self):
+        capture = self.windowed((-10, -5), display=(0, 0, 60, 50))
+        solved, report = self.solve(capture)
+        self.assertEqual(windows_of(solved), ((0, 0, 60, 40), (0, 0, 60, 50)))
+        self.assertEqual(report['pixels'], 60 * 40)
+        said = [warning for warning in report['warnings'] if 'overscan' in warning]
+        self.assertEqual(len(said), 1, report['warnings'])
+        whole, report = self.solve(self.windowed((10, 5), display=(10, 5, 80, 45)))
+        self.assertEqual(windows_of(whole), ((0, 0, 80, 45), (0, 0, 80, 45)))
+        self.assertNotIn('overscan', ''.join(report['warnings']))
+
 
 if __name__ == '__main__':
     cli.main()

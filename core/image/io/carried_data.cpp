@@ -4,6 +4,17 @@
 
 namespace swaplight {
 
+namespace {
+
+/// What a data window holds of a picture, where that is not all of it.
+std::optional<PixelRect> smallerWindow(const std::optional<PixelRect>& window, int width, int height) {
+  const PixelRect whole{0, 0, width, height};
+  const PixelRect held = intersection(window.value_or(whole), whole);
+  return held == whole ? std::nullopt : std::optional(held);
+}
+
+}  // namespace
+
 ChannelToWrite CarriedData::channel(int index) const {
   const auto i = static_cast<size_t>(index);
   return {channels.spec().channels[i], channels.plane(index), types[i]};
@@ -14,7 +25,7 @@ std::shared_ptr<CarriedData> carriedData(const Image& image, const ImageFileInfo
   auto carried = std::make_shared<CarriedData>();
   carried->header = info.header;
   carried->pixelAspect = info.pixelAspect;
-  carried->dataWindow = info.dataWindow;
+  carried->dataWindow = smallerWindow(info.dataWindow, image.width(), image.height());
   std::vector<int> others;
   for (int c = 0; c < image.channelCount(); ++c)
     if (std::find(used.begin(), used.end(), c) == used.end()) others.push_back(c);
@@ -38,7 +49,8 @@ void addCarried(FileToWrite& contents, const CarriedData& carried, bool channels
   contents.header.insert(carried.header.begin(), carried.header.end());
   contents.pixelAspect = carried.pixelAspect;
   if (!channels) return;
-  if (!contents.dataWindow) contents.dataWindow = carried.dataWindow;
+  if (!contents.dataWindow)
+    contents.dataWindow = smallerWindow(carried.dataWindow, contents.width, contents.height);
   const auto isThere = [&](const std::string& name) {
     return std::any_of(contents.parts.begin(), contents.parts.end(), [&](const PartToWrite& part) {
       return std::any_of(part.channels.begin(), part.channels.end(),

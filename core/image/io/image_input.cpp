@@ -94,14 +94,11 @@ ImageFileInfo infoOf(const OIIO::ImageSpec& spec, const std::string& format) {
   return info;
 }
 
-/// A part's data window within the picture, where it leaves something out.
-std::optional<PixelRect> smallerWindow(const ImagePart& part, const ImageSpec& picture) {
-  const int left = std::max(part.x, 0);
-  const int top = std::max(part.y, 0);
-  const PixelRect window{left, top, std::min(part.x + part.spec.width, picture.width) - left,
-                         std::min(part.y + part.spec.height, picture.height) - top};
+/// A part's data window in the picture's pixels, where it is not the picture: smaller, or larger (overscan).
+std::optional<PixelRect> otherWindow(const ImagePart& part, const ImageSpec& picture) {
+  const PixelRect window{part.x, part.y, part.spec.width, part.spec.height};
   const bool whole = window == PixelRect{0, 0, picture.width, picture.height};
-  return whole || window.empty() ? std::nullopt : std::optional(window);
+  return whole ? std::nullopt : std::optional(window);
 }
 
 /// Puts the data window of a part into the image's display window.
@@ -175,7 +172,7 @@ ImageContents contentsOf(ImageInput& input) {
     place(part, contents.parts.empty() ? spec : contents.parts.front().spec, input);
     for (int c = 0; c < spec.nchannels; ++c)
       contents.info.channelTypes.push_back(pixelTypeOf(spec.channelformat(c)).value_or(PixelType::Float));
-    if (index == 0) contents.info.dataWindow = smallerWindow(part, contents.spec);
+    if (index == 0) contents.info.dataWindow = otherWindow(part, contents.spec);
     contents.parts.push_back(std::move(part));
   }
   (void)input->geterror();  // of the part behind the last
