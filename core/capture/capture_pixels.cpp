@@ -1,5 +1,7 @@
 #include "core/capture/capture_pixels.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -68,6 +70,7 @@ struct Picture {
   std::vector<ValueVariance> rounding;     ///< of codes that are not proportional to light
   std::vector<ValueVariance> codingError;  ///< linear light
   std::shared_ptr<CarriedData> carried;
+  std::vector<std::string> inexact;  ///< channels
   std::vector<std::string> warnings;
 };
 
@@ -137,9 +140,22 @@ void warnOfColors(const std::string& colorSpace, Picture& picture) {
   if (stated.empty() || stated == colorSpace || !known) return;
   picture.warnings.push_back(
       fmt::format("{}: says that its colours are {}; they are taken as {}, as the capture says. Where that "
-                  "is wrong, name "
-                  "their colour space there",
+                  "is wrong, name their colour space there",
                   picture.file.string(), stated, colorSpace));
+}
+
+/// Channels of whole numbers, such as IDs, that are too large for the float that they are carried as.
+std::vector<std::string> inexactIntegers(const ImageFile& file) {
+  constexpr float kMostExact = 1 << 24;
+  std::vector<std::string> channels;
+  for (int c = 0; c < file.image.channelCount(); ++c) {
+    const float* plane = file.image.plane(c);
+    const auto isLarge = [](float value) { return value >= kMostExact; };
+    if (file.info.channelTypes[size_t(c)] == PixelType::UInt32 &&
+        std::any_of(plane, plane + file.image.pixelCount(), isLarge))
+      channels.push_back(file.image.spec().channels[size_t(c)]);
+  }
+  return channels;
 }
 
 PixelRect boundsOf(const Image& image) {
@@ -151,10 +167,12 @@ Picture readPicture(const ColorConfig& config, const Capture& capture, const Res
   Picture picture;
   picture.file = capture.folder / path;
   ImageFile file = readImage(picture.file);
-  picture.info = std::move(file.info);
+  picture.info = file.info;
   // What a file holds beside its colour is of all its pixels.
-  if (capture.frame.isWhole())
+  if (capture.frame.isWhole()) {
     picture.carried = carriedData(file.image, picture.info, rgbChannels(file.image, picture.file));
+    picture.inexact = inexactIntegers(file);
+  }
   picture.image = rgbImage(std::move(file.image), picture.file);
   const PixelRect whole = boundsOf(picture.image);
   const PixelRect held = picture.info.dataWindow.value_or(whole);
@@ -385,6 +403,10 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
   if (capture.frame.scale != 1) scaleDown(pixels, capture.frame.scale);
   keepWindow(pictures, whole, pixels);
   warnOfOverscan(pictures, pixels);
+  if (const Picture& first = pictures.front(); !first.inexact.empty())
+    pixels.warnings.push_back(
+        fmt::format("{}: whole numbers above 16777216 are carried rounded, as float: {}", first.file.string(),
+                    fmt::join(first.inexact, ", ")));
   for (Picture& picture : pictures)
     for (std::string& warning : picture.warnings) pixels.warnings.push_back(std::move(warning));
   return pixels;

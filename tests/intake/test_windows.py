@@ -121,6 +121,22 @@ class WindowTest(cli.CliTest):
         self.assertEqual(windows_of(whole), ((0, 0, 80, 45), (0, 0, 80, 45)))
         self.assertNotIn('overscan', ''.join(report['warnings']))
 
+    def test_whole_numbers_that_float_cannot_hold_are_said(self):
+        path = os.path.join(self.plain.folder, 'shot_01.exr')
+        for largest in (7, 0xffffffff):
+            spec = oiio.ImageSpec(80, 45, 4, 'float')
+            spec.channelnames = ('R', 'G', 'B', 'id')
+            spec.channelformats = tuple(map(oiio.TypeDesc, ('float', 'float', 'float', 'uint')))
+            ids = np.arange(45 * 80).reshape(45, 80, 1) % 2 * (largest / 0xffffffff)  # OpenImageIO scales what it is given
+            output = oiio.ImageOutput.create(path)
+            assert output.open(path, spec)
+            assert output.write_image(np.concatenate([self.plain.shots[0], ids], -1).astype(np.float32))
+            output.close()
+            solved, report = self.solve(self.plain)
+            np.testing.assert_array_equal(np.unique(cli.read_image(solved)['id']), np.float32([0, largest]))
+            said = [warning for warning in report['warnings'] if 'whole numbers' in warning]
+            self.assertEqual(len(said), int(largest > 7), report['warnings'])
+
 
 if __name__ == '__main__':
     cli.main()
