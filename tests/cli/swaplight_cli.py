@@ -50,8 +50,10 @@ def write_image(path, pixels, pixel_type='float', channels='RGBA', **attributes)
 
 def read_image(path):
     """A dictionary: the pixels of every channel by name. The parts of a multi-part EXR are layers; the part rgb
-    has none."""
-    source = oiio.ImageInput.open(path)
+    has none. Colour is as the file has it: not multiplied by the alpha of a PNG."""
+    as_it_is = oiio.ImageSpec()
+    as_it_is.attribute('oiio:UnassociatedAlpha', 1)
+    source = oiio.ImageInput.open(path, as_it_is)
     assert source, oiio.geterror()
     channels, part = {}, 0
     while source.seek_subimage(part, 0):

@@ -218,7 +218,7 @@ TEST(ColorConfig, AKnownSpaceIsKnownByAnyName) {
 }
 
 TEST(ColorConfig, TheBuiltInOneKeepsItsDisplaysWhateverTheEnvironmentMakesActive) {
-  // In a program of its own: the built-in one is made once.
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a program of its own: the built-in one is made once
   const auto build = [] {
     setenv("OCIO_ACTIVE_DISPLAYS", "projector of the house", 1);
     const ColorConfig config("");
