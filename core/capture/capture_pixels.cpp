@@ -360,7 +360,8 @@ CapturePixels withoutShots(const CapturePixels& pixels) {
           pixels.rounding,
           pixels.codingError,
           pixels.carried,
-          pixels.warnings};
+          pixels.warnings,
+          pixels.clippedLift};
 }
 
 CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& capture, const Progress& progress) {

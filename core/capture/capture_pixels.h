@@ -36,9 +36,15 @@ struct CapturePixels {
   /// show.
   std::shared_ptr<const CarriedData> carried;
   std::vector<std::string> warnings;  ///< such as pixels that are not finite, with their number
+  /// Of each shot, what its saturated values are multiplied by, so that they lie above clipLevel. Empty: 1.
+  std::vector<float> clippedLift = {};
 
   [[nodiscard]] int width() const { return shots.empty() ? 0 : shots.front().width(); }
   [[nodiscard]] int height() const { return shots.empty() ? 0 : shots.front().height(); }
+  /// The light that a value of a shot shows, at least where it is saturated.
+  [[nodiscard]] float shown(size_t shot, float value) const {
+    return clippedLift.empty() || value < clipLevel[shot] ? value : value / clippedLift[shot];
+  }
   /// What all pictures show, where that is not all of them: the rest is 0 in some, and is no light.
   [[nodiscard]] std::optional<PixelRect> dataWindow() const {
     return carried ? carried->dataWindow : std::nullopt;

@@ -19,10 +19,11 @@ namespace swaplight {
 namespace {
 
 constexpr int kMostRounds = 4;
-constexpr double kSettled = 1e-3;  // RMS change of the shots, relative to them
-constexpr int kEvenRows = 32;      // at once
-constexpr float kMostRoom = 4;     // times the clip level
-constexpr int kPlaces = 9;         // a side, at which a field's least value is looked for
+constexpr double kSettled = 1e-3;   // RMS change of the shots, relative to them
+constexpr int kEvenRows = 32;       // at once
+constexpr float kMostRoom = 4;      // times the clip level
+constexpr float kLiftOverRoom = 2;  // how much darker even lamps may make a saturated pixel
+constexpr int kPlaces = 9;          // a side, at which a field's least value is looked for
 
 /// What the lamps' colours were, exposure included: [shot][light], as told or as the solve has found them.
 std::vector<std::vector<Rgb>> colorsOf(const Capture& capture, const SolveReport& report) {
@@ -52,8 +53,12 @@ class EvenedShots {
   EvenedShots(const CapturePixels& uneven, const FlatFields& fields)
       : m_uneven(uneven), m_fields(fields), m_even(withoutShots(uneven)) {
     for (const Image& shot : uneven.shots) m_even.shots.push_back(shot.clone());
-    // What is added makes no pixel saturated, and takes from none that it is.
-    for (size_t k = 0; k < m_even.clipLevel.size(); ++k) m_even.clipLevel[k] *= roomOf(fields.lamps[k]);
+    // What is added makes no pixel saturated, and what is taken keeps those saturated that are.
+    for (size_t k = 0; k < m_even.clipLevel.size(); ++k) {
+      const float room = roomOf(fields.lamps[k]);
+      m_even.clipLevel[k] *= room;
+      m_even.clippedLift.push_back(kLiftOverRoom * room);
+    }
   }
 
   [[nodiscard]] const CapturePixels& pixels() const { return m_even; }
@@ -113,7 +118,8 @@ class EvenedShots {
     }
     const float evenClip = m_even.clipLevel[k], below = std::nextafter(evenClip, 0.0F);
     for (size_t x = 0; x < next.size(); ++x)
-      next[x] = shot[x] >= clip ? std::max(next[x], evenClip) : std::min(next[x], below);
+      next[x] =
+          shot[x] >= clip ? std::max(next[x] * m_even.clippedLift[k], evenClip) : std::min(next[x], below);
   }
 
   const CapturePixels& m_uneven;

@@ -133,7 +133,7 @@ class HighlightFit {
         matte = std::max(matte, without);
         brightest = std::max(brightest, value);
         const bool clipped = !(value < m_photographs.clipLevel[k]);
-        add(k, c, value - without, all);
+        add(k, c, m_photographs.shown(k, value) - without, all);
         if (!clipped) add(k, c, value - without, equations);
         found.clipped |= clipped;
       }

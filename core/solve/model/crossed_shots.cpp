@@ -16,11 +16,14 @@ std::vector<size_t> placesOf(const Capture& capture, bool crossed) {
 /// What is said of each shot, of these only.
 void keepLevels(const Capture& capture, bool crossed, CapturePixels& pixels) {
   const std::vector<float> clipLevel = std::move(pixels.clipLevel), quantum = std::move(pixels.quantum);
+  const std::vector<float> lift = std::move(pixels.clippedLift);
   pixels.clipLevel.clear();
   pixels.quantum.clear();
+  pixels.clippedLift.clear();
   for (const size_t k : placesOf(capture, crossed)) {
     pixels.clipLevel.push_back(clipLevel[k]);
     pixels.quantum.push_back(quantum[k]);
+    if (!lift.empty()) pixels.clippedLift.push_back(lift[k]);
   }
 }
 

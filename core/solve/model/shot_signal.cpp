@@ -171,7 +171,7 @@ ShotSignal::Reading ShotSignal::reading(size_t pixel, int shot, int channel) con
   const float y = m_pixels->shots[k].plane(channel)[pixel];
   if (isBroken(y, m_lowest)) return {0, true};
   const float ambient = m_pixels->ambient ? m_exposure[k] * m_pixels->ambient->plane(channel)[pixel] : 0;
-  return {y - (std::isfinite(ambient) ? ambient : 0), y >= m_pixels->clipLevel[k]};
+  return {m_pixels->shown(k, y) - (std::isfinite(ambient) ? ambient : 0), y >= m_pixels->clipLevel[k]};
 }
 
 std::vector<uint8_t> ShotSignal::undetermined() const {
@@ -206,6 +206,8 @@ void ShotSignal::repair(size_t pixel, bool mask, float* values, size_t stride) c
         at(k) = mask ? NAN : 0.0F;
       else if (clipped && told)
         at(k) = m_exposure[k] / m_exposure[size_t(shorter)] * at(size_t(shorter));
+      else if (clipped)
+        at(k) -= y - m_pixels->shown(k, y);
     }
 }
 

@@ -109,23 +109,53 @@ TEST(SolveUneven, GivesBackWhatTheLensTakes) {
   EXPECT_LT(errorOf(solveUneven(capture, pixels, fields, {}), truth), 1.2 * clean);
 }
 
+/// Returns how many values are saturated now.
+size_t saturate(CapturePixels& pixels, float full) {
+  size_t saturated = 0;
+  for (size_t k = 0; k < pixels.shots.size(); ++k) {
+    pixels.clipLevel[k] = full;
+    for (int c = 0; c < 3; ++c)
+      for (size_t p = 0; p < pixels.shots[k].pixelCount(); ++p)
+        if (float& y = pixels.shots[k].plane(c)[p]; y >= full) y = full, ++saturated;
+  }
+  return saturated;
+}
+
 TEST(SolveUneven, KeepsSaturatedPixelsSaturated) {
   Capture capture = noisyCapture(2);
   const SyntheticSet truth(2, 0);
   const FlatFields fields = fieldsOf(capture);
   CapturePixels pixels = unevenShots(capture, truth, fields);
-  constexpr float kFull = .25F;
-  size_t saturated = 0;
-  for (size_t k = 0; k < pixels.shots.size(); ++k) {
-    pixels.clipLevel[k] = kFull;
-    for (int c = 0; c < 3; ++c)
-      for (size_t p = 0; p < truth.truth[0].pixelCount(); ++p)
-        if (float& y = pixels.shots[k].plane(c)[p]; y >= kFull) y = kFull, ++saturated;
-  }
-  ASSERT_GT(saturated, 100U);
+  ASSERT_GT(saturate(pixels, .25F), 100U);
   const SolvedSet before = solve(capture, pixels, {}), after = solveUneven(capture, pixels, fields, {});
   EXPECT_EQ(before.report->clipped, after.report->clipped);
   EXPECT_LE(errorOf(after, truth), errorOf(before, truth));
+}
+
+/// The lights together, of the pixels where a shot is saturated.
+double lightOfSaturated(const SolvedSet& set, const CapturePixels& pixels) {
+  double sum = 0;
+  for (size_t p = 0; p < pixels.shots[0].pixelCount(); ++p) {
+    bool saturated = false;
+    for (size_t k = 0; k < pixels.shots.size(); ++k)
+      for (int c = 0; c < 3; ++c) saturated |= pixels.shots[k].plane(c)[p] >= pixels.clipLevel[k];
+    for (int c = 0; saturated && c < 3; ++c)
+      for (const Image& light : set.contributions) sum += double(light.plane(c)[p]);
+  }
+  return sum;
+}
+
+TEST(SolveUneven, MakesSaturatedPixelsNoBrighterThanTheyAreSaidToBe) {
+  const Capture capture = noisyCapture(2);
+  const SyntheticSet truth(2, 0);
+  const FlatFields fields = fieldsOf(capture);
+  CapturePixels even = photograph(capture, truth), uneven = unevenShots(capture, truth, fields);
+  const SolvedSet evenWhole = solve(capture, even, {}), whole = solveUneven(capture, uneven, fields, {});
+  ASSERT_GT(saturate(even, .3F), 1000U);
+  saturate(uneven, .3F);
+  const SolvedSet evened = solveUneven(capture, uneven, fields, {});
+  EXPECT_NEAR(lightOfSaturated(evened, uneven) / lightOfSaturated(whole, uneven),
+              lightOfSaturated(solve(capture, even, {}), even) / lightOfSaturated(evenWhole, even), .01);
 }
 
 }  // namespace
