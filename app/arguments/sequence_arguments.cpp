@@ -10,6 +10,7 @@
 #include "core/export/cue_frames.h"
 #include "core/export/frame_sequence.h"
 #include "core/export/provenance.h"
+#include "core/export/timecode.h"
 #include "core/file/frame_range.h"
 #include "core/file/json_file.h"
 #include "core/file/same_file.h"
@@ -195,6 +196,10 @@ void SequenceArguments::addTo(CLI::App& verb) {
       ->type_name("I");
   ofFrames(verb.add_option("--frame-count", m_count, "Number of parts that the frames are split into"))
       ->type_name("N");
+  ofFrames(verb.add_option("--timecode-frame", m_timecodeFrame,
+                           "The frame that has the photographs' time code (default: the lowest of -F, or the "
+                           "first of --cues): for farms that cut the range themselves"))
+      ->type_name("N");
 }
 
 void SequenceArguments::check() const {
@@ -215,21 +220,29 @@ std::vector<int> SequenceArguments::share(const std::vector<int>& all) const {
   return all;
 }
 
+FrameInput SequenceArguments::timed(FrameInput input, int frame) const {
+  if (m_timecodeFrame) input.carried = withTimecode(input.set->carried, frame - *m_timecodeFrame);
+  return input;
+}
+
 int SequenceArguments::run(const ColorConfig& config, const LightingArguments& lighting,
                            const std::optional<Session>& session, const std::string& output,
                            const FrameOptions& frame, Terminal& terminal) const {
   if (!hasFrameNumber(output))
     throw InputError("{}: has no place for the frame's number; write name.%04d.exr or name.####.exr", output);
   if (m_cues) return runCues(config, lighting, session, output, frame, terminal);
+  if (m_timecodeFrame && hasFrameNumber(lighting.source(session).string()))
+    throw InputError("--timecode-frame: every frame has a set with a time code of its own: leave it out");
   const std::vector<int> all = framesFromRange(m_frames);  // of all tasks of an array job
   checkFrameFiles(share(all), output, lighting, session);
   Progress quiet;  // a line a frame is enough
   quiet.stop = terminal.progress().stop;
-  const int first = all.empty() ? 0 : *std::min_element(all.begin(), all.end());
+  const int first = *std::min_element(all.begin(), all.end());
   const Inputs inputs(config, lighting, session, first, isSceneLinear(output), terminal.progress());
   sayWarnings(inputs.warnings(), terminal);
   return runFrames(
-      config, all, [&](int number) { return inputs.at(number, quiet); }, output, frame, terminal);
+      config, all, [&](int number) { return timed(inputs.at(number, quiet), number); }, output, frame,
+      terminal);
 }
 
 int SequenceArguments::runCues(const ColorConfig& config, const LightingArguments& lighting,
@@ -255,7 +268,7 @@ int SequenceArguments::runCues(const ColorConfig& config, const LightingArgument
     terminal.say("Cue {} {}: stands from frame {} to {}", cueNumberText(place.cue.number), place.cue.look,
                  place.stands, place.ends);
   return runFrames(
-      config, all, [&](int number) { return frames.at(number); }, output, frame, terminal);
+      config, all, [&](int number) { return timed(frames.at(number), number); }, output, frame, terminal);
 }
 
 int SequenceArguments::runFrames(const ColorConfig& config, const std::vector<int>& all,

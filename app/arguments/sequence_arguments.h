@@ -33,6 +33,8 @@ class SequenceArguments {
 
  private:
   [[nodiscard]] std::vector<int> share(const std::vector<int>& all) const;
+  /// With the time code that --timecode-frame asks for.
+  [[nodiscard]] FrameInput timed(FrameInput input, int frame) const;
   [[nodiscard]] int runFrames(const ColorConfig& config, const std::vector<int>& all,
                               const std::function<FrameInput(int)>& input, const std::string& output,
                               const FrameOptions& frame, Terminal& terminal) const;
@@ -49,6 +51,7 @@ class SequenceArguments {
   bool m_skipExisting = false;
   int m_workers = 2;
   std::optional<int> m_index, m_count;
+  std::optional<int> m_timecodeFrame;
 };
 
 }  // namespace swaplight

@@ -58,6 +58,9 @@ void addLookVerb(Program& program) {
   verb.add_option("--type", a->frame.write.pixelType,
                   "apply: half, float, uint8 or uint16 (default: the format's)")
       ->type_name("TYPE");
+  verb.add_option("--compression", a->frame.write.compression,
+                  "apply, EXR: none, rle, zips, zip (default), piz, pxr24, b44, b44a, dwaa, dwab")
+      ->type_name("NAME");
   verb.add_option("--frame", a->time.frame, "apply: the frame's number, from which grain and flicker follow")
       ->check(NumberRange(0, 1e8))
       ->type_name("N");

@@ -183,6 +183,9 @@ void addRelightVerb(Program& program) {
   verb.add_option("--type", a->output.write.pixelType,
                   "half, float, uint8 or uint16 (default: as the format has it)")
       ->type_name("TYPE");
+  verb.add_option("--compression", a->output.write.compression,
+                  "EXR: none, rle, zips, zip (default), piz, pxr24, b44, b44a, dwaa, dwab")
+      ->type_name("NAME");
 }
 
 }  // namespace swaplight

@@ -44,7 +44,12 @@ void checkSheetFile(const std::filesystem::path& file) {
 }
 
 void checkFrame(const ColorConfig& config, const std::filesystem::path& file, const FrameOptions& options) {
-  static_cast<void>(imageFormatForWriting(file));
+  const std::string format = imageFormatForWriting(file);
+  if (!options.write.compression.empty()) {
+    if (format != "openexr")
+      throw InputError("{}: a compression is chosen of EXR: leave it out, or write .exr", file.string());
+    checkExrCompression(options.write.compression, file.string());
+  }
   if (options.tone && (options.linear || !options.display.empty()))
     throw InputError("a tone mapping takes the place of a view: ask for one of them");
   if (!options.colorSpace.empty()) config.checkLinear(options.colorSpace);

@@ -31,6 +31,11 @@ LightColor mixedColor(const LightColor& a, const LightColor& b, float t) {
 }
 
 LightSetting mixedSetting(const LightSetting& a, const LightSetting& b, float t) {
+  if (a.on != b.on) {  // to or from nothing: in a straight line of light
+    LightSetting lit = a.on ? a : b;
+    lit.multiplier *= a.on ? 1 - t : t;
+    return lit;
+  }
   LightSetting setting = a;
   setting.color = mixedColor(a.color, b.color, t);
   setting.stops = mixed(a.stops, b.stops, t);

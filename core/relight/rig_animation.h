@@ -33,9 +33,9 @@ struct RigAnimation {
 };
 
 /// The rig at a frame. Between two keys stops and multiplier change evenly (stops in stops); two temperatures
-/// with the same gel in mired; other colours as linear light; a light that is off stays off until the next
-/// key. Before the first and after the last key their settings hold. Throws InputError where a light is not
-/// known or a setting is wrong.
+/// with the same gel in mired; other colours as linear light; to and from a light that is off, the other
+/// key's light evenly. Before the first and after the last key their settings hold. Throws InputError where a
+/// light is not known or a setting is wrong.
 [[nodiscard]] Rig rigAt(const Rig& rig, const RigAnimation& animation, int frame);
 
 /// {"between": "linear" or "smooth", "lights": {"key": [{"frame": 1, "setting": "3200K,-1st"} ...]}}, as a

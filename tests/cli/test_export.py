@@ -172,6 +172,9 @@ class ExportTest(cli.CliTest):
         self.succeed('relight', self.solved, '-F', '1001-1025', '--frame-index', '1', '--frame-count', '5', '-o',
                      self.path('out.####.exr'), '-q')
         self.assertEqual(time_code(1025), last, 'a task of an array job counts from the whole range')
+        self.succeed('relight', self.solved, '-F', '1025', '--timecode-frame', '1001', '-o', self.path('out.####.exr'), '-q')
+        self.assertEqual(time_code(1025), last, 'a farm that cuts the range itself says where it begins')
+        self.deny('relight', self.solved, '-o', self.path('out.exr'), '--timecode-frame', '3', naming='--timecode-frame')
 
     def test_metadata_and_unknown_channels_go_from_shot_to_solved_set_session_frame_and_layers(self):
         folder = self.capture.folder

@@ -2,6 +2,7 @@
 import json
 import os
 
+import OpenImageIO as oiio
 import numpy as np
 import swaplight_cli as cli
 
@@ -182,6 +183,16 @@ class RelightTest(cli.CliTest):
         self.assertEqual((result['frame'], result['width'], result['height']), (frame, 16, 12))
         self.assertEqual(result['rig']['lights'][0]['color'], '3200K')
         self.assertEqual(result['rig']['lights'][0]['stops'], 1)
+
+    def test_an_exr_is_compressed_as_chosen(self):
+        whole = self.frame()
+        for name in ('none', 'zips', 'piz', 'dwaa'):
+            np.testing.assert_allclose(self.frame('--compression', name), whole, atol=2e-3)
+            source = oiio.ImageInput.open(self.path('frame.exr'))
+            self.assertEqual(source.spec().getattribute('compression').split(':')[0], name)
+            source.close()
+        self.deny('relight', self.solved, '--compression', 'zap', '-o', self.path('new.exr'), naming=['new.exr', 'zap', 'dwaa'])
+        self.deny('relight', self.solved, '--compression', 'zip', '-o', self.path('new.png'), naming=['new.png', '.exr'])
 
     def test_options_of_sequences_are_refused_for_a_still(self):
         out = ('-o', self.path('frame.exr'))

@@ -71,6 +71,12 @@ class SequenceTest(cli.CliTest):
         for frame, stops in ((1, 0), (3, 4 * .104), (6, 2), (11, 4)):
             self.assertAlmostEqual(self.brightness(frame, self.key), 2 ** stops, places=3)
 
+    def test_a_light_fades_from_off_and_to_off_in_a_line_of_light(self):
+        keys = ('--key', 'key@1=off', '--key', 'key@5=+1st', '--key', 'key@7=+1st', '--key', 'key@8=off')
+        self.sequence('-F', '0-9', '--light', 'fill=off', *keys)
+        for frame, level in ((0, 0), (1, 0), (2, .5), (4, 1.5), (5, 2), (6, 2), (7, 2), (8, 0), (9, 0)):
+            self.assertAlmostEqual(self.brightness(frame, self.key), level, places=3, msg=f'frame {frame}')
+
     def test_keys_stand_in_a_rig_file_and_in_a_session_too(self):
         animation = {'between': 'linear', 'lights': {'key': [{'frame': 1, 'setting': '+0st'}, {'frame': 3, 'setting': '+2st'}]}}
         lights = [{'name': 'key'}, {'name': 'fill', 'on': False}]

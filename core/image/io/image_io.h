@@ -75,6 +75,10 @@ struct WriteOptions {
       {};  ///< EXR: where the colour space's name does not say them
 };
 
+/// Throws InputError, naming the file, where a WriteOptions::compression is none of OpenEXR's. A level may
+/// follow a colon ("dwaa:45").
+void checkExrCompression(const std::string& compression, const std::string& file);
+
 /// Writes to a temporary name beside the file, then renames. The format follows the extension. Pixels are
 /// written as they are: no colour conversion. An EXR is told the chromaticities of the image's colour space,
 /// where they are known. Throws InputError where it cannot be written.

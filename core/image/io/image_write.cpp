@@ -89,16 +89,6 @@ OIIO::ImageSpec specOf(const FileToWrite& contents, const PartToWrite& part, con
   return spec;
 }
 
-/// OpenImageIO takes zip for a name that it does not know.
-void checkExrCompression(const std::string& compression, const std::string& name) {
-  const std::array<std::string_view, 10> known = {"none",  "rle", "zips", "zip",  "piz",
-                                                  "pxr24", "b44", "b44a", "dwaa", "dwab"};
-  const std::string_view method = std::string_view(compression).substr(0, compression.find(':'));
-  if (compression.empty() || std::find(known.begin(), known.end(), method) != known.end()) return;
-  throw InputError("{}: the compression \"{}\" is not known. Known: {}.", name, compression,
-                   fmt::join(known, ", "));
-}
-
 /// Refuses what the format cannot hold, in words.
 void checkSuits(const FileToWrite& contents, const std::string& format, const std::string& name) {
   checkImageFits(name, contents.width, contents.height, 1);
@@ -227,6 +217,16 @@ void writeByOpenImageIO(const FileToWrite& contents, const std::string& format, 
 }
 
 }  // namespace
+
+/// OpenImageIO takes zip for a name that it does not know.
+void checkExrCompression(const std::string& compression, const std::string& file) {
+  const std::array<std::string_view, 10> known = {"none",  "rle", "zips", "zip",  "piz",
+                                                  "pxr24", "b44", "b44a", "dwaa", "dwab"};
+  const std::string_view method = std::string_view(compression).substr(0, compression.find(':'));
+  if (compression.empty() || std::find(known.begin(), known.end(), method) != known.end()) return;
+  throw InputError("{}: the compression \"{}\" is not known. Known: {}.", file, compression,
+                   fmt::join(known, ", "));
+}
 
 void writeChannels(const FileToWrite& contents, const std::filesystem::path& path, const Progress& progress) {
   const std::string format = imageFormatForWriting(path);
