@@ -69,23 +69,28 @@ Image withAlpha(Image&& image, const std::filesystem::path& file) {
   return all;
 }
 
+template <typename Map>
+void mapColors(Image& image, const Map& map) {
+  for (int c = 0; c < 3; ++c)
+    std::transform(image.plane(c), image.plane(c) + image.pixelCount(), image.plane(c), map);
+}
+
 }  // namespace
 
-Image readFilterPicture(const std::filesystem::path& file, FilterSpace space) {
+Image readFilterPicture(const std::filesystem::path& file, FilterSpace space, const std::string& primaries) {
   if (lowerExtension(file) == ".cube") return cubeImage(file);
   ImageFile read = readImage(file);
   const bool light = read.info.isFloat || read.info.format == "raw";
-  const std::string from = read.info.format == "raw" ? "lin_rec709" : read.image.spec().colorSpace;
+  const bool named = light && read.info.format != "raw";
+  const std::string from = named ? read.image.spec().colorSpace : "lin_rec709";
   Image image = withAlpha(std::move(read.image), file);
   if (space == FilterSpace::Any) return image;
   const bool wantsLight = space == FilterSpace::SceneLinear;
-  if (light && from != "lin_rec709") ColorConfig("").convert(image.span(), from, "lin_rec709");
-  if (light == wantsLight) return image;
-  for (int c = 0; c < 3; ++c)
-    for (size_t p = 0; p < image.pixelCount(); ++p) {
-      float& value = image.plane(c)[p];
-      value = wantsLight ? linearFromSrgb(value) : std::clamp(srgbFromLinear(value), 0.0F, 1.0F);
-    }
+  if (!light && wantsLight) mapColors(image, [](float code) { return linearFromSrgb(code); });
+  const std::string to = wantsLight ? primaries : "lin_rec709";
+  if ((light || wantsLight) && from != to) ColorConfig("").convert(image.span(), from, to);
+  if (light && !wantsLight)
+    mapColors(image, [](float value) { return std::clamp(srgbFromLinear(value), 0.0F, 1.0F); });
   return image;
 }
 

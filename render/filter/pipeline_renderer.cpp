@@ -73,6 +73,14 @@ std::vector<FilterWindow> partsOf(const Image& image, int side) {
   return parts;
 }
 
+constexpr const char* kDisplayPrimaries = "lin_rec709";
+
+/// Of scene-linear light.
+std::string primariesOf(const Image& image) {
+  const std::string& space = image.spec().colorSpace;
+  return space.empty() || space == "raw" || space == "data" ? kDisplayPrimaries : space;
+}
+
 /// What keeps a stage from being drawn.
 class BrokenStage : public InputError {
  public:
@@ -147,10 +155,12 @@ const FilterProgram& PipelineRenderer::program(const std::shared_ptr<const Filte
 }
 
 std::shared_ptr<const FilterTexture> PipelineRenderer::pictureFrom(const std::filesystem::path& file,
-                                                                   FilterSpace space) {
-  std::shared_ptr<const FilterTexture>& picture = m_pictures[filterSpaceName(space) + file.string()];
+                                                                   FilterSpace space,
+                                                                   const std::string& primaries) {
+  std::shared_ptr<const FilterTexture>& picture =
+      m_pictures[{filterSpaceName(space), primaries, file.string()}];
   if (!picture) {
-    const Image image = readFilterPicture(file, space);
+    const Image image = readFilterPicture(file, space, primaries);
     const int most = glInfo().maxTextureSize;
     if (image.width() > most || image.height() > most)
       throw InputError("{}: is {} x {} pixels, the graphics driver takes {} a side; make it smaller",
@@ -160,22 +170,22 @@ std::shared_ptr<const FilterTexture> PipelineRenderer::pictureFrom(const std::fi
   return picture;
 }
 
-FilterPictures PipelineRenderer::picturesFromFiles(const ResolvedStage& stage) {
+FilterPictures PipelineRenderer::picturesFromFiles(const ResolvedStage& stage, const std::string& primaries) {
   const Filter& filter = *stage.filter;
   FilterPictures pictures;
   for (size_t i = 0; i < filter.inputs.size(); ++i)
     if (filter.inputs[i].type == FilterInputType::Image)
       if (const auto* file = std::get_if<std::string>(&stage.values[i]); file && !file->empty())
-        pictures[filter.inputs[i].name] = pictureFrom(*file, filter.space);
+        pictures[filter.inputs[i].name] = pictureFrom(*file, filter.space, primaries);
   for (const FilterImport& import : filter.imports)
-    pictures[import.name] = pictureFrom(import.file, FilterSpace::Display);
+    pictures[import.name] = pictureFrom(import.file, FilterSpace::Display, kDisplayPrimaries);
   return pictures;
 }
 
 FilterPictures PipelineRenderer::picturesOf(const ResolvedStage& stage, const Image& frame,
-                                            const Image& light) {
+                                            const Image& light, const std::string& primaries) {
   const Filter& filter = *stage.filter;
-  FilterPictures pictures = picturesFromFiles(stage);
+  FilterPictures pictures = picturesFromFiles(stage, primaries);
   if (!filter.overview.empty()) {
     const float scale = std::min(1.0F, static_cast<float>(kOverviewSide) /
                                            static_cast<float>(std::max(frame.width(), frame.height())));
@@ -209,7 +219,8 @@ void PipelineRenderer::drawParts(const Image& from, Image& to, const Run& run, c
 }
 
 void PipelineRenderer::drawRun(FilteredImage& frame, std::span<const ResolvedStage> stages,
-                               const PipelineOptions& options, const Progress& progress) {
+                               const std::string& primaries, const PipelineOptions& options,
+                               const Progress& progress) {
   Image& image = frame.image;
   const bool mixed = std::any_of(stages.begin(), stages.end(), [](const ResolvedStage& stage) {
     return kindFor(*stage.filter) == TextureKind::Coordinates;
@@ -220,7 +231,7 @@ void PipelineRenderer::drawRun(FilteredImage& frame, std::span<const ResolvedSta
     const std::vector<FilterValue>& values = stages[i].values;
     const int halo = ofStage(i, [&] { return compiled.halo(values, image.width(), image.height()); });
     run.planned.push_back({&compiled, values, halo});
-    run.pictures.push_back(ofStage(i, [&] { return picturesOf(stages[i], image, frame.light); }));
+    run.pictures.push_back(ofStage(i, [&] { return picturesOf(stages[i], image, frame.light, primaries); }));
   }
   const int longest = std::max(image.width(), image.height());
   std::vector<PartGroup> groups{{0, stages.size(), 0, longest}};  // a filter that sees all is drawn alone
@@ -252,7 +263,7 @@ std::vector<ResolvedStage> PipelineRenderer::usable(std::span<const ResolvedStag
   std::vector<ResolvedStage> fine;
   for (const ResolvedStage& stage : stages) try {
       program(stage.filter);
-      static_cast<void>(picturesFromFiles(stage));
+      static_cast<void>(picturesFromFiles(stage, kDisplayPrimaries));
       fine.push_back(stage);
     } catch (const InputError& error) {
       if (!options.leftOut) throw;
@@ -283,7 +294,8 @@ FilteredImage PipelineRenderer::apply(FilteredImage frame, std::span<const Resol
       return static_cast<float>(stage) / static_cast<float>(stages.size());
     };
     try {
-      drawRun(frame, std::span(stages).subspan(begin, end - begin), options,
+      drawRun(frame, std::span(stages).subspan(begin, end - begin),
+              encoding == Encoding::SceneLight ? primariesOf(frame.image) : kDisplayPrimaries, options,
               progress.part(share(begin), share(end)));
       begin = end;
     } catch (const BrokenStage& broken) {  // the picture is as it was before the run

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -71,15 +72,19 @@ class PipelineRenderer {
   struct Run;
   static void drawParts(const Image& from, Image& to, const Run& run, const PartGroup& group,
                         const Progress& progress);
-  void drawRun(FilteredImage& frame, std::span<const ResolvedStage> stages, const PipelineOptions& options,
-               const Progress& progress);
-  FilterPictures picturesFromFiles(const ResolvedStage& stage);
-  FilterPictures picturesOf(const ResolvedStage& stage, const Image& frame, const Image& light);
-  std::shared_ptr<const FilterTexture> pictureFrom(const std::filesystem::path& file, FilterSpace space);
+  /// `primaries`: of the light that the run works on.
+  void drawRun(FilteredImage& frame, std::span<const ResolvedStage> stages, const std::string& primaries,
+               const PipelineOptions& options, const Progress& progress);
+  FilterPictures picturesFromFiles(const ResolvedStage& stage, const std::string& primaries);
+  FilterPictures picturesOf(const ResolvedStage& stage, const Image& frame, const Image& light,
+                            const std::string& primaries);
+  std::shared_ptr<const FilterTexture> pictureFrom(const std::filesystem::path& file, FilterSpace space,
+                                                   const std::string& primaries);
 
   std::map<std::pair<const Filter*, TextureKind>, std::unique_ptr<FilterProgram>> m_programs;
   std::vector<std::shared_ptr<const Filter>> m_filters;  ///< keeps the keys of m_programs alive
-  std::map<std::string, std::shared_ptr<const FilterTexture>> m_pictures;  ///< by space and file
+  /// By what the filter works on, the light's primaries, and file.
+  std::map<std::array<std::string, 3>, std::shared_ptr<const FilterTexture>> m_pictures;
 };
 
 }  // namespace swaplight
