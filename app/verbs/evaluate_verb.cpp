@@ -53,11 +53,14 @@ int run(const EvaluateCommand& arguments, Terminal& terminal) {
   if (folders) {
     const FolderEvaluation all =
         evaluateFolders(arguments.test, arguments.reference, options, terminal.progress());
+    for (const FolderEvaluation::Picture& picture : all.pictures)
+      sayWarnings(picture.evaluation.warnings, terminal);
     sayWritten(options, terminal);
     terminal.result(textFromFolders(all), jsonFromFolders(all));
     return 0;
   }
   const Evaluation evaluation = evaluate(arguments.test, arguments.reference, options);
+  sayWarnings(evaluation.warnings, terminal);
   sayWritten(options, terminal);
   terminal.result(textFromEvaluation(evaluation), jsonFromEvaluation(evaluation));
   return 0;

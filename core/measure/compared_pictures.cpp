@@ -95,6 +95,25 @@ void bringTogether(PicturePair& pair, bool testEncoded, bool referenceEncoded, s
   if (!testEncoded && !referenceEncoded) pair.scale = scale.value_or(displayScale(pair.reference.view()));
 }
 
+/// Primaries that are none of colorSpaceOf's.
+void warnOfColors(const ImageFile& file, const fs::path& path, ComparedPictures& compared) {
+  const std::string& stated = file.info.statedColors;
+  if (stated.empty() || stated == file.image.spec().colorSpace) return;
+  compared.warnings.push_back(fmt::format("{}: states {}, which is not known: it is compared as {}",
+                                          path.string(), stated, file.info.isFloat ? "lin_rec709" : "sRGB"));
+}
+
+/// Nothing is known there.
+void blankOutside(const PixelRect& window, Image& image) {
+  for (int c = 0; c < image.channelCount(); ++c)
+    for (int y = 0; y < image.height(); ++y) {
+      float* row = image.span().row(c, y);
+      const bool inside = y >= window.y && y < window.bottom();
+      std::fill(row, row + (inside ? window.x : image.width()), NAN);
+      if (inside) std::fill(row + window.right(), row + image.width(), NAN);
+    }
+}
+
 }  // namespace
 
 ComparedPictures readCompared(const fs::path& test, const fs::path& reference, const Names& channels,
@@ -108,12 +127,20 @@ ComparedPictures readCompared(const fs::path& test, const fs::path& reference, c
     throw InputError("{} is {}x{}, {} is {}x{}: only pictures of one size can be compared", test.string(),
                      a.image.width(), a.image.height(), reference.string(), b.image.width(),
                      b.image.height());
+  if (a.info.dataWindow && b.info.dataWindow) {
+    const PixelRect whole{0, 0, a.image.width(), a.image.height()};
+    const PixelRect window = intersection(enclosing(*a.info.dataWindow, *b.info.dataWindow), whole);
+    blankOutside(window, a.image);
+    blankOutside(window, b.image);
+  }
   ComparedPictures compared;
   compared.numbers = !channels.empty() || !isColor(a) || !isColor(b);
   if (compared.numbers) {
     const Names names = commonChannels(a.image, test, b.image, reference, channels);
     compared.pair = {channelsOf(a.image, names), channelsOf(b.image, names)};
   } else {
+    warnOfColors(a, test, compared);
+    warnOfColors(b, reference, compared);
     compared.pair = {rgbImage(std::move(a.image), test), rgbImage(std::move(b.image), reference)};
     bringTogether(compared.pair, !a.info.isFloat, !b.info.isFloat, scale);
   }

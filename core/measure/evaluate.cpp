@@ -116,6 +116,7 @@ Evaluation evaluate(const std::filesystem::path& test, const std::filesystem::pa
   result.width = pair.test.width();
   result.height = pair.test.height();
   result.encoded = pair.encoded;
+  result.warnings = compared.warnings;
   result.scale = pair.scale;
   if (compared.numbers) result.channels = pair.test.spec().channels;
   result.differences = differencesOf(pair, test.string());
@@ -165,6 +166,7 @@ Json jsonFromEvaluation(const Evaluation& e) {
   if (e.testLuminance)
     json["luminance"] = {{"test", jsonFromHistogram(*e.testLuminance)},
                          {"reference", jsonFromHistogram(*e.referenceLuminance)}};
+  if (!e.warnings.empty()) json["warnings"] = e.warnings;
   return json;
 }
 
@@ -172,7 +174,9 @@ std::string textFromEvaluation(const Evaluation& e) {
   std::string text = fmt::format("{} against {}\n{} x {} pixels, {}\n", e.test, e.reference, e.width,
                                  e.height, encodingText(e));
   if (const size_t lost = e.differences.front().statistics.notFinite)
-    text += fmt::format("{} pixels are not finite in both pictures and were left out\n", lost);
+    text += fmt::format(
+        "{} pixels are not finite in both pictures, or outside of their data windows, and were left out\n",
+        lost);
   text += fmt::format("{:8}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}",
                       "metric", "value", "mean", "median", "p95", "p99", "max", "std", "q1", "q3", "whisker-",
                       "whisker+", "outliers");

@@ -51,6 +51,7 @@ struct Evaluation {
   std::vector<Part> parts;  ///< channels, then regions
   /// Of linear light, in stops from middle grey; where asked for.
   std::optional<LuminanceHistogram> testLuminance = {}, referenceLuminance = {};
+  std::vector<std::string> warnings = {};
 };
 
 /// Reads two pictures (see readCompared) and compares them. Throws InputError as that does, and: no finite

@@ -23,10 +23,16 @@ LuminanceHistogram luminanceHistogram(const Image& picture) {
   LuminanceHistogram histogram;
   histogram.share.assign(static_cast<size_t>((histogram.high - histogram.low) * kBinsAStop), 0);
   std::vector<float> lit;
-  const double each = 1.0 / static_cast<double>(std::max<size_t>(picture.pixelCount(), 1));
+  const auto luminance = [&](size_t p) {
+    return weights.x * picture.plane(0)[p] + weights.y * picture.plane(1)[p] +
+           weights.z * picture.plane(2)[p];
+  };
+  size_t known = 0;
+  for (size_t p = 0; p < picture.pixelCount(); ++p) known += !std::isnan(luminance(p));
+  const double each = 1.0 / static_cast<double>(std::max<size_t>(known, 1));
   for (size_t p = 0; p < picture.pixelCount(); ++p) {
-    const float y =
-        weights.x * picture.plane(0)[p] + weights.y * picture.plane(1)[p] + weights.z * picture.plane(2)[p];
+    const float y = luminance(p);
+    if (std::isnan(y)) continue;
     const double stops = y > 0 ? std::log2(y / kMiddleGrey) : -INFINITY;
     if (y > 0) lit.push_back(static_cast<float>(stops));
     if (!(stops >= histogram.low))

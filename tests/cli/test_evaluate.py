@@ -2,6 +2,7 @@
 import json
 import os
 
+import OpenImageIO as oiio
 import numpy as np
 import swaplight_cli as cli
 
@@ -27,6 +28,24 @@ class EvaluateTest(cli.CliTest):
             self.succeed('relight', self.path('solved.exr'), '--color-space', space, '--type', 'float', '-o', frames[-1],
                          '-q')
         self.assertLess(self.succeed_json('evaluate', frames[1], frames[0])['de2000']['max'], .01)
+
+    def test_what_lies_outside_of_the_data_windows_does_not_count(self):
+        files = []
+        for name, light in (('half.exr', .5), ('one.exr', 1)):
+            files.append(self.path(name))
+            cli.write_image(files[-1], np.full((20, 20, 3), light), window=(30, 40, 100, 100))
+        result = self.succeed_json('evaluate', *files, '--metric', 'absdiff', '--scale', '1', '--threshold', '.1')
+        self.assertEqual([result['absdiff'][name] for name in ('mean', 'median', 'max')], [.5, .5, .5])
+
+    def test_primaries_that_are_not_known_are_told_of(self):
+        wide = (.684, .313, .221, .848, .0861, -.102, .3127, .329)
+        spec = oiio.ImageSpec(8, 8, 3, 'float')
+        spec.attribute('chromaticities', 'float[8]', wide)
+        output = oiio.ImageOutput.create(self.path('wide.exr'))
+        assert output.open(self.path('wide.exr'), spec) and output.write_image(np.full((8, 8, 3), .5, np.float32))
+        output.close()
+        result = self.succeed_json('evaluate', self.path('wide.exr'), self.path('wide.exr'))
+        self.assertIn('0.684', result['warnings'][0])
 
     def test_the_statistics_are_those_of_the_pixels(self):
         test = self.path('test.exr')
