@@ -75,6 +75,7 @@ void balanceWithSet(const BalanceCommand& arguments, BalanceWork& work, const Pr
   else
     balance.lamps = colorsFrom(arguments, set.contributions.size(), arguments.set);
   work.picture = photograph.shots.front().clone();
+  work.carried = photograph.carried;
   work.clip = photograph.clipLevel.front();
   work.setWhite(whitePointFromText(arguments.white));
   const std::vector<size_t> chosen = lightsFromText(defaultRig(set.capture), arguments.lights);
@@ -92,6 +93,7 @@ void loadPlain(const BalanceCommand& arguments, BalanceWork& work, const Progres
   CapturePixels pixels = loadPhotograph(*work.config, arguments.photograph, arguments.colorSpace, progress);
   work.warnings = pixels.warnings;
   work.picture = std::move(pixels.shots.front());
+  work.carried = pixels.carried;
   work.clip = pixels.clipLevel.front();
   work.setWhite(whitePointFromText(arguments.white));
 }
@@ -190,8 +192,9 @@ int run(const BalanceCommand& arguments, Terminal& terminal) {
   if (camera) correctCamera(work, *camera, arguments.camera, white);
   sayWarnings(work.warnings, terminal);
   work.json["warnings"] = work.warnings;
-  writeFrame(*work.config, std::move(work.picture), arguments.output, arguments.frame,
-             progress.part(0.9F, 1));
+  FrameOptions output = arguments.frame;
+  output.write.carried = work.carried;
+  writeFrame(*work.config, std::move(work.picture), arguments.output, output, progress.part(0.9F, 1));
   terminal.say("wrote {}", arguments.output);
   terminal.result("", work.json);
   return 0;

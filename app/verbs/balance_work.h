@@ -10,6 +10,7 @@
 #include "core/chart/camera_file.h"
 #include "core/color/rgb.h"
 #include "core/image/image.h"
+#include "core/image/io/carried_data.h"
 #include "core/ocio/color_config.h"
 
 namespace swaplight {
@@ -19,10 +20,11 @@ struct BalanceWork {
   std::shared_ptr<const ColorConfig> config;
   std::string photograph;
   Image picture;
-  float clip = 0;        ///< at and above which the sensor was saturated
-  Rgb white{1, 1, 1};    ///< in the picture's primaries, luminance 1
-  Rgb weights{0, 0, 0};  ///< of the primaries' luminance
-  Json json;             ///< what is said of it
+  std::shared_ptr<const CarriedData> carried;  ///< what else the photograph's file holds
+  float clip = 0;                              ///< at and above which the sensor was saturated
+  Rgb white{1, 1, 1};                          ///< in the picture's primaries, luminance 1
+  Rgb weights{0, 0, 0};                        ///< of the primaries' luminance
+  Json json;                                   ///< what is said of it
   std::vector<std::string> warnings;
 
   /// Once the picture, and with it its primaries, is known.

@@ -3,9 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -168,10 +170,15 @@ Picture readPicture(const ColorConfig& config, const Capture& capture, const Res
   picture.file = capture.folder / path;
   ImageFile file = readImage(picture.file);
   picture.info = file.info;
-  // What a file holds beside its colour is of all its pixels.
+  const std::array<int, 3> colors = rgbChannels(file.image, picture.file);
   if (capture.frame.isWhole()) {
-    picture.carried = carriedData(file.image, picture.info, rgbChannels(file.image, picture.file));
+    picture.carried = carriedData(file.image, picture.info, colors);
     picture.inexact = inexactIntegers(file);
+  } else {  // channels beside the colour are of all its pixels
+    std::vector<int> all(static_cast<size_t>(file.image.channelCount()));
+    std::iota(all.begin(), all.end(), 0);
+    picture.carried = carriedData(file.image, picture.info, all);
+    if (picture.carried) picture.carried->dataWindow.reset();
   }
   picture.image = rgbImage(std::move(file.image), picture.file);
   const PixelRect whole = boundsOf(picture.image);

@@ -35,11 +35,14 @@ def limit_memory(gigabytes):
     resource.setrlimit(resource.RLIMIT_AS, (gigabytes << 30, gigabytes << 30))
 
 
-def write_image(path, pixels, pixel_type='float', channels='RGBA', **attributes):
-    """pixels: height x width x 3, as the file holds them (0..1 for integer types)."""
+def write_image(path, pixels, pixel_type='float', channels='RGBA', window=None, **attributes):
+    """pixels: height x width x 3, as the file holds them (0..1 for integer types). `window` of an EXR: where its corner
+    lies in a picture of which width and height."""
     pixels = np.ascontiguousarray(pixels, np.float32)
     spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], pixels.shape[2], pixel_type)
     spec.channelnames = tuple(channels)[:pixels.shape[2]]
+    if window:
+        spec.x, spec.y, spec.full_width, spec.full_height = window
     for name, value in attributes.items():
         spec.attribute(name, value)
     os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)

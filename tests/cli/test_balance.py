@@ -1,6 +1,7 @@
 """swaplight balance: of photographs, and of rigs"""
 import json
 
+import OpenImageIO as oiio
 import numpy as np
 import swaplight_cli as cli
 
@@ -16,6 +17,18 @@ class BalanceTest(cli.CliTest):
         self.truth = cli.photograph(self.capture.truth, WHITE)
         self.photo = self.path('photo.exr')
         cli.write_image(self.photo, cli.photograph(self.capture.truth, LAMPS))
+
+    def test_what_else_the_photograph_holds_goes_along(self):
+        cli.write_image(self.photo, cli.photograph(self.capture.truth, LAMPS)[:40, :50], window=(20, 10, 128, 96),
+                        PixelAspectRatio=2., slate='12A')
+        self.solved()
+        for how in (('--beta', self.path('solved.exr')), ('--method', 'grey-world')):
+            self.succeed('balance', self.photo, *how, '-o', self.path('balanced.exr'))
+            source = oiio.ImageInput.open(self.path('balanced.exr'))
+            spec = source.spec()
+            source.close()
+            self.assertEqual((spec.x, spec.y, spec.width, spec.full_width), (20, 10, 50, 128), how)
+            self.assertEqual((spec.getattribute('PixelAspectRatio'), spec.getattribute('slate')), (2, '12A'), how)
 
     def solved(self):
         self.succeed('solve', self.capture.path, '-o', self.path('solved.exr'), '--float', '-q')
