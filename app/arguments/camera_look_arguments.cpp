@@ -7,6 +7,7 @@
 
 #include "app/program/number_range.h"
 #include "core/base/error.h"
+#include "core/file/frame_range.h"
 #include "core/filter/filter_names.h"
 
 namespace swaplight {
@@ -61,6 +62,16 @@ void checkPlace(const CameraLook& look, const std::string& place) {
   }
 }
 
+std::string stillName(const std::string& file, std::optional<int> number) {
+  if (!hasFrameNumber(file)) return file;
+  if (!number)
+    throw InputError(
+        "{}: has a place for a frame's number, and none is given: add --frame 12, or write a name without #, "
+        "@ and %d",
+        file);
+  return frameName(file, *number);
+}
+
 int codeWithLook(int code, const CameraLook* look) {
   return code == 0 && look && !look->leftOut().empty() ? 1 : code;
 }
@@ -79,7 +90,7 @@ void CameraLookArguments::addTo(CLI::App& verb) {
       ->group(kGroup);
   verb.add_option("--frame", m_frame,
                   "The number of a still, from which grain and flicker follow (default: 0)")
-      ->check(NumberRange(0, 1e8))
+      ->check(NumberRange(-1e8, 1e8))
       ->type_name("N")
       ->group(kGroup);
   verb.add_option("--fps", m_options.framesPerSecond, "Frames a second, for filters that ask (default: 24)")

@@ -39,6 +39,9 @@ struct FilterRequest {
 /// Throws InputError where a filter of the look is not for this place: "shot", "light" or "frame".
 void checkPlace(const CameraLook& look, const std::string& place);
 
+/// A still's file: its number in the place for one. Throws InputError where there is a place and no number.
+[[nodiscard]] std::string stillName(const std::string& file, std::optional<int> number);
+
 /// 1 where a filter was left out, else `code`.
 [[nodiscard]] int codeWithLook(int code, const CameraLook* look);
 
@@ -56,6 +59,7 @@ class CameraLookArguments {
   /// The number of a still.
   [[nodiscard]] int frame() const { return m_frame.value_or(0); }
   [[nodiscard]] bool frameGiven() const { return m_frame.has_value(); }
+  [[nodiscard]] std::optional<int> givenFrame() const { return m_frame; }
   /// The longest side of the parts in which large frames are drawn.
   [[nodiscard]] int partSide() const { return m_options.tileSide; }
 

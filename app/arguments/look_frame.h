@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/filter/filtered_image.h"
 #include "core/image/images_in_files.h"
@@ -12,9 +14,11 @@ namespace swaplight {
 struct ReadFrame {
   FilteredImage frame;
   std::shared_ptr<const CarriedData> carried;  ///< what else the file holds; null: nothing
+  std::vector<std::string> warnings;
 };
 
-/// R, G, B, and A where it is wanted (the file's own, or 1; not multiplied in, as an EXR has it). Floats and
+/// R, G, B, and A where it is wanted (the file's own, or 1; not multiplied in, as an EXR and some TIFFs
+/// have it). Floats and
 /// raw files hold light, others codes. Throws InputError.
 [[nodiscard]] ReadFrame readFrame(const std::filesystem::path& file, bool alpha);
 

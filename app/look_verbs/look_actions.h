@@ -20,6 +20,7 @@ struct LookArguments {
   std::string light;  ///< the name of one of a set
   FrameOptions frame;
   FilterTime time;
+  std::optional<int> frameNumber;
   int tileSide = 4096;
   int width = 240;  ///< of thumbnails, in pixels
   double mostSeconds = 20;

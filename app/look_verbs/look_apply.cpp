@@ -29,9 +29,10 @@ int applyFilters(const LookArguments& arguments, Terminal& terminal) {
   if (arguments.names.size() != 1) throw InputError("look apply: name one frame");
   if (arguments.output.empty()) throw InputError("look apply: say where the frame goes (-o FRAME)");
   const std::string& file = arguments.names[0];
+  const std::string frameFile = stillName(arguments.output, arguments.frameNumber);
   const std::shared_ptr<const ColorConfig> config = programConfig();
-  checkFrame(*config, arguments.output, arguments.frame);
-  checkOutputs(std::array<fs::path, 2>{arguments.output, arguments.save},
+  checkFrame(*config, frameFile, arguments.frame);
+  checkOutputs(std::array<fs::path, 2>{frameFile, arguments.save},
                std::array<fs::path, 2>{file, arguments.request.look});
   const FilterPipeline pipeline = pipelineOf(arguments);
   const bool typed = arguments.request.look.empty();
@@ -39,23 +40,26 @@ int applyFilters(const LookArguments& arguments, Terminal& terminal) {
       readyLook(pipeline, typed ? "--filter" : arguments.request.look, typed,
                 {arguments.time.framesPerSecond, arguments.tileSide, arguments.mostSeconds}, terminal);
 
-  const std::unique_ptr<const ImagesInFiles> large = largeImagesBeside(arguments.output, arguments.tileSide);
-  auto [frame, carried] = readFrame(file, arguments.alpha);
+  const std::unique_ptr<const ImagesInFiles> large = largeImagesBeside(frameFile, arguments.tileSide);
+  auto [frame, carried, warnings] = readFrame(file, arguments.alpha);
+  sayWarnings(warnings, terminal);
   FrameOptions output = arguments.frame;
-  output.write.carried = std::move(carried);
   const int width = frame.image.width(), height = frame.image.height();
   const std::string space = frame.image.spec().colorSpace;
   frame = look->apply(std::move(frame), displayFromScene(*config, space, arguments.frame),
-                      arguments.time.frame, terminal.progress());
-  writeFilteredFrame(*config, std::move(frame), arguments.output, output);
-  terminal.say("wrote {}, {} x {} pixels", arguments.output, width, height);
+                      arguments.frameNumber.value_or(0), terminal.progress());
+  if (carried && carried->dataWindow)
+    output.write.dataWindow = windowWithLight(*carried->dataWindow, frame.image);
+  output.write.carried = std::move(carried);
+  writeFilteredFrame(*config, std::move(frame), frameFile, output);
+  terminal.say("wrote {}, {} x {} pixels", frameFile, width, height);
   if (!arguments.save.empty()) {
     writePipeline(standalone(pipeline, installedFilters()), arguments.save);
     terminal.say("wrote {}", arguments.save);
   }
   Json names = Json::array();
   for (const ResolvedStage& stage : look->stages()) names.push_back(stage.filter->name);
-  terminal.result("", {{"frame", arguments.output},
+  terminal.result("", {{"frame", frameFile},
                        {"width", width},
                        {"height", height},
                        {"filters", names},

@@ -61,8 +61,9 @@ void addLookVerb(Program& program) {
   verb.add_option("--compression", a->frame.write.compression,
                   "apply, EXR: none, rle, zips, zip (default), piz, pxr24, b44, b44a, dwaa, dwab")
       ->type_name("NAME");
-  verb.add_option("--frame", a->time.frame, "apply: the frame's number, from which grain and flicker follow")
-      ->check(NumberRange(0, 1e8))
+  verb.add_option("--frame", a->frameNumber,
+                  "apply: the frame's number, from which grain and flicker follow (default: 0)")
+      ->check(NumberRange(-1e8, 1e8))
       ->type_name("N");
   verb.add_option("--fps", a->time.framesPerSecond, "apply: frames a second (default: 24)")
       ->check(NumberRange(0.01, 10000))

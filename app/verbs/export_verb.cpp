@@ -142,7 +142,10 @@ void addExportVerb(Program& program) {
   const auto a = std::make_shared<ExportCommand>();
   CLI::App& verb =
       program.addVerb("export", "Export every light as a layer for a compositor, or a look's global part",
-                      [a](Terminal& terminal) { return run(*a, terminal); });
+                      [a](Terminal& terminal) {
+                        a->file = stillName(a->file, a->cameraLook.givenFrame());
+                        return run(*a, terminal);
+                      });
   a->lighting.addTo(verb);
   verb.add_option(
           "-o,--output", a->file,

@@ -85,7 +85,7 @@ void nameStill(RelightCommand& arguments) {
         "a "
         "still, or write a name without #, @ and %d",
         arguments.frame);
-  arguments.frame = frameName(arguments.frame, arguments.cameraLook.frame());
+  arguments.frame = stillName(arguments.frame, arguments.cameraLook.givenFrame());
 }
 
 int run(const RelightCommand& arguments, Terminal& terminal) {

@@ -36,6 +36,8 @@ void exportFrame(const ColorConfig& config, const SolvedSet& set, const Rig& rig
     const auto toDisplay = displayFromScene(config, set.colorSpace(), options);
     seen =
         options.cameraLook->apply(std::move(seen), toDisplay, options.frameNumber, progress.part(0.3F, 0.6F));
+    if (const auto& carried = options.write.carried; carried && carried->dataWindow)
+      options.write.dataWindow = windowWithLight(*carried->dataWindow, seen.image);
   }
   seen = gradedLight(config, std::move(seen), options);
   if (const ColorGrade* grade = options.seenThrough.actingGrade())

@@ -53,6 +53,9 @@ void checkFrame(const ColorConfig& config, const std::filesystem::path& file, co
   if (options.tone && (options.linear || !options.display.empty()))
     throw InputError("a tone mapping takes the place of a view: ask for one of them");
   if (!options.colorSpace.empty()) config.checkLinear(options.colorSpace);
+  if (format == "hdr" && !options.colorSpace.empty() && config.knownName(options.colorSpace) != "lin_rec709")
+    throw InputError("{}: Radiance HDR holds lin_rec709, as it cannot say other primaries: write .exr",
+                     file.string());
   if (!options.colorSpace.empty() && (options.tone || !options.display.empty()))
     throw InputError("a colour space is for scene-linear light, a view gives its own: ask for one of them");
   if (options.tone && isSceneLinear(file))
@@ -110,10 +113,11 @@ void writeFrame(const ColorConfig& config, Image frame, const std::filesystem::p
     writeCodes(std::move(frame), file, {}, options.write, progress);
     return;
   }
-  if (!options.colorSpace.empty()) {
-    config.convert(frame.span(), space, options.colorSpace);
-    frame.setColorSpace(options.colorSpace);
-    options.write.chromaticities = chromaticitiesIn(config, options.colorSpace);
+  const std::string to = imageFormatForWriting(file) == "hdr" ? "lin_rec709" : options.colorSpace;
+  if (!to.empty()) {
+    config.convert(frame.span(), space, to);
+    frame.setColorSpace(to);
+    options.write.chromaticities = chromaticitiesIn(config, to);
   }
   multiplyAlphaIn(frame, file);
   keepInHalf(frame, file, options.write);

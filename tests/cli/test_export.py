@@ -176,6 +176,23 @@ class ExportTest(cli.CliTest):
         self.assertEqual(time_code(1025), last, 'a farm that cuts the range itself says where it begins')
         self.deny('relight', self.solved, '-o', self.path('out.exr'), '--timecode-frame', '3', naming='--timecode-frame')
 
+    def test_a_cropped_set_keeps_the_header(self):
+        self.capture.manifest['crop'] = [3, 2, 20, 16]
+        self.capture.save()
+        for s, pixels in zip(self.capture.manifest['shots'], self.capture.shots):
+            shot(os.path.join(self.capture.folder, s['image']), pixels)
+        self.solve()
+        spec = spec_of(self.solved)
+        self.assertEqual((spec.width, spec.full_width, spec.getattribute('PixelAspectRatio'),
+                          spec.getattribute('studio/slate')), (20, 20, 2, '12A take 3'))
+        self.assertNotIn('Z', spec.channelnames)
+
+    def test_a_still_of_layers_has_its_number(self):
+        self.solve()
+        self.succeed('export', self.solved, '--frame', '7', '-o', self.path('layers.####.exr'), '-q')
+        self.assertTrue(os.path.exists(self.path('layers.0007.exr')))
+        self.deny('export', self.solved, '-o', self.path('layers.####.exr'), naming='--frame')
+
     def test_metadata_and_unknown_channels_go_from_shot_to_solved_set_session_frame_and_layers(self):
         folder = self.capture.folder
         extra = [shot(os.path.join(folder, s['image']), pixels)

@@ -205,6 +205,56 @@ class Apply(CameraLookTest):
             channels = read_image(self.path('out.exr'))
             self.assertEqual((channels['A'].min(), channels['A'].max(), channels['id'].max()), (.5, .5, 7))
 
+    def test_what_a_filter_puts_outside_of_the_data_window_is_kept(self):
+        pixels = ramp()[:10, 1:21]
+        write_image(self.frame, pixels, window=(40, 6, 64, 36))
+        for name, x, width in (('mirror', 4, 56), ('exposure,stops=0', 40, 20)):
+            self.apply(name, options=['--type', 'float'])
+            source = oiio.ImageInput.open(self.path('out.exr'))
+            spec = source.spec()
+            source.close()
+            self.assertEqual((spec.x, spec.width, spec.y, spec.height, spec.full_width), (x, width, 6, 10, 64), name)
+        mirrored = self.apply('mirror', options=['--type', 'float'])
+        np.testing.assert_allclose(mirrored[:, :20], pixels[:, ::-1], rtol=1e-5)
+        write_image(self.frame, pixels, window=(-5, 6, 64, 36))
+        result = self.succeed('look', 'apply', self.frame, '--filter', 'mirror', '-o', self.path('out.exr'))
+        self.assertIn('overscan', result.stderr)
+
+    def test_alpha_that_a_tiff_has_multiplied_in_is_divided_out(self):
+        straight = np.concatenate([np.full((8, 8, 3), .8), np.full((8, 8, 1), .25)], -1)
+        associated = straight * [.25, .25, .25, 1]
+        found = []
+        for name, pixels, unassociated in (('straight.tif', straight, 1), ('associated.tif', associated, 0)):
+            write_image(self.path(name), pixels, 'uint16', **{'oiio:UnassociatedAlpha': unassociated})
+            found.append(self.apply('exposure,stops=0', frame=self.path(name), options=['--alpha', '--type', 'float']))
+        np.testing.assert_allclose(found[1], found[0], atol=1e-3)
+        self.assertAlmostEqual(srgb_codes(found[0] / .25).max(), .8, delta=1e-3)
+
+    def test_light_without_alpha_is_told_of(self):
+        glow = np.concatenate([ramp(), np.zeros((36, 64, 1))], -1)
+        write_image(self.frame, glow)
+        arguments = ('look', 'apply', self.frame, '--filter', 'exposure,stops=1', '-o', self.path('out.exr'))
+        self.assertIn('glows', self.succeed(*arguments, '--alpha').stderr)
+        self.assertNotIn('warning', self.succeed(*arguments, '--type', 'float').stderr)
+        np.testing.assert_allclose(read_rgb(self.path('out.exr')), 2 * glow[..., :3], rtol=1e-5)
+
+    def test_the_frames_number_stands_in_the_name(self):
+        self.succeed('look', 'apply', self.frame, '--filter', 'exposure,stops=1', '--frame', '12', '-o', self.path('n.####.exr'))
+        self.assertTrue(os.path.exists(self.path('n.0012.exr')))
+        self.deny('look', 'apply', self.frame, '--filter', 'exposure,stops=1', '-o', self.path('n.####.exr'), naming='--frame')
+
+    def test_a_picture_is_placed_in_the_frames_primaries(self):
+        ap1 = (.713, .293, .165, .83, .128, .044, .32168, .33767)
+        element = np.full((36, 64, 3), [.8, .3, .1], np.float32)
+        write_image(self.path('element.exr'), element)
+        spec = oiio.ImageSpec(64, 36, 3, 'float')
+        spec.attribute('chromaticities', 'float[8]', ap1)
+        output = oiio.ImageOutput.create(self.frame)
+        assert output.open(self.frame, spec) and output.write_image(np.zeros_like(element))
+        output.close()
+        out = self.apply(f'composite,element={self.path("element.exr")}', options=['--type', 'float'])
+        np.testing.assert_allclose(out[18, 32], [.597, .332, .136], atol=2e-3)
+
     def test_a_colour_table_that_swaps_red_and_blue(self):
         lines = [f'{b} {g} {r}' for b in (0, 1) for g in (0, 1) for r in (0, 1)]
         self.write('swap.cube', 'TITLE "swap"\nLUT_3D_SIZE 2\n' + '\n'.join(lines) + '\n')

@@ -1,6 +1,7 @@
 #include "core/image/io/carried_data.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace swaplight {
 
@@ -43,6 +44,22 @@ std::shared_ptr<CarriedData> carriedData(const Image& image, const ImageFileInfo
   const bool plain =
       carried->header.empty() && carried->pixelAspect == 1 && !carried->dataWindow && others.empty();
   return plain ? nullptr : carried;
+}
+
+PixelRect windowWithLight(const PixelRect& window, const Image& image) {
+  PixelRect all = window;
+  for (int c = 0; c < image.channelCount(); ++c)
+    for (int y = 0; y < image.height(); ++y) {
+      const float* row = image.view().row(c, y);
+      const float* end = row + image.width();
+      const auto isLit = [](float value) { return value != 0; };
+      const float* first = std::find_if(row, end, isLit);
+      if (first == end) continue;
+      const float* last =
+          std::find_if(std::reverse_iterator(end), std::reverse_iterator(first), isLit).base();
+      all = enclosing(all, {int(first - row), y, int(last - first), 1});
+    }
+  return all;
 }
 
 void addCarried(FileToWrite& contents, const CarriedData& carried, bool channels) {

@@ -29,6 +29,9 @@ struct CarriedData {
 [[nodiscard]] std::shared_ptr<CarriedData> carriedData(const Image& image, const ImageFileInfo& info,
                                                        std::span<const int> used);
 
+/// The data window of a picture that was made of another: what the other's holds, and all that is not 0.
+[[nodiscard]] PixelRect windowWithLight(const PixelRect& window, const Image& image);
+
 /// Puts the header and the aspect into a file; with `channels` also the data window, and the channels into
 /// its first part, where no channel has that name already. Only an EXR holds those.
 void addCarried(FileToWrite& contents, const CarriedData& carried, bool channels = true);

@@ -70,6 +70,7 @@ struct WriteOptions {
   std::map<std::string, std::string> text;  ///< attributes to put into the header
   int jpegQuality = 95;
   std::shared_ptr<const CarriedData> carried;  ///< from the photographs, handed on
+  std::optional<PixelRect> dataWindow = {};    ///< EXR: in place of the carried one
   std::vector<unsigned char> iccProfile = {};  ///< PNG, TIFF, JPEG: embedded
   std::optional<Chromaticities> chromaticities =
       {};  ///< EXR: where the colour space's name does not say them

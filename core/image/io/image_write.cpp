@@ -260,6 +260,7 @@ void writeImage(const Image& image, const std::filesystem::path& file, const Wri
   contents.parts.push_back(std::move(part));
   contents.iccProfile = options.iccProfile;
   contents.chromaticities = options.chromaticities;
+  if (format == "openexr") contents.dataWindow = options.dataWindow;
   if (options.carried) addCarried(contents, *options.carried, format == "openexr");
   writeChannels(contents, file, progress);
 }
