@@ -27,6 +27,7 @@ constexpr const char* kCross = "cross";
 constexpr const char* kOpen = "open";
 constexpr size_t kMostLights = 64;  // far beyond what a solve takes; longer lists only take time
 constexpr size_t kMostShots = 4096;
+constexpr double kMostLight = 1e6;  // of a channel of a lamp, whose white is 1
 
 /// Keeps what a newer or another program wrote, and says so.
 Json keepUnknown(const JsonFields& fields, std::vector<std::string>& warnings) {
@@ -89,9 +90,9 @@ std::optional<Rgb> colorFromJson(const Json& json, const std::string& where) {
     if (value < 0)
       throw InputError("{}: holds the negative number {}: light cannot be less than none. Give 0 or more.",
                        where, part.dump());
+    if (!(value <= kMostLight))
+      throw InputError("{}: holds {}, which no lamp gives. Give a number near 0..1.", where, part.dump());
     color[c] = static_cast<float>(value);
-    if (!std::isfinite(color[c]))
-      throw InputError("{}: holds {}, which is not finite. Give a number near 0..1.", where, part.dump());
   }
   return color;
 }
