@@ -1,5 +1,7 @@
 #include "render/filter/filter_picture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -15,6 +17,21 @@ namespace swaplight {
 namespace {
 
 constexpr size_t kLargestCube = 256 << 20;
+
+/// Only tables of 0..1 are drawn, and no 1-D table before them.
+void checkCubeKeyword(const std::string& keyword, std::istream& values, const std::string& place) {
+  if (keyword == "LUT_1D_SIZE" || keyword == "LUT_1D_INPUT_RANGE")
+    throw InputError("{}: {}: a 1-D table is not drawn: write a 3-D table alone", place, keyword);
+  const bool from = keyword == "DOMAIN_MIN", to = keyword == "DOMAIN_MAX";
+  const bool range = keyword == "LUT_3D_INPUT_RANGE";
+  if (!from && !to && !range) return;
+  bool usual = true;
+  float value = 0;
+  for (int i = 0; values >> value; ++i) usual = usual && value == (to || (range && i == 1) ? 1 : 0);
+  if (!usual)
+    throw InputError("{}: {}: only a table of values from 0 to 1 is drawn: write it for those", place,
+                     keyword);
+}
 
 /// A table as Adobe's "Cube LUT Specification 1.0" has it: LUT_3D_SIZE N, then N^3 lines of R G B, red
 /// fastest.
@@ -33,6 +50,7 @@ Image cubeImage(const std::filesystem::path& file) {
         throw InputError("{}:{}: LUT_3D_SIZE has to be 2 to 128", file.string(), lineNumber);
       image = Image(ImageSpec::rgb(side * side, side), 0);
     }
+    checkCubeKeyword(first, words, fmt::format("{}:{}", file.string(), lineNumber));
     if ((first[0] >= 'A' && first[0] <= 'Z') || first[0] == '"') continue;  // TITLE, DOMAIN_MIN ...
     std::istringstream numbers(line);
     float r = 0, g = 0, b = 0;

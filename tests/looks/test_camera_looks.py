@@ -262,6 +262,15 @@ class Apply(CameraLookTest):
         out = self.apply(f'lut,table={self.path("swap.cube")}', frame=self.path('in.png'), output='o.png')
         np.testing.assert_allclose(out, read_rgb(self.path('in.png'))[..., ::-1], atol=2 / 255)
 
+    def test_a_colour_table_of_another_range_is_refused(self):
+        rows = '\n'.join(f'{r} {g} {b}' for b in (0, 1) for g in (0, 1) for r in (0, 1)) + '\n'
+        for keyword in ('DOMAIN_MAX 4 4 4', 'DOMAIN_MIN -1 0 0', 'LUT_3D_INPUT_RANGE 0 16', 'LUT_1D_SIZE 2'):
+            self.write('t.cube', f'LUT_3D_SIZE 2\n{keyword}\n{rows}')
+            self.deny('look', 'apply', self.frame, '--filter', f'lut,table={self.path("t.cube")}', '-o', self.path('o.exr'),
+                      naming=['t.cube:2', keyword.split()[0]])
+        self.write('t.cube', f'LUT_3D_SIZE 2\nDOMAIN_MIN 0 0 0\nDOMAIN_MAX 1.0 1 1\nLUT_3D_INPUT_RANGE 0.0 1.0\n{rows}')
+        self.apply(f'lut,table={self.path("t.cube")}')
+
     def test_vectors_and_matrices_by_name(self):
         x, as_float = ramp(), ['--type', 'float']
         cdl = self.apply('cdl,slopes=1.5:1:0.5,offsets=0.1:0:0.2,powers=1:2:0.5', options=as_float)
