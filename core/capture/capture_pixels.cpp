@@ -3,24 +3,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/capture/mosaic_saturation.h"
+#include "core/capture/capture_picture.h"
 #include "core/capture/response_curve.h"
 #include "core/capture/sensor_limits.h"
 #include "core/color/chromaticities.h"
-#include "core/image/cropped_image.h"
 #include "core/image/finite_image.h"
 #include "core/image/images_in_files.h"
 #include "core/image/io/image_format.h"
-#include "core/image/rgb_image.h"
-#include "core/ocio/color_config.h"
 
 namespace swaplight {
 namespace {
@@ -28,187 +23,8 @@ namespace {
 constexpr float kNoClip = std::numeric_limits<float>::infinity();
 constexpr int kRowsAtOnce = 64;  // rows
 
-/// The light of half the code over that of the whole is 1/2 where codes are linear, .214 in sRGB, less in
-/// logs.
-constexpr float kProportional = 0.45F;
-
-/// In steps of a file's coding: values this little below white are saturated too. They stand for it after a
-/// decoder's rounding; a whole step below is a value of its own.
-constexpr float kWhiteMargin = 0.25F;
-
 constexpr int kRoundings = 17;           // codes, evenly, whose rounding is looked at
 constexpr float kLeastRounding = 1e-4F;  // of the variance at white: no pixel is known better than that
-
-/// Noise makes dark pixels a little negative. What is darker is no noise, and is told: this part of full
-/// scale (by judgement: a black level that is a little wrong is no damage), or this many standard deviations
-/// of a read noise that is known, whichever is more: normal noise passes six in one of 10^9 pixels.
-constexpr double kDarkest = 0.02;
-constexpr double kReadDeviations = 6;
-
-/// What brings the files' codes to linear light: a colour space of the configuration, or a measured response.
-struct Coding {
-  const ColorConfig& config;
-  std::string from, to;
-  const ResponseCurve* response = nullptr;
-
-  void toLight(const ImageSpan& pixels) const {
-    if (response)
-      response->apply(pixels);
-    else
-      config.convert(pixels, from, to);
-  }
-};
-
-/// A picture of the capture, as read and in linear light.
-struct Picture {
-  std::filesystem::path file;
-  Image image;
-  ImageFileInfo info;
-  PixelRect window;  ///< of the image: what the file holds of it
-  bool hasOverscan = false;
-  PixelCounts counts;
-  float clip = kNoClip;  ///< of integer files
-  float quantum = 0;
-  std::vector<ValueVariance> rounding;     ///< of codes that are not proportional to light
-  std::vector<ValueVariance> codingError;  ///< linear light
-  std::shared_ptr<CarriedData> carried;
-  std::vector<std::string> inexact;  ///< channels
-  std::vector<std::string> warnings;
-};
-
-/// A code value, the same in all channels, in linear light.
-float linearOf(const Coding& coding, float code) {
-  Image pixel(ImageSpec::rgb(1, 1), code);
-  coding.toLight(pixel.span());
-  return std::min({pixel.plane(0)[0], pixel.plane(1)[0], pixel.plane(2)[0]});
-}
-
-/// Where an integer file saturates, and the step below that, in linear light.
-void describeCoding(const Coding& coding, Picture& picture) {
-  if (picture.info.isFloat) return;
-  const int bits = codingBits(picture.image, picture.info.bits);
-  const float step = 1.0F / static_cast<float>((1 << std::clamp(bits, 1, 16)) - 1);
-  const float white = linearOf(coding, 1);
-  picture.quantum = white - linearOf(coding, 1 - step);
-  picture.clip = white - kWhiteMargin * picture.quantum;
-  if (linearOf(coding, 0.5F) < kProportional * white)
-    picture.rounding = roundingErrors([&](float code) { return linearOf(coding, code); }, step);
-}
-
-/// What the coding of a JPEG has left, in linear light: an error of code times the slope of the curve there.
-void measureCodingError(const Coding& coding, Picture& picture) {
-  const auto jpeg = readJpegCoding(picture.file);
-  if (!jpeg) return;
-  picture.codingError = jpegError(picture.image.view(), *jpeg);
-  constexpr float kAround = 0.5F / 255;
-  const int count = static_cast<int>(picture.codingError.size());
-  Image codes(ImageSpec::rgb(std::max(count, 1), 2), 0);
-  for (int j = 0; j < count; ++j)
-    for (int c = 0; c < 3; ++c) {
-      const float code = picture.codingError[static_cast<size_t>(j)].value;
-      codes.span().row(c, 0)[j] = std::max(code - kAround, 0.0F);
-      codes.span().row(c, 1)[j] = std::max(code - kAround, 0.0F) + 2 * kAround;
-    }
-  coding.toLight(codes.span());
-  for (int j = 0; j < count; ++j) {
-    ValueVariance& at = picture.codingError[static_cast<size_t>(j)];
-    const float below = codes.view().row(1, 0)[j];
-    const float above = codes.view().row(1, 1)[j];
-    const float slope = (above - below) / (2 * kAround);
-    at = {(below + above) / 2, at.variance * slope * slope};
-  }
-}
-
-/// No sensor's noise makes pixels more negative than this.
-float lowestCredible(const Capture& capture) {
-  return -static_cast<float>(std::max(kDarkest, capture.noise ? kReadDeviations * capture.noise->read : 0.0));
-}
-
-/// Describes a damaged picture.
-void warnOfPixels(Picture& picture) {
-  const PixelCounts& counts = picture.counts;
-  if (counts.notFinite > 0)
-    picture.warnings.push_back(fmt::format("{}: {} pixel{} not finite", picture.file.string(),
-                                           counts.notFinite, counts.notFinite == 1 ? " is" : "s are"));
-  if (counts.negative > 0)
-    picture.warnings.push_back(fmt::format("{}: {} pixel{} negative", picture.file.string(), counts.negative,
-                                           counts.negative == 1 ? " is" : "s are"));
-}
-
-/// Describes colours that are not what the capture calls them. What a person named is taken, and said.
-void warnOfColors(const std::string& colorSpace, Picture& picture) {
-  const std::string& stated = picture.info.statedColors;
-  const bool known = colorSpace == "lin_rec709" || chromaticitiesOf(colorSpace) || colorSpace == "srgb";
-  if (stated.empty() || stated == colorSpace || !known) return;
-  picture.warnings.push_back(
-      fmt::format("{}: says that its colours are {}; they are taken as {}, as the capture says. Where that "
-                  "is wrong, name their colour space there",
-                  picture.file.string(), stated, colorSpace));
-}
-
-/// Channels of whole numbers, such as IDs, that are too large for the float that they are carried as.
-std::vector<std::string> inexactIntegers(const ImageFile& file) {
-  constexpr float kMostExact = 1 << 24;
-  std::vector<std::string> channels;
-  for (int c = 0; c < file.image.channelCount(); ++c) {
-    const float* plane = file.image.plane(c);
-    const auto isLarge = [](float value) { return value >= kMostExact; };
-    if (file.info.channelTypes[size_t(c)] == PixelType::UInt32 &&
-        std::any_of(plane, plane + file.image.pixelCount(), isLarge))
-      channels.push_back(file.image.spec().channels[size_t(c)]);
-  }
-  return channels;
-}
-
-PixelRect boundsOf(const Image& image) {
-  return {0, 0, image.width(), image.height()};
-}
-
-Picture readPicture(const ColorConfig& config, const Capture& capture, const ResponseCurve* response,
-                    const std::string& path) {
-  Picture picture;
-  picture.file = capture.folder / path;
-  ImageFile file = readImage(picture.file);
-  picture.info = file.info;
-  const std::array<int, 3> colors = rgbChannels(file.image, picture.file);
-  if (capture.frame.isWhole()) {
-    picture.carried = carriedData(file.image, picture.info, colors);
-    picture.inexact = inexactIntegers(file);
-  } else {  // channels beside the colour are of all its pixels
-    std::vector<int> all(static_cast<size_t>(file.image.channelCount()));
-    std::iota(all.begin(), all.end(), 0);
-    picture.carried = carriedData(file.image, picture.info, all);
-    if (picture.carried) picture.carried->dataWindow.reset();
-  }
-  picture.image = rgbImage(std::move(file.image), picture.file);
-  const PixelRect whole = boundsOf(picture.image);
-  const PixelRect held = picture.info.dataWindow.value_or(whole);
-  picture.window = intersection(held, whole);
-  picture.hasOverscan = enclosing(held, whole) != whole;
-  const std::string to = linearSpaceOf(capture.colorSpace);
-  // The coding's blocks begin at the corner of the whole picture.
-  Coding coding{config, capture.colorSpace, to, response};
-  if (picture.info.format == "jpeg") measureCodingError(coding, picture);
-  if (const auto& crop = capture.frame.crop) {
-    picture.image = croppedImage(picture.image, *crop, picture.file.string());
-    picture.window = intersection(picture.window, *crop);
-    picture.window.x -= crop->x, picture.window.y -= crop->y;
-  }
-  if (picture.info.format == "raw" && coding.from != to) {
-    picture.warnings.push_back(fmt::format("{}: camera raw is linear: the colour space {} is not applied",
-                                           picture.file.string(), coding.from));
-    coding.from = to;
-    coding.response = nullptr;
-  }
-  describeCoding(coding, picture);
-  warnOfColors(coding.from, picture);
-  if (picture.info.format == "raw") spreadSaturation(picture.image, picture.clip);
-  coding.toLight(picture.image.span());
-  picture.image.setColorSpace(to);
-  picture.counts = countPixels(picture.image, lowestCredible(capture));
-  warnOfPixels(picture);
-  return picture;
-}
 
 /// The paths of a capture's pictures: its shots, then ambient, then dark.
 struct PictureList {
@@ -220,19 +36,23 @@ struct PictureList {
   std::vector<std::string> paths;
 };
 
-void checkSizes(std::span<const Picture> pictures) {
-  const Picture& first = pictures.front();
-  for (const Picture& picture : pictures)
+void checkSizes(std::span<const CapturePicture> pictures) {
+  const CapturePicture& first = pictures.front();
+  for (const CapturePicture& picture : pictures)
     if (picture.image.width() != first.image.width() || picture.image.height() != first.image.height())
       throw InputError("{} is {} x {} pixels, {} is {} x {}. Export all pictures of a capture at one size.",
                        picture.file.string(), picture.image.width(), picture.image.height(),
                        first.file.string(), first.image.width(), first.image.height());
 }
 
+PixelRect boundsOf(const Image& image) {
+  return {0, 0, image.width(), image.height()};
+}
+
 /// What all pictures hold of the picture.
-PixelRect commonWindow(std::span<const Picture> pictures) {
+PixelRect commonWindow(std::span<const CapturePicture> pictures) {
   PixelRect common = pictures.front().window;
-  for (const Picture& picture : pictures) {
+  for (const CapturePicture& picture : pictures) {
     common = intersection(common, picture.window);
     if (common.empty())
       throw InputError(
@@ -256,7 +76,7 @@ PixelRect scaledWindow(const PixelRect& window, const PixelRect& from, const Pix
 }
 
 /// Where the pictures leave out a part, keeps with the pixels what is left.
-void keepWindow(std::span<const Picture> pictures, const PixelRect& whole, CapturePixels& pixels) {
+void keepWindow(std::span<const CapturePicture> pictures, const PixelRect& whole, CapturePixels& pixels) {
   const PixelRect common = commonWindow(pictures);
   const PixelRect bounds = boundsOf(pixels.shots.front());
   const PixelRect window = bounds == whole ? common : scaledWindow(common, whole, bounds);
@@ -267,7 +87,7 @@ void keepWindow(std::span<const Picture> pictures, const PixelRect& whole, Captu
   const auto carried = pictures.front().carried ? pictures.front().carried : std::make_shared<CarriedData>();
   carried->dataWindow = window;
   pixels.carried = carried;
-  const auto differs = [&](const Picture& picture) { return picture.window != common; };
+  const auto differs = [&](const CapturePicture& picture) { return picture.window != common; };
   if (std::any_of(pictures.begin(), pictures.end(), differs))
     pixels.warnings.push_back(fmt::format(
         "the data windows of the photographs differ: only what all of them hold is solved, {},{},{},{}",
@@ -275,8 +95,8 @@ void keepWindow(std::span<const Picture> pictures, const PixelRect& whole, Captu
 }
 
 /// The picture is the display window.
-void warnOfOverscan(std::span<const Picture> pictures, CapturePixels& pixels) {
-  if (std::any_of(pictures.begin(), pictures.end(), std::mem_fn(&Picture::hasOverscan)))
+void warnOfOverscan(std::span<const CapturePicture> pictures, CapturePixels& pixels) {
+  if (std::any_of(pictures.begin(), pictures.end(), std::mem_fn(&CapturePicture::hasOverscan)))
     pixels.warnings.emplace_back(
         "the photographs hold pixels outside of their display window (overscan): they are left out");
 }
@@ -321,16 +141,16 @@ void checkAllFit(const Capture& capture, size_t pictures) {
 }
 
 /// Reads every picture, several at a time: most decoders use one core.
-std::vector<Picture> readPictures(const ColorConfig& config, const Capture& capture,
-                                  const ResponseCurve* response, const Progress& progress) {
+std::vector<CapturePicture> readPictures(const ColorConfig& config, const Capture& capture,
+                                         const ResponseCurve* response, const Progress& progress) {
   const std::vector<std::string> paths = PictureList(capture).paths;
   checkAllFit(capture, paths.size());
-  std::vector<Picture> pictures(paths.size());
+  std::vector<CapturePicture> pictures(paths.size());
   std::atomic<int> done = 0;
   progress.update(0, "reading pictures");
   parallelEach(static_cast<int>(paths.size()), [&](int i) {
     const auto index = static_cast<size_t>(i);
-    pictures[index] = readPicture(config, capture, response, paths[index]);
+    pictures[index] = readCapturePicture(config, capture, response, paths[index]);
     progress.update(static_cast<float>(++done) / static_cast<float>(paths.size()), "reading pictures");
   });
   return pictures;
@@ -379,7 +199,8 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
   } catch (const InputError& error) {
     throw InputError("{}: {}", capture.file.empty() ? "the capture" : capture.file.string(), error.what());
   }
-  std::vector<Picture> pictures = readPictures(config, capture, response ? &*response : nullptr, progress);
+  std::vector<CapturePicture> pictures =
+      readPictures(config, capture, response ? &*response : nullptr, progress);
   checkSizes(pictures);
   const PixelRect whole = boundsOf(pictures.front().image);
 
@@ -411,11 +232,11 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
   if (capture.frame.scale != 1) scaleDown(pixels, capture.frame.scale);
   keepWindow(pictures, whole, pixels);
   warnOfOverscan(pictures, pixels);
-  if (const Picture& first = pictures.front(); !first.inexact.empty())
+  if (const CapturePicture& first = pictures.front(); !first.inexact.empty())
     pixels.warnings.push_back(
         fmt::format("{}: whole numbers above 16777216 are carried rounded, as float: {}", first.file.string(),
                     fmt::join(first.inexact, ", ")));
-  for (Picture& picture : pictures)
+  for (CapturePicture& picture : pictures)
     for (std::string& warning : picture.warnings) pixels.warnings.push_back(std::move(warning));
   return pixels;
 }

@@ -7,7 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/capture/capture.h"
-#include "core/capture/jpeg_error.h"
+#include "core/capture/jpeg/jpeg_error.h"
 #include "core/image/image.h"
 #include "core/image/io/carried_data.h"
 

@@ -1,4 +1,4 @@
-#include "core/capture/jpeg_error.h"
+#include "core/capture/jpeg/jpeg_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/capture/jpeg_coding.h"
+#include "core/capture/jpeg/jpeg_coding.h"
 
 #include <algorithm>
 #include <fstream>

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/capture/jpeg_coding.h"
+#include "core/capture/jpeg/jpeg_coding.h"
 #include "core/image/image.h"
 
 namespace swaplight {
