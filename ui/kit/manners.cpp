@@ -61,7 +61,10 @@ bool closeTopList() {
 }
 
 void mannersBeforeFrame() {
-  const ImGuiContext& g = *GImGui;
+  ImGuiContext& g = *GImGui;
+  // Dear ImGui 1.86 keeps a field's undo after the field is left, and puts it to whatever text is there when
+  // it is come back to: beyond the end of a shorter one.
+  if (g.ActiveId != g.InputTextState.ID) g.InputTextState.ID = 0;
   ImGuiIO& io = ImGui::GetIO();
   // In the panels letters, arrows and Space are keys of actions.
   if (popupOpen())
@@ -141,7 +144,16 @@ bool pressedByEnter() {
 }
 
 bool dialogAccepted() {
-  return drawnOnTop() && !reached().takesEnter && enterPressed();
+  if (!drawnOnTop() || reached().takesEnter || !enterPressed()) return false;
+  // A press answers one dialog, and not another one that the answer opens.
+  static struct {
+    int frame = -1;
+    ImGuiID dialog = 0;
+  } answered;
+  const ImGuiID dialog = ImGui::GetCurrentWindow()->ID;
+  if (answered.frame == ImGui::GetFrameCount()) return answered.dialog == dialog;
+  answered = {ImGui::GetFrameCount(), dialog};
+  return true;
 }
 
 bool dialogCancelled() {
