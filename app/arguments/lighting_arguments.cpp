@@ -203,11 +203,8 @@ std::vector<std::filesystem::path> LightingArguments::inputs(const std::optional
   std::vector<std::filesystem::path> files = filesOfSource(source(session));
   for (const std::string& file : {m_source, m_session, m_from, m_rig, m_edits.file}) files.emplace_back(file);
   if (session) {
-    files.push_back(session->document.colorConfig);
-    static_cast<void>(withFiles(session->document.edits, [&](const std::string& file) {
-      files.emplace_back(file);
-      return file;
-    }));
+    const std::vector<std::filesystem::path> read = filesOfDocument(session->document);
+    files.insert(files.end(), read.begin(), read.end());
   }
   return files;
 }

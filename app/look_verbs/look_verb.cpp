@@ -62,7 +62,7 @@ void addLookVerb(Program& program) {
                   "apply, EXR: none, rle, zips, zip (default), piz, pxr24, b44, b44a, dwaa, dwab")
       ->type_name("NAME");
   verb.add_option("--frame", a->frameNumber,
-                  "apply: the frame's number, from which grain and flicker follow (default: 0)")
+                  "apply, thumbnails: the frame's number, from which grain and flicker follow (default: 0)")
       ->check(NumberRange(-1e8, 1e8))
       ->type_name("N");
   verb.add_option("--fps", a->time.framesPerSecond, "apply: frames a second (default: 24)")

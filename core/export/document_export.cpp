@@ -1,5 +1,7 @@
 #include "core/export/document_export.h"
 
+#include <span>
+
 #include "core/base/error.h"
 #include "core/edit/stack/beta_file.h"
 #include "core/export/cue_frames.h"
@@ -9,6 +11,7 @@
 #include "core/export/provenance.h"
 #include "core/file/atomic_file.h"
 #include "core/file/frame_range.h"
+#include "core/file/same_file.h"
 #include "core/report/contact_sheet.h"
 #include "core/report/session_report.h"
 #include "core/session/open_source.h"
@@ -28,6 +31,13 @@ std::vector<std::filesystem::path> writtenFrames(const SequenceSummary& summary)
   return files;
 }
 
+/// No file that the document reads may be replaced by what is made of it.
+void checkTargets(const Document& document, const ExportRequest& request, std::span<const int> frames) {
+  const std::vector<std::filesystem::path> inputs = filesOfDocument(document);
+  if (frames.empty()) return checkOutput(request.file, inputs);
+  for (const int frame : frames) checkOutput(frameName(request.file.string(), frame), inputs);
+}
+
 std::vector<std::filesystem::path> exportCues(const ColorConfig& config,
                                               const std::shared_ptr<const SolvedSet>& set,
                                               const Document& document, const ExportRequest& request,
@@ -40,6 +50,7 @@ std::vector<std::filesystem::path> exportCues(const ColorConfig& config,
   options.frame.cameraLook = request.cameraLook;
   for (int f = frames.timeline().firstFrame(); f <= frames.timeline().lastFrame(); ++f)
     options.frames.push_back(f);
+  checkTargets(document, request, options.frames);
   return writtenFrames(exportSequence(
       config, options, [&](int frame) { return frames.at(frame); }, [](const FrameOutcome&) {}, progress));
 }
@@ -80,6 +91,7 @@ std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
     return exportDocument(config, set, plain, request, progress);
   }
   if (request.kind == ExportKind::Sequence) return exportCues(config, set, document, request, progress);
+  checkTargets(document, request, {});
   const bool edited = document.edits != EditStack{};
   const SolvedSet withThem = edited ? withEdits(set, document.edits) : SolvedSet();
   const SolvedSet& shown = edited ? withThem : *set;

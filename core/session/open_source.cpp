@@ -68,6 +68,16 @@ std::vector<fs::path> filesOfSource(const fs::path& path) {
   return files;
 }
 
+std::vector<fs::path> filesOfDocument(const Document& document) {
+  std::vector<fs::path> files = filesOfSource(document.source);
+  files.emplace_back(document.colorConfig);
+  static_cast<void>(withFiles(document.edits, [&](const std::string& file) {
+    files.emplace_back(file);
+    return file;
+  }));
+  return files;
+}
+
 SolvedSet openSource(const ColorConfig& config, const fs::path& path, const SolveOptions& options,
                      const Progress& progress) {
   std::error_code error;

@@ -8,6 +8,7 @@
 #include "core/edit/mask/mask_context.h"
 #include "core/edit/stack/edit.h"
 #include "core/ocio/color_config.h"
+#include "core/session/document.h"
 #include "core/set/solved_set.h"
 #include "core/solve/model/solve_options.h"
 
@@ -25,6 +26,9 @@ enum class SourceKind { Capture, SolvedSet, Session, Folder, Other };
 /// Every file that opening it reads: none of them may be replaced by what is made of them. What a manifest
 /// lacks is for its reader to say. Throws InputError where it is no JSON.
 [[nodiscard]] std::vector<std::filesystem::path> filesOfSource(const std::filesystem::path& path);
+
+/// The same of all that a session's document reads: its set, configuration and edits.
+[[nodiscard]] std::vector<std::filesystem::path> filesOfDocument(const Document& document);
 
 /// A set from a solved file or, solving it, from a capture, whose pictures may be in any colour space of the
 /// configuration; without highlights where `options` say so. Throws InputError, which says what can be

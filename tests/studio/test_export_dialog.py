@@ -45,6 +45,31 @@ class ExportDialog(StudioTest):
         for a, b in zip(read(path), read(again)):
             self.assertTrue(np.array_equal(a, b), path)
 
+    def test_no_file_of_the_set_is_replaced(self):
+        shutil.copytree(SAMPLE, self.path('set'))
+        solved = self.path('set/solved.exr')
+        subprocess.run([PROGRAM, 'solve', self.path('set'), '-o', solved, '-q'], check=True)
+        with open(solved, 'rb') as file:
+            before = file.read()
+        studio = self.start(solved)
+        studio.wait_ready()
+        studio.key('ctrl+e')
+        studio.item('export.file')
+        studio.key('Return')
+        made = self.path('set/solved_frame.exr')
+        studio.wait(lambda _: os.path.exists(made), 'a name of its own')
+        studio.key('ctrl+e')
+        studio.click('export.file')
+        studio.key('ctrl+a')
+        studio.type(solved)
+        studio.settle()
+        studio.screenshot('export_source')
+        studio.click('export.accept')
+        studio.settle()
+        self.assertTrue(studio.has('export.file'), 'it asks for another name')
+        with open(solved, 'rb') as file:
+            self.assertEqual(file.read(), before)
+
     def test_every_kind_is_what_the_command_line_writes(self):
         self.open_sample()
         self.same(self.ask('frame.exr', 'export.kind.frame', 'export.format.exr'), 'relight', SAMPLE)

@@ -99,7 +99,9 @@ void check(const char* words, const char* mark, bool* value, const char* tip) {
 ExportDialog::ExportDialog(fs::path memory)
     : m_memory(std::move(memory)), m_choices(readExportChoices(m_memory)) {}
 
-void ExportDialog::open(const std::string& name, const fs::path& folder, std::optional<ExportKind> kind) {
+void ExportDialog::open(const std::string& name, const fs::path& folder, std::optional<ExportKind> kind,
+                        std::vector<fs::path> inputs) {
+  m_inputs = std::move(inputs);
   m_open = true;
   m_focus = true;
   m_name = name;
@@ -116,7 +118,18 @@ void ExportDialog::setFile(const fs::path& file) {
 
 void ExportDialog::suggest() {
   const KindWords& kind = kKinds.at(static_cast<size_t>(m_choices.kind));
-  m_file = (m_choices.folder / (m_name + kind.ending + m_choices.format())).string();
+  const auto named = [&](const std::string& ending) {
+    return (m_choices.folder / (m_name + ending + m_choices.format())).string();
+  };
+  m_file = named(kind.ending);
+  if (isInput(m_file)) m_file = named(std::string("_frame") + kind.ending);
+}
+
+bool ExportDialog::isInput(const fs::path& file) const {
+  return std::any_of(m_inputs.begin(), m_inputs.end(), [&](const fs::path& input) {
+    std::error_code error;  // what is not there is no other file
+    return fs::equivalent(file, input, error) && !error;
+  });
 }
 
 /// A file's name as typed; its extension chooses the format.
@@ -146,6 +159,7 @@ std::string ExportDialog::mistake() const {
   const std::vector<std::string>& known = formatsOf(m_choices.kind);
   if (std::find(known.begin(), known.end(), lowerExtension(file)) == known.end())
     return "The name must end in " + fmt::format("{}", fmt::join(known, ", ")) + ".";
+  if (isInput(firstFile())) return "This file is part of the set and would be lost. Enter another name.";
   return {};
 }
 

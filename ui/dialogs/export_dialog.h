@@ -18,7 +18,8 @@ class ExportDialog {
 
   /// Opens it for a session. `name` stands for it in files' names, `folder` is where they go first. Without a
   /// kind it is that of the last time.
-  void open(const std::string& name, const std::filesystem::path& folder, std::optional<ExportKind> kind);
+  void open(const std::string& name, const std::filesystem::path& folder, std::optional<ExportKind> kind,
+            std::vector<std::filesystem::path> inputs);
   [[nodiscard]] bool isOpen() const { return m_open; }
   /// Somebody else has asked for the file's name.
   void setFile(const std::filesystem::path& file);
@@ -46,15 +47,17 @@ class ExportDialog {
   void suggest();
   void take(const std::string& file);
   [[nodiscard]] std::string firstFile() const;
+  [[nodiscard]] bool isInput(const std::filesystem::path& file) const;
   [[nodiscard]] std::string mistake() const;
   void accept(const Answers& answers);
 
   std::filesystem::path m_memory;  ///< the file that remembers
   ExportChoices m_choices;
   bool m_open = false;
-  bool m_focus = false;  ///< the file's name is to be typed
-  std::string m_name;    ///< of the session
-  std::string m_file;    ///< as typed
+  bool m_focus = false;                         ///< the file's name is to be typed
+  std::string m_name;                           ///< of the session
+  std::vector<std::filesystem::path> m_inputs;  ///< what the session reads: not to be replaced
+  std::string m_file;                           ///< as typed
   bool m_galleryEmpty = false;
   std::string m_cueMistake;  ///< why the cue list makes no frames; empty: it does
 };

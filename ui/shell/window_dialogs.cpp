@@ -1,3 +1,5 @@
+#include "core/base/error.h"
+#include "core/session/open_source.h"
 #include "ui/shell/studio_window.h"
 
 // The studio's dialogs: what they ask for, and what is done with the answer.
@@ -90,8 +92,13 @@ void StudioWindow::askForSaveName(const std::function<void()>& then) {
 void StudioWindow::askForExport(std::optional<ExportKind> kind) {
   const fs::path& source = m_editor.document().source;
   const fs::path& named = m_session.file().empty() ? source : m_session.file();
+  std::vector<fs::path> inputs;
+  try {
+    inputs = filesOfDocument(m_editor.document());
+  } catch (const InputError&) {  // gone meanwhile: the export says it
+  }
   m_export.open((named.filename() == "capture.json" ? named.parent_path().filename() : named.stem()).string(),
-                named.parent_path(), kind);
+                named.parent_path(), kind, std::move(inputs));
 }
 
 void StudioWindow::askForExportName() {
