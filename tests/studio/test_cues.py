@@ -136,6 +136,31 @@ class Cues(StudioTest):
             self.assertTrue(np.array_equal(made, keyed), frame)
         self.assertGreater(np.abs(pixels(self.path('studio.0001.exr')) - made).max(), 0.1)
 
+    def stands(self, number, why='the cue that stands'):
+        self.studio.wait(lambda layout: layout.get('desk.current') == number, why)
+
+    def test_the_cue_that_stands_follows_undo_and_new_numbers(self):
+        studio = self.open_line()
+        for line in ('record', 'key @ 50', 'record 2', 'key @ 10', 'record 3', 'go 1 in 0', 'go in 0'):
+            self.run_line(line)
+        self.stands('2')
+        studio.key('ctrl+z')
+        studio.settle()
+        self.stands('1', 'the line of commands lets Ctrl+Z through')
+        studio.key('ctrl+Return')
+        self.wait_still()
+        self.stands('2', 'no cue is left out')
+        studio.key('ctrl+z')
+        studio.key('ctrl+shift+z')
+        studio.settle()
+        self.stands('2')
+        self.run_line('cue 2 number 2.5')
+        self.stands('2.5')
+        self.run_line('go 3 in 60')
+        studio.key('ctrl+z')
+        studio.settle()
+        self.stands('2.5')
+
     def test_times_are_typed_into_the_list_and_undone(self):
         studio = self.open_line()
         self.run_line('record')

@@ -235,6 +235,23 @@ class Manners(StudioTest):
         self.escape_closes(item)
         return [name, 'cancels', '', f'{len(seen)} stops, round', told]
 
+    def test_a_press_of_enter_answers_one_dialog(self):
+        studio = self.open_sample()
+        path, _ = self.save_as('kept')
+        with open(path, 'rb') as file:
+            kept = file.read()
+        studio.click('mixer.fill.on')
+        studio.key('ctrl+o')
+        studio.item('chooser.name')
+        studio.key('ctrl+a')
+        studio.type(os.path.join(SAMPLES, 'two_swapped', 'capture.json'))
+        studio.key('Return')
+        studio.item('unsaved.discard')
+        studio.settle()
+        with open(path, 'rb') as file:
+            self.assertEqual(file.read(), kept)
+        studio.click('unsaved.cancel')
+
     def test_dialogs(self):
         studio = self.open_sample()
         studio.click('mixer.fill.on')

@@ -129,6 +129,7 @@ void CommandLine::draw(const LightsContext& studio, CuePlayer& cues) {
                                         ImGuiInputTextFlags_CallbackHistory;
   Asked asked{*this, studio};
   const bool entered = ImGui::InputText("##line", &m_text, flags, onKey, &asked);
+  m_emptyAndActive = ImGui::IsItemActive() && m_text.empty();
   markItem("desk.line");
   tooltip(kTip);
   if (entered) run(studio, cues);

@@ -19,6 +19,8 @@ class CommandLine {
   /// The keyboard goes to the line in the next frame.
   void focus() { m_focus = true; }
   void draw(const LightsContext& studio, CuePlayer& cues);
+  /// It has the keyboard, and nothing is written in it: keys with Ctrl may do what they do elsewhere.
+  [[nodiscard]] bool isEmptyAndActive() const { return m_emptyAndActive; }
 
  private:
   struct Asked;
@@ -35,6 +37,7 @@ class CommandLine {
   std::string m_answer;
   bool m_wrong = false;
   bool m_focus = false;
+  bool m_emptyAndActive = false;
 };
 
 }  // namespace swaplight

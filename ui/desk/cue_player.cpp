@@ -33,6 +33,18 @@ size_t lookPlace(const std::vector<SavedLook>& looks, const GoRequest& request, 
   return *place;
 }
 
+/// The number of a cue that has another one now; its own where it is gone.
+int renumbered(int number, const CueList& before, const CueList& now) {
+  const Cue* old = findCue(before, number);
+  for (const Cue& cue : now) {
+    if (!old || findCue(before, cue.number)) continue;
+    Cue same = cue;
+    same.number = number;
+    if (same == *old) return cue.number;
+  }
+  return number;
+}
+
 }  // namespace
 
 std::string CuePlayer::go(const LightsContext& studio, const std::string& where) {
@@ -67,7 +79,11 @@ void CuePlayer::begin(const LightsContext& studio, const std::string& name, cons
   studio.editor.commit();  // a fade that is under way ends where it is
   m_wait.reset();
   const Stage from = stageOfDocument(studio.document());
-  m_fade = Fade{name, StageFade(from, stageOf(look, from)), from, Clock::now(), seconds, 0, followSeconds};
+  const uint64_t step = studio.editor.history().stepId();
+  m_stood[step] = m_current;
+  m_fade = Fade{
+      name, StageFade(from, stageOf(look, from)), from, Clock::now(), seconds, 0, followSeconds, m_current,
+      step};
 }
 
 const Cue* CuePlayer::next(const CueList& cues) const {
@@ -93,13 +109,36 @@ void CuePlayer::update(const LightsContext& studio) {
     m_current.reset();
     m_loaded.reset();
     m_lastLook.clear();
+    m_stood.clear();
+    m_step = studio.editor.history().stepId();
+    m_list = studio.document().cues;
   }
   if (m_fade) updateFade(studio);
   if (m_wait) updateWait(studio);
+  if (!m_fade) followHistory(studio);
+}
+
+void CuePlayer::followHistory(const LightsContext& studio) {
+  const uint64_t step = studio.editor.history().stepId();
+  const CueList& cues = studio.document().cues;
+  if (step != m_step) {
+    if (const auto stood = m_stood.find(step); stood != m_stood.end()) {
+      m_current = stood->second;
+      m_loaded.reset();
+    } else if (m_current && !findCue(cues, *m_current)) {
+      m_current = renumbered(*m_current, m_list, cues);
+    }
+  }
+  m_step = step;
+  m_stood[step] = m_current;
+  m_list = cues;
 }
 
 void CuePlayer::updateFade(const LightsContext& studio) {
   if (stageOfDocument(studio.document()) != m_fade->shown) {  // somebody else has changed the lights
+    // An undo takes the whole fade back, and with it what came in.
+    if (!studio.editor.inGesture() && studio.editor.history().stepId() == m_fade->step)
+      m_current = m_fade->before;
     m_fade.reset();
     return;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -50,6 +51,8 @@ class CuePlayer {
     float seconds = 0;
     float amount = 0;
     std::optional<float> followSeconds;
+    std::optional<int> before;  ///< the cue that stood
+    uint64_t step = 0;          ///< of the history, on which it lies
   };
   struct Wait {
     Stage stage;  ///< as the cue left it
@@ -61,11 +64,16 @@ class CuePlayer {
              std::optional<float> followSeconds);
   void show(const LightsContext& studio, float amount);
   void updateFade(const LightsContext& studio);
+  /// The cue that stands follows undo, redo and new numbers.
+  void followHistory(const LightsContext& studio);
   void updateWait(const LightsContext& studio);
 
   std::optional<Fade> m_fade;
   std::optional<Wait> m_wait;
   std::optional<int> m_current, m_loaded;
+  std::map<uint64_t, std::optional<int>> m_stood;  ///< which cue stood at a step of the history, by its id
+  uint64_t m_step = 0;
+  CueList m_list;         ///< as it was at that step
   uint64_t m_opened = 0;  ///< the document that they are of
   std::string m_lastLook;
   float m_lookSeconds = kUsualFadeSeconds;  ///< looks have no time of their own: the last one that was said

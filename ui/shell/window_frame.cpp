@@ -20,6 +20,16 @@ bool isNoArrow(const KeyPress& press) {
   return key != "Left" && key != "Right" && key != "Up" && key != "Down";
 }
 
+/// What no text field takes: keys with Ctrl, but for those that copy and paste.
+Keyboard withoutTyping(Keyboard keyboard) {
+  std::erase_if(keyboard.presses, [](const KeyPress& press) {
+    const std::string& key = press.key;
+    return !press.ctrl || key == "A" || key == "C" || key == "V" || key == "X" || key == "Insert";
+  });
+  keyboard.typed.clear();
+  return keyboard;
+}
+
 }  // namespace
 
 void StudioWindow::drawTour() {
@@ -49,8 +59,12 @@ void StudioWindow::hearKeys() {
   });
   if (escape && closeTop())
     m_window.swallowKeys();
-  else if (!ImGui::GetIO().WantTextInput && openDialogs() == 0 && !popupOpen())
+  else if (openDialogs() > 0 || popupOpen())
+    return;
+  else if (!ImGui::GetIO().WantTextInput)
     m_actions.runKeys(m_window.keyboard());
+  else if (m_commandLine.isEmptyAndActive())
+    m_actions.runKeys(withoutTyping(m_window.keyboard()));
 }
 
 // What was pressed is counted with the next frame: then this one is on the screen.
@@ -122,6 +136,7 @@ void StudioWindow::markStates() {
   markState("title", m_title);
   markState("popups", std::to_string(openPopups()));
   markState("busy", busy() || listMoves() ? "yes" : "no");
+  markState("desk.current", m_cues.current() ? cueNumberText(*m_cues.current()) : "");
   markState("desk.fading", m_cues.fading() ? "yes" : m_cues.waiting() ? "waiting" : "no");
   markState("camera_look.drawn", m_seen.words());
   markState("camera_look.thumbnails", std::to_string(m_thumbnails.pending()));
