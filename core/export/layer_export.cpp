@@ -223,6 +223,9 @@ PixelType exportLayers(const ColorConfig& config, const SolvedSet& set, const Ri
   FileToWrite contents{set.width(), set.height(),        std::move(parts),
                        colorSpace,  options.compression, written.text};
   contents.dataWindow = options.dataWindow;
+  const auto ofShots = set.carried ? set.carried->dataWindow : std::nullopt;
+  if (ofShots && contents.dataWindow.value_or(*ofShots) == *ofShots && !layers.seen.empty())
+    contents.dataWindow = windowWithLight(*ofShots, layers.seen);  // filters may put light outside
   contents.chromaticities = chromaticitiesIn(config, colorSpace);
   if (set.carried) addCarried(contents, *set.carried);
   writeChannels(contents, file, progress.part(0.4F, 1));

@@ -187,6 +187,15 @@ class ExportTest(cli.CliTest):
                           spec.getattribute('studio/slate')), (20, 20, 2, '12A take 3'))
         self.assertNotIn('Z', spec.channelnames)
 
+    def test_what_a_camera_look_puts_outside_of_the_data_window_is_kept(self):
+        for s, pixels in zip(self.capture.manifest['shots'], self.capture.shots):
+            cli.write_image(os.path.join(self.capture.folder, s['image']), pixels[:, :20], window=(10, 0, 33, 24))
+        self.solve()
+        for more, x, width in (((), 10, 20), (('--filter', 'mirror'), 3, 27)):
+            self.succeed('export', self.solved, *more, '-o', self.path('layers.exr'), '-q')
+            spec = spec_of(self.path('layers.exr'))
+            self.assertEqual((spec.x, spec.width, spec.full_width), (x, width, 33), more)
+
     def test_a_still_of_layers_has_its_number(self):
         self.solve()
         self.succeed('export', self.solved, '--frame', '7', '-o', self.path('layers.####.exr'), '-q')
