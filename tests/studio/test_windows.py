@@ -97,6 +97,20 @@ class Scale(StudioTest):
         items, seen = self.studio.layout()['items'], self.seen()
         return [tool for tool in TOOLS if 'button.' + tool in seen and items['button.' + tool][2] < 46 * float(scale)]
 
+    def test_what_has_no_room_beside_the_picture_is_left_out_and_comes_back(self):
+        studio = self.open_sample()
+        for keys in ('F4', 'F10', 'shift+F10', 'shift+F8'):
+            studio.key(keys)
+        studio.settle()
+        studio.screenshot('windows_no_room')
+        self.assertTrue(studio.has('button.cues.record') and studio.has('button.file.open'))
+        self.assertFalse(studio.has('edits.add'), 'there is no room for what was opened first')
+        x, _, width, _ = studio.item('viewer.picture')
+        self.assertGreater(width, 100)
+        studio.key('shift+F8', 'shift+F10')
+        studio.settle()
+        self.assertTrue(studio.has('edits.add') and studio.has('splitter.mixer'))
+
     def test_every_tool_of_the_toolbar_is_in_it_or_in_its_list(self):
         for scale in ('1', '1.25', '1.5', '2'):
             with self.subTest(scale):

@@ -19,6 +19,7 @@ namespace swaplight {
 namespace {
 
 constexpr float kFaderWidth = 214;
+constexpr float kLeastLooks = 120;  ///< width; where there is less, the panel scrolls
 constexpr float kTileGap = 6;
 constexpr float kNameHeight = 20;
 
@@ -237,7 +238,8 @@ void GalleryPanel::draw(LightsContext& studio) {
   const float button = px(92);
   drawKeepButtons(studio, button, room.y);
   ImGui::SameLine(0, px(kTileGap));
-  ImGui::BeginChild("##looks", ImVec2(room.x - button - px(kFaderWidth) - 2 * px(kTileGap), room.y), false,
+  const float rest = room.x - button - px(kFaderWidth) - 2 * px(kTileGap);
+  ImGui::BeginChild("##looks", ImVec2(std::max(rest, px(kLeastLooks)), room.y), false,
                     ImGuiWindowFlags_HorizontalScrollbar);
   const size_t count = studio.document().looks.size();
   if (count == 0) {

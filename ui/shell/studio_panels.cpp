@@ -26,6 +26,7 @@ constexpr float kGradeWidth = 276;
 constexpr float kSplitter = 4;
 constexpr float kMostMixer = 0.6F;   ///< of the window's width
 constexpr float kLeastViewer = 160;  ///< height that the viewer keeps, however small the window
+constexpr float kLeastViewerWidth = 220;
 
 /// A panel of the window: Dear ImGui's child with a padding, in which items have their usual distance though
 /// the panels have none.
@@ -55,12 +56,24 @@ Room takeRoom(Room& room, Dock dock, float length) {
   return taken;
 }
 
-float lengthOf(const PanelInfo& panel, const PanelLayout& layout, const Room& room) {
+bool isAtSide(const PanelInfo& panel) {
+  return panel.dock == Dock::Left || panel.dock == Dock::Right;
+}
+
+/// The least that a panel takes of the room, with its splitter.
+float leastLength(const PanelInfo& panel) {
+  return panel.ownSize.length ? px(panel.ownSize.least + kSplitter) : px(panel.size);
+}
+
+/// `others`: what panels at the sides take that are drawn after it.
+float lengthOf(const PanelInfo& panel, const PanelLayout& layout, const Room& room, float others = 0) {
   if (!panel.ownSize.length) return px(panel.size);
-  const float wanted = px(layout.*panel.ownSize.length);
-  if (panel.dock != Dock::Bottom) return std::min(wanted, ImGui::GetIO().DisplaySize.x * kMostMixer);
-  const float least = px(panel.ownSize.least);
-  return std::clamp(wanted, least, std::max(least, room.height() - px(kLeastViewer)));
+  const float wanted = px(layout.*panel.ownSize.length), least = px(panel.ownSize.least);
+  if (panel.dock == Dock::Bottom)
+    return std::clamp(wanted, least, std::max(least, room.height() - px(kLeastViewer)));
+  const float most = std::min(room.width() - others - px(kSplitter + kLeastViewerWidth),
+                              ImGui::GetIO().DisplaySize.x * kMostMixer);
+  return std::min(wanted, std::max(most, least));
 }
 
 /// The bar between the panel and what is left of the room, which it makes smaller.
@@ -74,8 +87,8 @@ void drawSplitter(const PanelInfo& panel, PanelLayout& layout, Room& room) {
   markItem({"splitter.", panel.shortName()});
 }
 
-void drawPanel(const PanelInfo& panel, PanelLayout& layout, Room& room) {
-  const Room place = takeRoom(room, panel.dock, lengthOf(panel, layout, room));
+void drawPanel(const PanelInfo& panel, PanelLayout& layout, Room& room, float others = 0) {
+  const Room place = takeRoom(room, panel.dock, lengthOf(panel, layout, room, others));
   if (panel.ownSize.length) drawSplitter(panel, layout, room);
   ImGui::SetCursorScreenPos(ImVec2(place.left, place.top));
   child(("##" + panel.shortName()).c_str(), ImVec2(place.width(), place.height()), panel.padding, panel.flags,
@@ -129,7 +142,7 @@ std::vector<PanelInfo> StudioWindow::allPanels() {
        GalleryPanel::kHeight,
        {},
        {8, 8},
-       fixed,
+       ImGuiWindowFlags_HorizontalScrollbar,
        hasSet,
        [this] { m_gallery.draw(m_lights); }},
       {"view.scopes",
@@ -217,20 +230,49 @@ void StudioWindow::drawViewer(ImVec2 size) {
         });
 }
 
+/// Those at the sides that are drawn, in the order of the list: where there is no room for all, the toolbar
+/// and what was opened last. The others come back with the room.
+std::vector<const PanelInfo*> StudioWindow::sidePanels(float width) {
+  const auto isOpen = [&](const PanelInfo& panel) { return isAtSide(panel) && panel.isShown(m_layout); };
+  std::erase_if(m_sides, [&](const PanelInfo* panel) { return !isOpen(*panel); });
+  for (const PanelInfo& panel : m_panels)
+    if (isOpen(panel) && std::find(m_sides.begin(), m_sides.end(), &panel) == m_sides.end())
+      m_sides.push_back(&panel);
+  std::vector<const PanelInfo*> drawn, left;
+  float room = width - px(kLeastViewerWidth);
+  for (const PanelInfo* panel : m_sides)
+    if (panel->open == &PanelLayout::tools) room -= leastLength(*panel), drawn.push_back(panel);
+  for (auto panel = m_sides.rbegin(); panel != m_sides.rend(); ++panel) {
+    if ((*panel)->open == &PanelLayout::tools) continue;
+    const bool fits = leastLength(**panel) <= room || (left.empty() && panel == m_sides.rbegin());
+    if (fits) room -= leastLength(**panel);
+    (fits ? drawn : left).push_back(*panel);
+  }
+  for (const PanelInfo* panel : left)
+    if (std::find(m_sidesLeft.begin(), m_sidesLeft.end(), panel) == m_sidesLeft.end())
+      m_messages.info(
+          std::string(panel->name) +
+          " is not shown: there is no room for it. Close another panel, or make the window larger.");
+  m_sidesLeft = left;
+  std::sort(drawn.begin(), drawn.end());  // as in m_panels
+  return drawn;
+}
+
 void StudioWindow::drawPanels() {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();
   Room room{at.x, at.y, at.x + size.x, at.y + size.y};
   if (!m_layout.hidden) room.bottom -= ImGui::GetFrameHeight() + px(2);
   const float status = room.bottom;
-  const auto draw = [&](bool below) {
-    for (const PanelInfo& panel : m_panels)
-      if (panel.dock != Dock::Inside && (panel.dock == Dock::Bottom) == below && panel.isShown(m_layout))
-        drawPanel(panel, m_layout, room);
-  };
   // The lights come before the picture, so that it shows in the same frame what is done to them; what stands
   // below it, and tells about it, comes after. But its room is taken before.
-  draw(false);
+  const std::vector<const PanelInfo*> sides = sidePanels(size.x);
+  float others = 0;
+  for (const PanelInfo* panel : sides) others += leastLength(*panel);
+  for (const PanelInfo* panel : sides) {
+    others -= leastLength(*panel);
+    drawPanel(*panel, m_layout, room, others);
+  }
   Room viewer = room;
   for (const PanelInfo& panel : m_panels)
     if (panel.dock == Dock::Bottom && panel.isShown(m_layout)) {
@@ -239,7 +281,8 @@ void StudioWindow::drawPanels() {
     }
   ImGui::SetCursorScreenPos(ImVec2(viewer.left, viewer.top));
   drawViewer(ImVec2(viewer.width(), viewer.height()));
-  draw(true);
+  for (const PanelInfo& panel : m_panels)
+    if (panel.dock == Dock::Bottom && panel.isShown(m_layout)) drawPanel(panel, m_layout, room);
   if (!m_layout.hidden) {
     ImGui::SetCursorScreenPos(ImVec2(at.x + px(10), status));
     drawStatusBar(m_session, m_shown, m_colors);

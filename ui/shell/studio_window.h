@@ -78,6 +78,7 @@ class StudioWindow {
   void addWindowActions();
   [[nodiscard]] std::vector<PanelInfo> allPanels();
   void drawPanels();
+  [[nodiscard]] std::vector<const PanelInfo*> sidePanels(float width);
   void drawViewer(ImVec2 size);
   /// Does it at once, or after the person has decided about unsaved work.
   void whenSaved(const std::function<void()>& then);
@@ -151,6 +152,8 @@ class StudioWindow {
   PictureKeeper m_keeper;
   StartPage m_start;
   std::vector<PanelInfo> m_panels;
+  std::vector<const PanelInfo*> m_sides;      ///< open at the sides, in the order of their opening
+  std::vector<const PanelInfo*> m_sidesLeft;  ///< of them, those that have no room
 
   FileChooser m_chooser;
   ExportDialog m_export;

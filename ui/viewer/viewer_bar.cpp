@@ -121,12 +121,13 @@ void drawViewerBar(ViewerContext& studio) {
   const float have = atScaleOne(ImGui::GetContentRegionAvail().x) - 6;
   const float wanted = comparing ? 790 : 660;
   const float cut = std::clamp((wanted - have) / (comparing ? 2 : 1), 0.0F, 54.0F);
-  listButton("##subject", subjectWords(studio, studio.view.subject), 144 - cut, "Picture shown in the viewer",
-             [&] { drawSubjectMenu(studio, false); });
-  listButton("##compare", compareWords(studio.view.compare.mode), 76, "Compare with B",
+  const float scarce = std::clamp((comparing ? 360 : 280) - have, 0.0F, 30.0F);  // their arrows stay
+  listButton("##subject", subjectWords(studio, studio.view.subject), 144 - cut - scarce,
+             "Picture shown in the viewer", [&] { drawSubjectMenu(studio, false); });
+  listButton("##compare", compareWords(studio.view.compare.mode), 76 - scarce, "Compare with B",
              [&] { compareList(studio); });
   if (comparing)
-    listButton("##side_b", sideBWords(studio), 124 - cut, "Picture B",
+    listButton("##side_b", sideBWords(studio), 124 - cut - scarce, "Picture B",
                [&] { drawSubjectMenu(studio, true); });
   drawBarTools(studio);
   const float room = ImGui::GetContentRegionAvail().x - px(6);
