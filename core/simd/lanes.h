@@ -89,11 +89,7 @@ SWAPLIGHT_LANES Lanes roughReciprocal(Lanes x) {
 }
 /// 1 / x to the last bits or so: faster than a division where many follow each other.
 SWAPLIGHT_LANES Lanes reciprocal(Lanes x) {
-#if defined(__AVX512F__)
   return refinedReciprocal(x, roughReciprocal(x));
-#else
-  return roughReciprocal(x);
-#endif
 }
 SWAPLIGHT_LANES Lanes squareRoot(Lanes x) {
   Lanes y;
