@@ -58,7 +58,6 @@ class CameraLookArguments {
 
   /// The number of a still.
   [[nodiscard]] int frame() const { return m_frame.value_or(0); }
-  [[nodiscard]] bool frameGiven() const { return m_frame.has_value(); }
   [[nodiscard]] std::optional<int> givenFrame() const { return m_frame; }
   /// The longest side of the parts in which large frames are drawn.
   [[nodiscard]] int partSide() const { return m_options.tileSide; }

@@ -13,7 +13,6 @@
 #include "core/export/timecode.h"
 #include "core/file/frame_range.h"
 #include "core/file/json_file.h"
-#include "core/file/same_file.h"
 #include "core/session/version.h"
 
 namespace swaplight {
@@ -137,17 +136,14 @@ int exitCodeOf(const SequenceSummary& summary) {
   return machine ? kMachineCouldNot : kBadInput;
 }
 
-/// No frame may replace what any of them is made of; the first one can be written.
-void checkFrameFiles(const std::vector<int>& frames, const std::string& output,
+/// No frame may replace what any of them is made of.
+void checkInputsKept(const std::vector<int>& frames, const std::string& output,
                      const LightingArguments& lighting, const std::optional<Session>& session) {
   std::vector<std::filesystem::path> inputs = lighting.inputs(session);
   const std::string source = lighting.source(session).string();
-  std::error_code error;
   for (const int frame : frames)
     if (hasFrameNumber(source)) inputs.emplace_back(frameName(source, frame));
-  for (const int frame : frames)
-    if (std::filesystem::exists(frameName(output, frame), error) || frame == frames.front())
-      checkOutput(frameName(output, frame), inputs);
+  checkFrameFiles(output, frames, inputs);
 }
 
 }  // namespace
@@ -234,7 +230,7 @@ int SequenceArguments::run(const ColorConfig& config, const LightingArguments& l
   if (m_timecodeFrame && hasFrameNumber(lighting.source(session).string()))
     throw InputError("--timecode-frame: every frame has a set with a time code of its own: leave it out");
   const std::vector<int> all = framesFromRange(m_frames);  // of all tasks of an array job
-  checkFrameFiles(share(all), output, lighting, session);
+  checkInputsKept(share(all), output, lighting, session);
   Progress quiet;  // a line a frame is enough
   quiet.stop = terminal.progress().stop;
   const int first = *std::min_element(all.begin(), all.end());
@@ -259,7 +255,7 @@ int SequenceArguments::runCues(const ColorConfig& config, const LightingArgument
   std::vector<int> all;
   for (int number = planned.firstFrame(); number <= planned.lastFrame(); ++number) all.push_back(number);
   if (m_framesGiven) all = framesFromRange(m_frames);
-  checkFrameFiles(share(all), output, lighting, session);
+  checkInputsKept(share(all), output, lighting, session);
   const Progress progress = terminal.progress();
   auto set = std::make_shared<const SolvedSet>(lighting.openUnedited(config, session, progress));
   sayWarnings(set->capture.warnings, terminal);

@@ -19,8 +19,8 @@ struct LookArguments {
   std::string output, save, name;
   std::string light;  ///< the name of one of a set
   FrameOptions frame;
-  FilterTime time;
   std::optional<int> frameNumber;
+  double framesPerSecond = 24;
   int tileSide = 4096;
   int width = 240;  ///< of thumbnails, in pixels
   double mostSeconds = 20;

@@ -38,7 +38,7 @@ int applyFilters(const LookArguments& arguments, Terminal& terminal) {
   const bool typed = arguments.request.look.empty();
   const std::shared_ptr<CameraLook> look =
       readyLook(pipeline, typed ? "--filter" : arguments.request.look, typed,
-                {arguments.time.framesPerSecond, arguments.tileSide, arguments.mostSeconds}, terminal);
+                {arguments.framesPerSecond, arguments.tileSide, arguments.mostSeconds}, terminal);
 
   const std::unique_ptr<const ImagesInFiles> large = largeImagesBeside(frameFile, arguments.tileSide);
   auto [frame, carried, warnings] = readFrame(file, arguments.alpha);

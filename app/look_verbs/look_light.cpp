@@ -21,7 +21,7 @@ int filterLightOfSet(const LookArguments& arguments, Terminal& terminal) {
   const bool typed = arguments.request.look.empty();
   const std::shared_ptr<CameraLook> look =
       readyLook(arguments.request.pipeline(), typed ? "--filter" : arguments.request.look, typed,
-                {arguments.time.framesPerSecond, arguments.tileSide, arguments.mostSeconds}, terminal);
+                {arguments.framesPerSecond, arguments.tileSide, arguments.mostSeconds}, terminal);
   checkPlace(*look, "light");
   const Progress progress = terminal.progress();
   SolvedSet set = readSolvedSet(file, progress.part(0, 0.3F));

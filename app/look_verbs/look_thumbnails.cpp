@@ -74,8 +74,7 @@ int drawThumbnails(const LookArguments& arguments, Terminal& terminal) {
   PipelineRenderer renderer;
   Json written = Json::array();
   PipelineOptions options;
-  options.time = arguments.time;
-  options.time.frame = arguments.frameNumber.value_or(0);
+  options.time = {arguments.frameNumber.value_or(0), arguments.framesPerSecond};
   options.limitsPerTile.mostSeconds = arguments.mostSeconds;
   options.displayFromScene = displayFromScene(*config, frame.image.spec().colorSpace, arguments.frame);
   for (const auto& [name, stages] : thumbnailsOf(arguments, library)) try {

@@ -65,7 +65,7 @@ void addLookVerb(Program& program) {
                   "apply, thumbnails: the frame's number, from which grain and flicker follow (default: 0)")
       ->check(NumberRange(-1e8, 1e8))
       ->type_name("N");
-  verb.add_option("--fps", a->time.framesPerSecond, "apply: frames a second (default: 24)")
+  verb.add_option("--fps", a->framesPerSecond, "apply: frames a second (default: 24)")
       ->check(NumberRange(0.01, 10000))
       ->type_name("X");
   verb.add_option("--tile", a->tileSide,

@@ -79,11 +79,10 @@ void warnOfClipping(const ColorConfig& config, const RelightCommand& arguments, 
 void nameStill(RelightCommand& arguments) {
   arguments.sequence.check();
   if (arguments.sequence.given() || !hasFrameNumber(arguments.frame)) return;
-  if (!arguments.cameraLook.frameGiven())
+  if (!arguments.cameraLook.givenFrame())
     throw InputError(
         "{}: has a place for a frame's number, and none is given: add -F 1-24 for a sequence, --frame 12 for "
-        "a "
-        "still, or write a name without #, @ and %d",
+        "a still, or write a name without #, @ and %d",
         arguments.frame);
   arguments.frame = stillName(arguments.frame, arguments.cameraLook.givenFrame());
 }
@@ -104,7 +103,7 @@ int run(const RelightCommand& arguments, Terminal& terminal) {
         arguments.output.colorSpace);
   if (arguments.sequence.given() && !arguments.histogram.empty())
     throw InputError("--histogram is of one frame: leave it out, or --frames");
-  if (arguments.sequence.given() && arguments.cameraLook.frameGiven())
+  if (arguments.sequence.given() && arguments.cameraLook.givenFrame())
     throw InputError("--frame is the number of a still: leave it out, -F numbers the frames");
   const std::shared_ptr<CameraLook> look = arguments.cameraLook.look(session, terminal);
   std::unique_ptr<const ImagesInFiles> large = arguments.memory.filesBeside(arguments.frame, terminal);

@@ -1,7 +1,5 @@
 #include "core/export/document_export.h"
 
-#include <span>
-
 #include "core/base/error.h"
 #include "core/edit/stack/beta_file.h"
 #include "core/export/cue_frames.h"
@@ -31,13 +29,6 @@ std::vector<std::filesystem::path> writtenFrames(const SequenceSummary& summary)
   return files;
 }
 
-/// No file that the document reads may be replaced by what is made of it.
-void checkTargets(const Document& document, const ExportRequest& request, std::span<const int> frames) {
-  const std::vector<std::filesystem::path> inputs = filesOfDocument(document);
-  if (frames.empty()) return checkOutput(request.file, inputs);
-  for (const int frame : frames) checkOutput(frameName(request.file.string(), frame), inputs);
-}
-
 std::vector<std::filesystem::path> exportCues(const ColorConfig& config,
                                               const std::shared_ptr<const SolvedSet>& set,
                                               const Document& document, const ExportRequest& request,
@@ -50,7 +41,7 @@ std::vector<std::filesystem::path> exportCues(const ColorConfig& config,
   options.frame.cameraLook = request.cameraLook;
   for (int f = frames.timeline().firstFrame(); f <= frames.timeline().lastFrame(); ++f)
     options.frames.push_back(f);
-  checkTargets(document, request, options.frames);
+  checkFrameFiles(options.output, options.frames, filesOfDocument(document));
   return writtenFrames(exportSequence(
       config, options, [&](int frame) { return frames.at(frame); }, [](const FrameOutcome&) {}, progress));
 }
@@ -91,7 +82,7 @@ std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
     return exportDocument(config, set, plain, request, progress);
   }
   if (request.kind == ExportKind::Sequence) return exportCues(config, set, document, request, progress);
-  checkTargets(document, request, {});
+  checkOutput(request.file, filesOfDocument(document));
   const bool edited = document.edits != EditStack{};
   const SolvedSet withThem = edited ? withEdits(set, document.edits) : SolvedSet();
   const SolvedSet& shown = edited ? withThem : *set;

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/machine_error.h"
 #include "core/file/frame_range.h"
+#include "core/file/same_file.h"
 
 namespace swaplight {
 namespace {
@@ -133,6 +134,14 @@ class SequenceRun {
 int SequenceSummary::count(FrameOutcome::State state) const {
   return static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(),
                                         [&](const FrameOutcome& outcome) { return outcome.state == state; }));
+}
+
+void checkFrameFiles(const std::string& output, std::span<const int> frames,
+                     std::span<const std::filesystem::path> inputs) {
+  std::error_code error;
+  for (const int frame : frames)
+    if (std::filesystem::exists(frameName(output, frame), error) || frame == frames.front())
+      checkOutput(frameName(output, frame), inputs);
 }
 
 SequenceSummary exportSequence(const ColorConfig& config, const SequenceOptions& options,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,10 @@ struct SequenceSummary {
   double writeShare = 0;  ///< compressing and writing
   [[nodiscard]] int count(FrameOutcome::State state) const;
 };
+
+/// Throws InputError where a frame would replace one of `inputs`, or where the first one cannot be written.
+void checkFrameFiles(const std::string& output, std::span<const int> frames,
+                     std::span<const std::filesystem::path> inputs);
 
 /// Makes the frames, several at a time; each is the same whatever the number of workers, and is there whole
 /// or not at all. `input` is called from several threads. `done` is told of each frame, one call at a time.

@@ -12,6 +12,7 @@
 #include "core/image/io/image_io.h"
 #include "core/image/rgb_image.h"
 #include "core/ocio/color_config.h"
+#include "render/filter/map_colors.h"
 
 namespace swaplight {
 namespace {
@@ -87,12 +88,6 @@ Image withAlpha(Image&& image, const std::filesystem::path& file) {
   return all;
 }
 
-template <typename Map>
-void mapColors(Image& image, const Map& map) {
-  for (int c = 0; c < 3; ++c)
-    std::transform(image.plane(c), image.plane(c) + image.pixelCount(), image.plane(c), map);
-}
-
 }  // namespace
 
 Image readFilterPicture(const std::filesystem::path& file, FilterSpace space, const std::string& primaries) {
@@ -104,11 +99,11 @@ Image readFilterPicture(const std::filesystem::path& file, FilterSpace space, co
   Image image = withAlpha(std::move(read.image), file);
   if (space == FilterSpace::Any) return image;
   const bool wantsLight = space == FilterSpace::SceneLinear;
-  if (!light && wantsLight) mapColors(image, [](float code) { return linearFromSrgb(code); });
+  if (!light && wantsLight) mapColors(image.span(), [](float code) { return linearFromSrgb(code); });
   const std::string to = wantsLight ? primaries : "lin_rec709";
   if ((light || wantsLight) && from != to) ColorConfig("").convert(image.span(), from, to);
   if (light && !wantsLight)
-    mapColors(image, [](float value) { return std::clamp(srgbFromLinear(value), 0.0F, 1.0F); });
+    mapColors(image.span(), [](float value) { return std::clamp(srgbFromLinear(value), 0.0F, 1.0F); });
   return image;
 }
 

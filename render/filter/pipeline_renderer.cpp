@@ -6,26 +6,16 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/color/srgb.h"
 #include "core/file/user_folders.h"
 #include "core/image/shrunk_image.h"
 #include "render/filter/filter_picture.h"
+#include "render/filter/map_colors.h"
 #include "render/gl/gl_info.h"
 #include "render/gl/shader_source.h"
 
 namespace swaplight {
 namespace {
-
-constexpr int kRowsPerBand = 32;
-
-void mapColors(ImageSpan image, float (*function)(float)) {
-  parallelRows(image.height, kRowsPerBand, [&](int begin, int end) {
-    for (int c = 0; c < std::min(image.channels, 3); ++c)
-      for (int y = begin; y < end; ++y)
-        for (int x = 0; x < image.width; ++x) image.at(c, x, y) = function(image.at(c, x, y));
-  });
-}
 
 std::shared_ptr<const FilterTexture> wholeTexture(const Image& image) {
   FilterTexture texture(FilterWindow::whole(image.width(), image.height()));

@@ -1,8 +1,8 @@
 """swaplight balance: of photographs, and of rigs"""
 import json
 
-import OpenImageIO as oiio
 import numpy as np
+import OpenImageIO as oiio
 import swaplight_cli as cli
 
 WEIGHTS = np.array([.2126, .7152, .0722])

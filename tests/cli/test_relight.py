@@ -2,8 +2,8 @@
 import json
 import os
 
-import OpenImageIO as oiio
 import numpy as np
+import OpenImageIO as oiio
 import swaplight_cli as cli
 
 
