@@ -17,6 +17,12 @@ namespace swaplight {
   return lower;
 }
 
+/// As a sentence begins: "key light" as "Key light".
+[[nodiscard]] inline std::string withCapital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 /// Of a file, with its dot: ".exr"; "" without one.
 [[nodiscard]] inline std::string lowerExtension(const std::filesystem::path& file) {
   return lowerCase(file.extension().string());

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/image/finite_image.h"
 #include "core/set/fill.h"
 #include "core/solve/auto/auto_solve.h"
@@ -74,10 +74,8 @@ std::vector<std::string> estimatedColors(const std::vector<UnknownColor>& unknow
   std::vector<std::string> sentences;
   for (const UnknownColor& one : unknown) {
     const Rgb color = valueOf(one, lighting, capture);
-    std::string what = wordsFor(one, lighting);
-    what.front() = char(std::toupper(static_cast<unsigned char>(what.front())));
     sentences.push_back(fmt::format("{} was not known: estimated from the pictures as {:.3f}/{:.3f}/{:.3f}",
-                                    what, color.r, color.g, color.b));
+                                    withCapital(wordsFor(one, lighting)), color.r, color.g, color.b));
   }
   return sentences;
 }

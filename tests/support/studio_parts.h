@@ -118,8 +118,8 @@ class StudioParts {
   Keyboard keyboard;
   ShownPicture shown;
   ChosenLights chosen{editor, view};
-  LightsContext lights{{editor, view}, session, messages, colors,  layout, mixer,
-                       swatches,       looks,   table,    actions, shelf};
+  LightsContext lights{{editor, view}, session,  edits, messages, colors,  layout,
+                       mixer,          swatches, looks, table,    actions, shelf};
   EditingContext editingContext{{editor, view}, session, messages, colors,  layout,  tool,
                                 shown,          editing, edits,    shadows, actions, keyboard};
 };

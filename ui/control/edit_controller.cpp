@@ -370,6 +370,18 @@ bool EditController::isPlaced(const Edit& edit) const {
   });
 }
 
+bool EditController::isUnlit(const std::string& light) const {
+  const EditStack& stack = m_parts.editor.document().edits;
+  const auto isAmong = [&](const std::vector<std::string>& lights) {
+    return std::find(lights.begin(), lights.end(), light) != lights.end();
+  };
+  const auto gives = [&](const auto& edit) {
+    return edit->on && (edit->lights.empty() || isAmong(edit->lights)) &&
+           !(usesSurfaces(*edit) && whyNotPlaced(*edit));
+  };
+  return isAmong(stack.newLights) && std::none_of(stack.edits.begin(), stack.edits.end(), gives);
+}
+
 void EditController::seekSurfaces() {
   const EditStack& edits = m_parts.editor.document().edits;
   const auto needs = [](const auto& edit) { return edit->on && usesSurfaces(*edit); };

@@ -66,6 +66,8 @@ class EditController {
   /// What of the document keeps an edit from placing its lamps, in words; nothing where all is told. A set is
   /// open.
   [[nodiscard]] std::optional<std::string> whyNotPlaced(const Edit& edit) const;
+  /// A lamp that edits have added, to which none of them gives light: none is on, or it has no place yet.
+  [[nodiscard]] bool isUnlit(const std::string& light) const;
   /// How surfaces are turned is being found, for the document's edits that go by it.
   [[nodiscard]] bool findingSurfaces() const { return m_surfacing.running(); }
   /// Stops looking for shadows until somebody asks again.

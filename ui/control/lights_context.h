@@ -3,6 +3,7 @@
 #include "core/session/swatches.h"
 #include "ui/actions/action_table.h"
 #include "ui/camera/look_shelf.h"
+#include "ui/control/edit_controller.h"
 #include "ui/control/light_edit.h"
 #include "ui/control/session_controller.h"
 #include "ui/jobs/messages.h"
@@ -17,6 +18,7 @@ namespace swaplight {
 /// What those read and change who mix the lights: mixer, light, looks, gallery.
 struct LightsContext : ChosenLights {
   SessionController& session;
+  const EditController& edits;
   Messages& messages;
   const ColorChoice& colors;
   PanelLayout& layout;

@@ -44,6 +44,16 @@ void replaceAll(ImGuiInputTextCallbackData& data, int from, const std::string& t
   data.InsertChars(from, text.c_str());
 }
 
+/// What has no room in the panel, over the picture above it: a refusal is to be read whole.
+void drawAbove(const std::string& words, ImVec2 bottom, float width) {
+  ImDrawList& over = *ImGui::GetForegroundDrawList();
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, width);
+  const float rim = px(8);
+  const ImVec2 low(bottom.x, bottom.y - size.y - rim);
+  over.AddRectFilled(ImVec2(low.x - rim, low.y - rim), ImVec2(low.x + size.x + rim, bottom.y), kCard, px(4));
+  over.AddText(ImGui::GetFont(), ImGui::GetFontSize(), low, kChanged, words.c_str(), nullptr, width);
+}
+
 }  // namespace
 
 struct CommandLine::Asked {
@@ -109,6 +119,10 @@ void CommandLine::drawAnswer(const LightsContext& studio) const {
   ImGui::PushFont(fonts().small);
   ImGui::PushStyleColor(ImGuiCol_Text, ink);
   ImGui::PushTextWrapPos(0);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const bool refused = m_wrong && answers();
+  if (refused && ImGui::CalcTextSize(words.c_str(), nullptr, false, room.x).y > room.y)
+    drawAbove(words, ImVec2(at.x, ImGui::GetWindowPos().y - px(4)), room.x);
   ImGui::TextUnformatted(words.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();

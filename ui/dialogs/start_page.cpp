@@ -4,11 +4,11 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <utility>
 
 #include "core/base/json.h"
+#include "core/base/lower_case.h"
 #include "core/capture/capture.h"
 #include "core/file/json_file.h"
 #include "core/file/user_folders.h"
@@ -33,8 +33,7 @@ std::string homely(const fs::path& path) {
 /// "film_set" as one writes it: "Film set".
 std::string plainName(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
-  if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  return name;
+  return withCapital(std::move(name));
 }
 
 std::string lightsOf(const fs::path& capture) try {

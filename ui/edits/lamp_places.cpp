@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/lower_case.h"
 #include "ui/edits/edit_list.h"
 #include "ui/kit/layout_probe.h"
 #include "ui/kit/panel_controls.h"
@@ -153,11 +154,13 @@ void meterToggle(const Telling& telling) {
 /// What is missing, or goes on.
 void drawProgress(const EditingContext& studio, const Edit& edit) {
   if (const auto missing = studio.edits.whyNotPlaced(edit)) {
-    ImGui::TextWrapped("%s", missing->c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, kChanged);
+    ImGui::TextWrapped("%s", withCapital(*missing).c_str());
+    ImGui::PopStyleColor();
     markItem("places.missing");
   } else if (studio.edits.findingShadows() || studio.edits.findingSurfaces()) {
-    hint(studio.edits.findingSurfaces() ? "finding how surfaces are turned \u2026"
-                                        : "finding shadows \u2026");
+    hint(studio.edits.findingSurfaces() ? "Finding how surfaces are turned \u2026"
+                                        : "Finding shadows \u2026");
     markItem("places.finding");
   }
 }
@@ -173,12 +176,12 @@ void drawLampPlaces(EditingContext& studio, const Edit& edit) {
   ImGui::Separator();
   hint("Where the lamps stood");
   tooltip("How the surfaces are turned is found by the lights of three lamps or more whose places are told.");
+  drawProgress(studio, edit);  // first: what is missing is to be seen without scrolling
   chooseLamp(studio, chosen);
   const Telling telling{studio, chosen};
   toldOrNot(telling);
   if (telling.places().contains(chosen)) placeSliders(telling);
   if (!telling.places().empty()) meterToggle(telling);
-  drawProgress(studio, edit);
   ImGui::PopID();
 }
 

@@ -35,8 +35,9 @@ std::string underName(const LightSetting& setting) {
 }
 
 /// The level that comes out of the light, or why nothing does.
-std::string liveWords(const LiveLevel& live) {
+std::string liveWords(const LiveLevel& live, bool unlit) {
   if (live.by != HeldBack::Nothing) return heldBackWords(live.by);
+  if (unlit) return "gives no light yet";
   return live.level < 9.995 ? fmt::format("{:.0f} %", 100 * live.level) : fmt::format("×{:.0f}", live.level);
 }
 
@@ -90,13 +91,13 @@ void nameField(LightsContext& studio, size_t light, float width) {
 }
 
 /// The live level and the light's colour, below its name.
-void secondLine(const LightSetting& setting, const LiveLevel& live, ImVec2 at, float width) {
+void secondLine(const LightSetting& setting, const LiveLevel& live, bool unlit, ImVec2 at, float width) {
   ImGui::SetCursorPos(at);
   const ImVec2 clip = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(clip, ImVec2(clip.x + width, clip.y + px(30)), true);
-  const std::string words = liveWords(live);
+  const std::string words = liveWords(live, unlit);
   ImGui::PushFont(fonts().small);
-  ImGui::PushStyleColor(ImGuiCol_Text, liveInk(live.by));
+  ImGui::PushStyleColor(ImGuiCol_Text, unlit ? kChanged : liveInk(live.by));
   ImGui::TextUnformatted(words.c_str());
   ImGui::PopStyleColor();
   markItem({"mixer.", setting.light, ".live"});
@@ -211,7 +212,8 @@ void drawLightRow(LightsContext& studio, size_t light, const RowShape& shape) {
   const std::set<int>& several = studio.view.selectedLights;
   const bool chosen = several.empty() ? shownLight(studio) == light : several.count(index) > 0;
   const LiveLevel live = liveLevel(studio.document().rig, light);
-  const bool shines = live.by == HeldBack::Nothing;
+  const bool unlit = studio.edits.isUnlit(setting.light);
+  const bool shines = live.by == HeldBack::Nothing && !unlit;
   const MixerCard card(shape, chosen);
   const float nameAt = px(shape.chip + 10);
   const float switchesWidth = 3 * px(kSwitchSide) + 2 * px(4);
@@ -253,7 +255,7 @@ void drawLightRow(LightsContext& studio, size_t light, const RowShape& shape) {
   ImGui::PopStyleVar();
   const float wordsRoom = px(kCardPadding) + nameAt + nameWidth - nameEnd;
   if (wordsRoom > 0)
-    secondLine(setting, live,
+    secondLine(setting, live, unlit,
                ImVec2(card.at(0, 0).x - px(kCardPadding) + nameEnd, card.at(0, px(shape.under)).y),
                wordsRoom);
   ImGui::SetCursorPos(card.at(card.innerWidth() - switchesWidth, shape.narrow ? 0 : px(3)));

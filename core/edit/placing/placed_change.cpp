@@ -72,7 +72,7 @@ std::optional<std::string> whyNotPlaced(const std::string& light, const LampPlac
   if (capture.lightIndex(light) < 0) return std::nullopt;
   const auto place = told.find(light);
   if (place != told.end() && !place->second.isTooNear()) return std::nullopt;
-  return fmt::format("\"{}\" cannot be placed: {}. Say so in \"lamp_places\", or place a new light.", light,
+  return fmt::format("\"{}\" cannot be placed: {}. Tell where it stood, or place a new light.", light,
                      place == told.end() ? "nobody has said where its lamp stood"
                                          : fmt::format("its lamp is nearer than {} widths of the picture",
                                                        LampPlace::kNearest));
