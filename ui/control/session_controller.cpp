@@ -107,7 +107,7 @@ void SessionController::useOnSet(const fs::path& path) {
     Pending pending;
     pending.session.document = std::move(other.document);
     pending.session.warnings = std::move(other.notes);
-    pending.fromOtherSet = true;
+    pending.unsaved = true;
     begin(std::move(pending));
   } catch (const std::exception& error) {
     m_messages.error(error.what());
@@ -121,29 +121,35 @@ void SessionController::openSet(OpenSet set) {
   adopt(std::move(pending), std::move(set));
 }
 
-void SessionController::recover(const Recovered& recovered) {
+void SessionController::recover() {
+  if (m_recovered.empty()) return;
+  const Recovered recovered = m_recovered.front();
+  Pending pending;
   try {
-    Pending pending{readSession(recovered.session), recovered.savedAs, true};
-    Json unknown = pending.session.unknown.json();
-    unknown.erase("recovery_of");
-    pending.session.unknown = std::move(unknown);
-    pending.session.warnings.clear();
-    if (m_slot) m_slot->save(pending.session, pending.file);  // ours before the other is discarded
-    begin(std::move(pending));
+    pending = {readSession(recovered.session), recovered.savedAs, true};
   } catch (const std::exception& error) {
     m_messages.error(setAside(recovered.session, error.what()));
+    return discardRecoveredFiles();
   }
-}
-
-void SessionController::loadPictures() {
-  if (!hasDocument()) return;
-  Pending pending{currentSession(), m_file, !m_editor.saved()};
-  begin(std::move(pending));
+  Json unknown = pending.session.unknown.json();
+  unknown.erase("recovery_of");
+  pending.session.unknown = std::move(unknown);
+  pending.session.warnings.clear();
+  try {
+    if (m_slot) m_slot->save(pending.session, pending.file);
+    discardRecoveredFiles();
+  } catch (const std::exception& error) {  // a full disk: the remains are the only copy, and stay
+    m_messages.warn(error.what());
+    m_recovered.erase(m_recovered.begin());
+  }
+  adopt(std::move(pending), std::nullopt);
+  begin({currentSession(), m_file, true, true});
 }
 
 void SessionController::begin(Pending pending) {
+  m_waiting.reset();
   if (pending.session.document.source.empty()) {
-    adopt(std::move(pending), std::nullopt);
+    if (!pending.isOpen) adopt(std::move(pending), std::nullopt);
     return;
   }
   if (m_slot) m_slot->opening(pending.file.empty() ? pending.session.document.source : pending.file);
@@ -151,16 +157,19 @@ void SessionController::begin(Pending pending) {
   // Pictures may be in the colour spaces of its own configuration, while the old document keeps its one.
   m_sets.load(m_colors.configFor(document.colorConfig), document.source, document.solve,
               document.workingSpace);
+  pending.replaced = m_editor.revision();
   m_pending = std::move(pending);
 }
 
 void SessionController::takeSet() {
   const Taken taken = m_sets.take(m_messages, [this](OpenSet set) {
-    if (m_pending) {
-      adopt(*std::exchange(m_pending, std::nullopt), std::move(set));
-    } else {
+    if (!m_pending) {
       m_set = std::move(set);
       ++m_setRevision;
+    } else if (m_pending->isOpen || m_editor.saved() || m_editor.revision() == m_pending->replaced) {
+      adoptPending(std::move(set));
+    } else {
+      m_waiting = std::move(set);
     }
   });
   if (taken == Taken::Nothing) return;
@@ -169,17 +178,28 @@ void SessionController::takeSet() {
   if (m_slot) m_slot->opened();
 }
 
+void SessionController::adoptPending(OpenSet set) {
+  Pending pending = *std::exchange(m_pending, std::nullopt);
+  if (pending.isOpen) pending.session = currentSession();
+  adopt(std::move(pending), std::move(set));
+}
+
+void SessionController::openWaiting() {
+  if (m_waiting) adoptPending(*std::exchange(m_waiting, std::nullopt));
+}
+
+void SessionController::leaveWaiting() {
+  m_waiting.reset();
+  m_pending.reset();
+}
+
 void SessionController::notTaken() {
   if (!m_pending && m_set) {
     Document next = m_editor.document();
     next.workingSpace = m_set->original == m_set->found ? "" : m_set->original->colorSpace();
     m_editor.edit("Working space: as before", std::move(next));
   }
-  // Recovered work stays, without its pictures.
-  if (m_pending && m_pending->unsaved)
-    adopt(*std::exchange(m_pending, std::nullopt), std::nullopt);
-  else
-    m_pending.reset();
+  m_pending.reset();
 }
 
 void SessionController::followWorkingSpace() {
@@ -201,16 +221,14 @@ void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   m_colors.follow(document.colorConfig, m_messages);
   checkDisplay(document);
   m_editor.reset(document, "Open " + shortName(document.source));
-  const bool unsaved = pending.unsaved || pending.fromOtherSet;
-  if (unsaved) m_editor.markUnsaved();
+  if (pending.unsaved) m_editor.markUnsaved();
   m_view = viewStateFromJson(pending.session.studio.json());
   ++m_opened;
   m_file = pending.file;
   m_base = std::move(pending.session);
   m_set = std::move(set);
   ++m_setRevision;
-  m_autosaved = m_editor.revision();
-  if (unsaved) m_autosaved = kNothingAutosaved;
+  m_autosaved = pending.unsaved ? kNothingAutosaved : m_editor.revision();
   m_recent.add(m_file.empty() ? m_editor.document().source : m_file);
   warnOfDarkness();
 }
@@ -245,6 +263,7 @@ void SessionController::checkDisplay(Document& document) {
 
 void SessionController::close() {
   m_sets.cancel();
+  leaveWaiting();
   m_editor.reset({}, "Start");
   m_view = {};
   m_set.reset();
@@ -322,9 +341,11 @@ void SessionController::update() {
 void SessionController::autosave() {
   if (!m_slot) return;
   try {
-    m_autosave.take();
-  } catch (const std::exception& error) {
-    m_messages.warn(error.what());
+    if (m_autosave.take()) m_autosaveProblem.clear();
+  } catch (const std::exception& error) {  // tried again, and said once
+    m_autosaved = kNothingAutosaved;
+    if (m_autosaveProblem != error.what()) m_messages.warn(error.what());
+    m_autosaveProblem = error.what();
   }
   const auto now = std::chrono::steady_clock::now();
   if (m_autosave.running() || now - m_lastAutosave < kAutosaveInterval) return;

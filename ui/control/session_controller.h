@@ -44,11 +44,16 @@ class SessionController {
   void useOnSet(const std::filesystem::path& path);
   /// Shows a set that is there already as that of a file.
   void openSet(OpenSet set);
-  /// Continues with what a studio that died has left.
-  void recover(const Recovered& recovered);
-  /// Reads or solves the document's set (again).
-  void loadPictures();
+  /// Continues with the work of the studio that died last, which is unsaved from the first moment; its
+  /// pictures follow. Its remains are removed once our own place in the recovery folder holds the work.
+  void recover();
   void close();
+
+  /// The set that was to be opened is there, but what is open was changed meanwhile: somebody has to say
+  /// whether it may take its place (openWaiting), or stays (leaveWaiting).
+  [[nodiscard]] bool setWaits() const { return m_waiting.has_value(); }
+  void openWaiting();
+  void leaveWaiting();
 
   /// Saves what is there now in a thread; `then` is called once it is in the file. Where it fails a message
   /// says why, and `then` is not called.
@@ -93,12 +98,15 @@ class SessionController {
   struct Pending {
     Session session;
     std::filesystem::path file;
-    bool unsaved = false;
-    bool fromOtherSet = false;  ///< it is new, and in no file yet
+    bool unsaved = false;   ///< it is in no file of the person's yet
+    bool isOpen = false;    ///< the document is there, and waits for its pictures only
+    uint64_t replaced = 0;  ///< the revision of the document whose place it takes
   };
   [[nodiscard]] Pending pendingFor(const std::filesystem::path& path);
   void begin(Pending pending);
   void takeSet();
+  /// Makes the pending document the one that is open.
+  void adoptPending(OpenSet set);
   /// A set was not to be had: what was there stays.
   void notTaken();
   /// Brings the set into the document's working space.
@@ -129,6 +137,7 @@ class SessionController {
   std::optional<OpenSet> m_set;
   uint64_t m_setRevision = 0;
   std::optional<Pending> m_pending;
+  std::optional<OpenSet> m_waiting;  ///< of the pending document
   std::filesystem::path m_file;
   Session m_base;  ///< what was read with the document and travels back into the file
 
@@ -144,7 +153,8 @@ class SessionController {
   std::unique_ptr<RecoverySlot> m_slot;
   Job<bool> m_autosave;
   std::chrono::steady_clock::time_point m_lastAutosave;
-  uint64_t m_autosaved = 0;  ///< the document's revision in the recovery file
+  uint64_t m_autosaved = 0;       ///< the document's revision in the recovery file
+  std::string m_autosaveProblem;  ///< what was said last
 };
 
 }  // namespace swaplight

@@ -59,7 +59,10 @@ void UnsavedDialog::draw() {
     answered = true;
   }
   ImGui::SameLine();
-  if (button("Cancel", "unsaved.cancel", "Go back (Escape)", Answers::ToEscape)) answered = true;
+  if (button("Cancel", "unsaved.cancel", "Go back (Escape)", Answers::ToEscape)) {
+    answer = m_question->stay;
+    answered = true;
+  }
   endDialog();
   if (answered) m_question.reset();
   if (answer) answer();
@@ -67,7 +70,7 @@ void UnsavedDialog::draw() {
 
 void RecoveryDialog::draw(SessionController& session) {
   if (m_dismissed || session.recovered().empty()) return;
-  const Recovered& newest = session.recovered().front();
+  const Recovered newest = session.recovered().front();  // a copy: an answer removes it
   if (!beginDialog("Swaplight ended unexpectedly", 560)) return;
   const std::filesystem::path file = !newest.opening.empty() ? newest.opening : newest.savedAs;
   const std::string name = file.empty() ? "a session without a name" : file.string();
@@ -81,8 +84,8 @@ void RecoveryDialog::draw(SessionController& session) {
   bool done = false, opened = false;
   if (hasWork) {
     if (button("Recover", "recovery.recover", "Open it as it was (Enter)", Answers::ToEnter)) {
-      session.recover(Recovered(newest));
-      done = opened = true;
+      session.recover();
+      m_dismissed = true;  // what others have left is offered at the next start
     }
     ImGui::SameLine();
   }

@@ -15,6 +15,7 @@ class UnsavedDialog {
     std::string name;            ///< of the session
     std::function<void()> save;  ///< saves, then goes on
     std::function<void()> goOn;  ///< goes on without saving
+    std::function<void()> stay;  ///< goes back; may be empty
   };
   void ask(Question question) { m_question = std::move(question); }
   [[nodiscard]] bool isOpen() const { return m_question.has_value(); }

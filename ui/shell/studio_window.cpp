@@ -175,6 +175,7 @@ void StudioWindow::exportAs(const ExportRequest& request) {
 
 void StudioWindow::update() {
   m_session.update();
+  askAboutWaitingSet();
   m_exports.update(m_messages);
   m_lamps.update(m_lights);
   m_keeper.update(m_lights);

@@ -81,7 +81,9 @@ class StudioWindow {
   [[nodiscard]] std::vector<const PanelInfo*> sidePanels(float width);
   void drawViewer(ImVec2 size);
   /// Does it at once, or after the person has decided about unsaved work.
-  void whenSaved(const std::function<void()>& then);
+  void whenSaved(const std::function<void()>& then, const std::function<void()>& stay = {});
+  /// Asks whether what was opened may take the place of what was changed while it was being read.
+  void askAboutWaitingSet();
   void askForFile();
   void askForOtherSet();
   void askForPhotographs();

@@ -7,10 +7,10 @@
 namespace swaplight {
 namespace fs = std::filesystem;
 
-void StudioWindow::whenSaved(const std::function<void()>& then) {
+void StudioWindow::whenSaved(const std::function<void()>& then, const std::function<void()>& stay) {
   m_editor.commit();
   if (m_session.saving()) {
-    m_session.afterSaving([this, then] { whenSaved(then); });
+    m_session.afterSaving([this, then, stay] { whenSaved(then, stay); });
     return;
   }
   if (m_editor.saved() || !m_session.hasDocument()) {
@@ -19,14 +19,20 @@ void StudioWindow::whenSaved(const std::function<void()>& then) {
   }
   const std::string name = m_session.file().empty() ? "This session" : m_session.file().filename().string();
   // What is changed while it is being saved is asked about again.
-  const auto save = [this, again = [this, then] { whenSaved(then); }] {
+  const auto save = [this, again = [this, then, stay] { whenSaved(then, stay); }] {
     if (m_session.file().empty())
       askForSaveName(again);
     else
       m_session.save(again);
   };
-  m_unsaved.ask({name, save, then});
+  m_unsaved.ask({name, save, then, stay});
   m_window.requestFrames();
+}
+
+void StudioWindow::askAboutWaitingSet() {
+  if (!m_session.setWaits() || m_session.saving() || openDialogs() != 0) return;
+  m_messages.info("What was to be opened is there. What is open was changed meanwhile.");
+  whenSaved([this] { m_session.openWaiting(); }, [this] { m_session.leaveWaiting(); });
 }
 
 void StudioWindow::askToQuit() {

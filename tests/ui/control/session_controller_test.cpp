@@ -238,14 +238,93 @@ TEST(SessionController, UnsavedWorkIsRecoveredAfterTheStudioDied) {
   StudioParts next(remainsOf(studio));
   ASSERT_EQ(next.session.recovered().size(), 1U);
   const Recovered recovered = next.session.recovered().front();
-  next.session.recover(recovered);
+  next.session.recover();
+  EXPECT_FALSE(next.editor.saved()) << "a studio that ends before the pictures are there would lose it";
   next.until("nothing opens", [&] { return next.session.set() != nullptr; });
   EXPECT_EQ(next.editor.document().rig.lights[0].stops, 3);
   EXPECT_FALSE(next.editor.saved()) << "it is in no file of the person's";
   EXPECT_TRUE(next.session.file().empty());
-  next.session.discardRecoveredFiles();
   EXPECT_TRUE(next.session.recovered().empty());
-  EXPECT_FALSE(fs::exists(recovered.session));
+  EXPECT_FALSE(fs::exists(recovered.session)) << "our own place in the folder holds the work";
+}
+
+TEST(SessionController, WorkThatCannotBeCopiedIsRecoveredAllTheSameAndStays) {
+  StudioParts studio;
+  openAndWait(studio, solvedFile(studio));
+  brighten(studio, 3);
+  studio.until("nothing is kept for recovery", [&] { return sessionsKept(studio) == 1; });
+
+  StudioParts next(remainsOf(studio));
+  const Recovered recovered = next.session.recovered().front();
+  // As on a full disk: nothing can be written where ours would stand.
+  for (const fs::directory_entry& entry : fs::directory_iterator(recovered.session.parent_path()))
+    if (entry.path().extension() == ".lock" && entry.path() != recovered.lock)
+      fs::create_directories(fs::path(entry.path()).replace_extension(".swaplight") / "in the way");
+  next.session.recover();
+  next.until("nothing opens", [&] { return next.session.set() != nullptr; });
+  EXPECT_EQ(next.editor.document().rig.lights[0].stops, 3) << next.said();
+  EXPECT_FALSE(next.editor.saved());
+  EXPECT_TRUE(fs::exists(recovered.session)) << "the only copy";
+}
+
+TEST(SessionController, RecoveredWorkWhosePicturesAreGoneStays) {
+  StudioParts studio;
+  const fs::path set = solvedFile(studio);
+  openAndWait(studio, set);
+  brighten(studio, 3);
+  studio.until("nothing is kept for recovery", [&] { return sessionsKept(studio) == 1; });
+
+  StudioParts next(remainsOf(studio));
+  fs::remove(set);
+  next.session.recover();
+  next.until("it goes on", [&] { return !next.sets.busy(); });
+  EXPECT_EQ(next.session.set(), nullptr);
+  EXPECT_EQ(next.editor.document().rig.lights[0].stops, 3);
+  EXPECT_FALSE(next.editor.saved());
+}
+
+/// A second set is being opened, and the first one's light is changed before it is there.
+void changeWhileAnotherOpens(StudioParts& studio) {
+  openAndWait(studio, solvedFile(studio, "first.exr"));
+  studio.session.open(solvedFile(studio, "second.exr", 4));
+  brighten(studio, 2);
+  studio.until("it never arrives", [&] { return studio.session.setWaits(); });
+  EXPECT_EQ(studio.editor.document().source.filename(), "first.exr");
+  EXPECT_EQ(studio.editor.document().rig.lights[0].stops, 2) << "nobody has said that it may go";
+}
+
+TEST(SessionController, WhatChangesWhileAnotherOneOpensIsAskedAboutAndMayStay) {
+  StudioParts studio;
+  changeWhileAnotherOpens(studio);
+  studio.session.leaveWaiting();
+  studio.session.update();
+  EXPECT_FALSE(studio.session.setWaits());
+  EXPECT_EQ(studio.session.set()->solved().lightCount(), 2);
+  EXPECT_EQ(studio.editor.document().rig.lights[0].stops, 2);
+}
+
+TEST(SessionController, WhatChangesWhileAnotherOneOpensMayGo) {
+  StudioParts studio;
+  changeWhileAnotherOpens(studio);
+  studio.session.openWaiting();
+  EXPECT_FALSE(studio.session.setWaits());
+  EXPECT_EQ(studio.session.set()->solved().lightCount(), 4);
+  EXPECT_EQ(studio.editor.document().source.filename(), "second.exr");
+  EXPECT_TRUE(studio.editor.saved());
+}
+
+TEST(SessionController, AFailedAutosaveIsTriedAgain) {
+  StudioParts studio;
+  openAndWait(studio, solvedFile(studio));
+  const fs::path folder = studio.folder / "state" / "recovery";
+  fs::path session;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".lock") session = fs::path(entry.path()).replace_extension(".swaplight");
+  fs::create_directories(session / "in the way");
+  brighten(studio, 3);
+  studio.until("nothing is said", [&] { return !studio.said().empty(); });
+  fs::remove_all(session);
+  studio.until("it is not tried again", [&] { return fs::is_regular_file(session); });
 }
 
 TEST(SessionController, NothingIsLeftForRecoveryOnceItIsSaved) {
