@@ -67,76 +67,119 @@ std::vector<CauseSight> sightOf(const Capture& capture, const CapturePixels& pho
                     told ? std::optional(scaledNoise(*told, scale)) : std::nullopt, progress);
 }
 
-/// Photographs that hold something everywhere.
-SolvedSet solveAll(const Capture& capture, CapturePixels photographs, const FlatFields& fields,
-                   const SolveOptions& options, const Progress& progress) {
-  const auto solved = [&] {
-    if (isPartlyCrossed(capture))
-      return solveCrossed(capture, std::move(photographs), fields, options, progress);
-    if (!options.highlights) return solveUneven(capture, photographs, fields, options, progress);
-    SolvedSet set = solveUneven(capture, photographs, fields, options, progress.part(0, kSolving));
-    const auto started = std::chrono::steady_clock::now();
-    if (showsHighlights(set)) findHighlights(set, progress.part(kSolving, 1));
-    set.report->seconds += secondsSince(started);
-    return set;
-  };
-  std::optional<FoundTone> tone;
-  const auto takeOff = [&](const std::vector<ShotShift>& shifts) {
-    const std::optional<FoundTone> seen = toneOf(capture, photographs, shifts, options, progress);
-    if (!seen || (!seen->steady && options.correctTone == Remedy::Sure)) return false;
-    correctTone(seen->correction, photographs);
-    tone =
-        tone ? FoundTone{tone->correction.followedBy(seen->correction), tone->steady && seen->steady} : *seen;
-    return true;
-  };
-  if (options.correctTone == Remedy::On) {
-    progress.update(0, "Looking for a tone curve");
-    takeOff(options.align == Remedy::On ? measureShifts(photographs, progress) : std::vector<ShotShift>{});
+/// Photographs that hold something everywhere, and how they are solved: with a tone curve taken off where one
+/// is seen, once more where a solve shows one.
+class WholePhotographs {
+ public:
+  WholePhotographs(const Capture& capture, CapturePixels photographs, const FlatFields& fields,
+                   const SolveOptions& options, const Progress& progress)
+      : m_capture(capture),
+        m_photographs(std::move(photographs)),
+        m_fields(fields),
+        m_options(options),
+        m_progress(progress),
+        m_partlyCrossed(isPartlyCrossed(capture)) {}
+
+  /// Once: the photographs are used up.
+  SolvedSet solved();
+
+ private:
+  SolvedSet solvedOnce();
+  /// Whether one was seen.
+  bool takeCurveOff(const std::vector<ShotShift>& shifts);
+  [[nodiscard]] bool showsCurve(const SolveReport& report, bool moved) const;
+  void reportCurve(SolveReport& report) const;
+  /// What nothing would be said of.
+  void reportSight(SolvedSet& set) const;
+
+  const Capture& m_capture;
+  CapturePixels m_photographs;
+  const FlatFields& m_fields;
+  const SolveOptions& m_options;
+  const Progress& m_progress;
+  bool m_partlyCrossed;
+  std::optional<FoundTone> m_tone;  ///< what was taken off
+};
+
+SolvedSet WholePhotographs::solvedOnce() {
+  if (m_partlyCrossed)
+    return solveCrossed(m_capture, std::move(m_photographs), m_fields, m_options, m_progress);
+  if (!m_options.highlights) return solveUneven(m_capture, m_photographs, m_fields, m_options, m_progress);
+  SolvedSet set = solveUneven(m_capture, m_photographs, m_fields, m_options, m_progress.part(0, kSolving));
+  const auto started = std::chrono::steady_clock::now();
+  if (showsHighlights(set)) findHighlights(set, m_progress.part(kSolving, 1));
+  set.report->seconds += secondsSince(started);
+  return set;
+}
+
+bool WholePhotographs::takeCurveOff(const std::vector<ShotShift>& shifts) {
+  m_progress.update(0, "Looking for a tone curve");
+  const std::optional<FoundTone> seen = toneOf(m_capture, m_photographs, shifts, m_options, m_progress);
+  if (!seen || (!seen->steady && m_options.correctTone == Remedy::Sure)) return false;
+  correctTone(seen->correction, m_photographs);
+  m_tone = m_tone ? FoundTone{m_tone->correction.followedBy(seen->correction), m_tone->steady && seen->steady}
+                  : *seen;
+  return true;
+}
+
+bool WholePhotographs::showsCurve(const SolveReport& report, bool moved) const {
+  // What a camera that moved has left of a curve is seen where the photographs lie on one another.
+  const bool wanted = m_tone || m_options.correctTone == Remedy::On;
+  if (wanted && moved && report.causes.is(Cause::Tone)) return true;
+  return !m_tone && isSurelyTone(report.causes);
+}
+
+void WholePhotographs::reportCurve(SolveReport& report) const {
+  if (!m_tone) {
+    if (m_options.correctTone == Remedy::On)
+      report.message +=
+          " The photographs do not surely show another tone curve than the declared one: none was taken off.";
+    return;
   }
-  SolvedSet set = solved();
-  // Where shots were taken through crossed polarisers, the photographs are gone.
-  const bool more = !isPartlyCrossed(capture) && options.correctTone != Remedy::Off;
-  for (int pass = 0; more && pass < kMostPasses; ++pass) {
-    // What a camera that moved has left of a curve is seen where the photographs lie on one another.
-    const bool wanted = tone || options.correctTone == Remedy::On;
-    const bool left = wanted && isMoved(set) && set.report->causes.is(Cause::Tone);
-    if (!left && (tone || !isSurelyTone(set.report->causes))) break;
-    const double seconds = set.report->seconds;
-    const std::vector<ShotShift> shifts = set.report->shifts;
-    progress.update(0, "Looking for a tone curve");
-    if (!takeOff(shifts)) break;
-    set = {};  // two of them would be more than the memory is known to hold
-    set = solved();
-    set.report->seconds += seconds;
-  }
-  if (tone) {
-    // What the solve said of a curve that is left, it said without knowing of this one.
-    const bool aligned = !set.report->shifts.empty();
-    auto& warnings = set.report->warnings;
-    std::replace(warnings.begin(), warnings.end(), wordsFor(set.report->causes, {aligned, false}),
-                 wordsFor(set.report->causes, {aligned, true}));
-    reportTone(*tone, *set.report);
-  } else if (options.correctTone == Remedy::On)
-    set.report->message +=
-        " The photographs do not surely show another tone curve than the declared one: none was taken off.";
-  if (tone && options.correctTone == Remedy::Sure)
-    set.report->warnings.emplace_back(
+  // What the solve said of a curve that is left, it said without knowing of this one.
+  const bool aligned = !report.shifts.empty();
+  std::replace(report.warnings.begin(), report.warnings.end(), wordsFor(report.causes, {aligned, false}),
+               wordsFor(report.causes, {aligned, true}));
+  reportTone(*m_tone, report);
+  if (m_options.correctTone == Remedy::Sure)
+    report.warnings.emplace_back(
         "the photographs surely hold a tone curve that was not told: it was taken off "
         "(--tone declared leaves it)");
+}
+
+void WholePhotographs::reportSight(SolvedSet& set) const {
   MisfitCauses& causes = set.report->causes;
-  const bool asTold = !options.solveAmbient && !options.refineColors && set.report->lampFields.empty();
-  const bool asTaken = asTold && !tone && !isMoved(set) && !isPartlyCrossed(capture) && fields.empty();
-  if (asTaken && !causes.all.empty() && causes.likely.empty() && !causes.unnamed) {
-    const auto started = std::chrono::steady_clock::now();
-    try {
-      causes.sight = sightOf(capture, photographs, options.noise, progress);
-    } catch (const std::bad_alloc&) {
-      causes.sight.clear();  // what is solved is not lost by it
-    }
-    if (capture.ambient)
-      std::erase_if(causes.sight, [](const CauseSight& one) { return one.cause == Cause::Ambient; });
-    set.report->seconds += secondsSince(started);
+  const bool asTold = !m_options.solveAmbient && !m_options.refineColors && set.report->lampFields.empty();
+  const bool asTaken = asTold && !m_tone && !isMoved(set) && !m_partlyCrossed && m_fields.empty();
+  if (!asTaken || causes.all.empty() || !causes.likely.empty() || causes.unnamed) return;
+  const auto started = std::chrono::steady_clock::now();
+  try {
+    causes.sight = sightOf(m_capture, m_photographs, m_options.noise, m_progress);
+  } catch (const std::bad_alloc&) {
+    causes.sight.clear();  // what is solved is not lost by it
   }
+  if (m_capture.ambient)
+    std::erase_if(causes.sight, [](const CauseSight& one) { return one.cause == Cause::Ambient; });
+  set.report->seconds += secondsSince(started);
+}
+
+SolvedSet WholePhotographs::solved() {
+  if (m_options.correctTone == Remedy::On) {
+    const bool aligned = m_options.align == Remedy::On;
+    takeCurveOff(aligned ? measureShifts(m_photographs, m_progress) : std::vector<ShotShift>{});
+  }
+  SolvedSet set = solvedOnce();
+  // Where shots were taken through crossed polarisers, the photographs are gone.
+  const bool more = !m_partlyCrossed && m_options.correctTone != Remedy::Off;
+  for (int pass = 0; more && pass < kMostPasses && showsCurve(*set.report, isMoved(set)); ++pass) {
+    const double seconds = set.report->seconds;
+    if (!takeCurveOff(set.report->shifts)) break;
+    set = {};  // two of them would be more than the memory is known to hold
+    set = solvedOnce();
+    set.report->seconds += seconds;
+  }
+  reportCurve(*set.report);
+  reportSight(set);
   return set;
 }
 
@@ -164,11 +207,11 @@ SolvedSet placedSet(SolvedSet set, const PixelRect& window, int width, int heigh
 SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, const FlatFields& fields,
                            const SolveOptions& options, const Progress& progress) {
   const std::optional<PixelRect> window = photographs.dataWindow();
-  if (!window) return solveAll(capture, std::move(photographs), fields, options, progress);
+  if (!window) return WholePhotographs(capture, std::move(photographs), fields, options, progress).solved();
   const int width = photographs.width(), height = photographs.height();
-  return placedSet(solveAll(capture, croppedPixels(std::move(photographs), *window),
-                            fields.within(*window, width, height), options, progress),
-                   *window, width, height);
+  const FlatFields within = fields.within(*window, width, height);
+  WholePhotographs seen(capture, croppedPixels(std::move(photographs), *window), within, options, progress);
+  return placedSet(seen.solved(), *window, width, height);
 }
 
 }  // namespace swaplight
