@@ -12,14 +12,12 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/capture/light_name.h"
+#include "core/plan/plan_forecast.h"
 #include "core/plan/plan_search.h"
 #include "core/set/solve_report.h"
 
 namespace swaplight {
 namespace {
-
-constexpr int kTypicalPixels = 1024;
-constexpr double kClipped = .02;
 
 struct PlanCommand {
   std::string lights;
@@ -94,15 +92,18 @@ Json finiteOrNull(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+const PlanColor& colorOf(const PlanChoice& choice, const std::vector<PlanColor>& colors, int shot,
+                         int light) {
+  return colors[size_t(choice.colorIndex[size_t(shot) * size_t(choice.plan.lights) + size_t(light)])];
+}
+
 /// The shots x lights table; colours are without the exposure.
 std::string assignmentText(const PlanChoice& choice, const std::vector<PlanColor>& colors) {
   std::vector<std::vector<std::string>> rows{{"shot"}};
   for (const std::string& name : choice.plan.names) rows.front().push_back(name);
   for (int k = 0; k < choice.plan.shots; ++k) {
     rows.push_back({fmt::format("{}", k + 1)});
-    for (int i = 0; i < choice.plan.lights; ++i)
-      rows.back().push_back(
-          colors[size_t(choice.colorIndex[size_t(k) * size_t(choice.plan.lights) + size_t(i)])].name);
+    for (int i = 0; i < choice.plan.lights; ++i) rows.back().push_back(colorOf(choice, colors, k, i).name);
   }
   std::vector<std::vector<std::string>> values{{"colour", "linear r/g/b"}};
   for (size_t c = 0; c < colors.size(); ++c)
@@ -121,31 +122,13 @@ std::string conditioningText(const Conditioning& conditioning) {
   return tableText(rows);
 }
 
-int run(const PlanCommand& arguments, Terminal& terminal) {
-  PlanSearchOptions options = arguments.search;
-  options.lights = lightNames(arguments.lights);
-  options.model = modelFromName(arguments.model);
-  options.coding = codingFromName(arguments.coding);
-  const std::vector<PlanColor> colors = colorsAtHand(arguments);
-  const PlanChoice choice = searchPlan(colors, options, terminal.progress());
-
-  const std::vector<TypicalPixel> pixels = typicalPixels(choice.plan.lights, kTypicalPixels);
-  Conditioning conditioning = conditioningOf(choice.plan);
-  PlanNoise matte{INFINITY, INFINITY};
-  if (std::isfinite(conditioning.matteAmplification))
-    matte = predictedNoise(choice.plan, options.noise, pixels, Model::Lambert);
-  PlanNoise transport{INFINITY, INFINITY};
-  if (std::all_of(conditioning.amplification.begin(), conditioning.amplification.end(),
-                  [](double amplification) { return std::isfinite(amplification); }))
-    transport = predictedNoise(choice.plan, options.noise, pixels, Model::Transport);
-  if (const double clipped = clippedFraction(choice.plan, pixels); clipped > kClipped)
-    conditioning.advice.push_back(fmt::format(
-        "{:.0f} % of typical pixels clip in a photograph: expose less, or dim the lights", 100 * clipped));
-
+Description describe(const PlanChoice& choice, const std::vector<PlanColor>& colors,
+                     const PlanForecast& forecast, const PlanSearchOptions& options) {
+  const PlanNoise &matte = forecast.matte, &transport = forecast.transport;
   std::string text = fmt::format(
       "{} shots of {} lights; {} of {} colours at hand\n\n", choice.plan.shots, choice.plan.lights,
       std::set(choice.colorIndex.begin(), choice.colorIndex.end()).size(), colors.size());
-  text += assignmentText(choice, colors) + "\n" + conditioningText(conditioning) + "\n";
+  text += assignmentText(choice, colors) + "\n" + conditioningText(forecast.conditioning) + "\n";
   Description d{text, Json::object()};
   d.line("error of T", fmt::format("{} (matte), {} (full contribution)", percentText(matte.contribution),
                                    percentText(transport.contribution)));
@@ -156,36 +139,52 @@ int run(const PlanCommand& arguments, Terminal& terminal) {
   d.line("minimised", minimizedText(options.model));
   d.line("compared",
          fmt::format("{} plans{}", choice.tried, choice.exhaustive ? ": all there are" : ", not all"));
-  for (const std::string& advice : conditioning.advice) d.line("advice", advice);
+  for (const std::string& advice : forecast.conditioning.advice) d.line("advice", advice);
+  return d;
+}
 
+Json shotsJson(const PlanChoice& choice, const std::vector<PlanColor>& colors,
+               const std::vector<std::string>& lights) {
   Json shots = Json::array();
   for (int k = 0; k < choice.plan.shots; ++k) {
     Json shot = Json::array();
     for (int i = 0; i < choice.plan.lights; ++i) {
-      const PlanColor& color =
-          colors[size_t(choice.colorIndex[size_t(k) * size_t(choice.plan.lights) + size_t(i)])];
-      shot.push_back({{"light", options.lights[size_t(i)]},
-                      {"name", color.name},
-                      {"color", {color.color.r, color.color.g, color.color.b}}});
+      const auto& [name, color] = colorOf(choice, colors, k, i);
+      shot.push_back({{"light", lights[size_t(i)]}, {"name", name}, {"color", {color.r, color.g, color.b}}});
     }
     shots.push_back(shot);
   }
-  d.json = {
-      {"lights", options.lights},
-      {"shots", shots},
-      {"conditioning", jsonFromConditioning(conditioning)},
-      {"predicted",
-       {{"lambert", {{"contribution", finiteOrNull(matte.contribution)}, {"beta", finiteOrNull(matte.beta)}}},
-        {"transport",
-         {{"contribution", finiteOrNull(transport.contribution)}, {"beta", finiteOrNull(transport.beta)}}}}},
-      {"noise", {{"read", options.noise.read}, {"full_well", options.noise.fullWell}}},
-      {"exposure_stops", options.exposureStops},
-      {"model", modelName(options.model)},
-      {"minimized", minimizedText(options.model)},
-      {"cost", choice.cost},
-      {"tried", choice.tried},
-      {"exhaustive", choice.exhaustive}};
-  terminal.result(d.text, d.json);
+  return shots;
+}
+
+Json jsonFromPlan(const PlanChoice& choice, const std::vector<PlanColor>& colors,
+                  const PlanForecast& forecast, const PlanSearchOptions& options) {
+  const auto errors = [](const PlanNoise& noise) -> Json {
+    return {{"contribution", finiteOrNull(noise.contribution)}, {"beta", finiteOrNull(noise.beta)}};
+  };
+  return {{"lights", options.lights},
+          {"shots", shotsJson(choice, colors, options.lights)},
+          {"conditioning", jsonFromConditioning(forecast.conditioning)},
+          {"predicted", {{"lambert", errors(forecast.matte)}, {"transport", errors(forecast.transport)}}},
+          {"noise", {{"read", options.noise.read}, {"full_well", options.noise.fullWell}}},
+          {"exposure_stops", options.exposureStops},
+          {"model", modelName(options.model)},
+          {"minimized", minimizedText(options.model)},
+          {"cost", choice.cost},
+          {"tried", choice.tried},
+          {"exhaustive", choice.exhaustive}};
+}
+
+int run(const PlanCommand& arguments, Terminal& terminal) {
+  PlanSearchOptions options = arguments.search;
+  options.lights = lightNames(arguments.lights);
+  options.model = modelFromName(arguments.model);
+  options.coding = codingFromName(arguments.coding);
+  const std::vector<PlanColor> colors = colorsAtHand(arguments);
+  const PlanChoice choice = searchPlan(colors, options, terminal.progress());
+  const PlanForecast forecast = planForecast(choice.plan, options.noise);
+  terminal.result(describe(choice, colors, forecast, options).text,
+                  jsonFromPlan(choice, colors, forecast, options));
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/color/srgb.h"
+#include "core/plan/plan_forecast.h"
 #include "core/plan/plan_search.h"
 #include "core/solve/solve.h"
 #include "tests/support/synthetic_capture.h"
@@ -153,6 +154,21 @@ TEST(Plan, PredictsTheNoiseThatSolvingMeasures) {
     expectPrediction(searchPlan(paperGels(), options).plan, noise,
                      "best, full well " + std::to_string(int(noise.fullWell)));
   }
+}
+
+TEST(Plan, TheForecastSaysWhatIsNotToldApartAndWhatClips) {
+  LightingMatrix same;
+  same.shots = same.lights = 2;
+  same.names = {"key", "fill"};
+  same.colors.assign(4, Rgb(.5F));
+  const PlanForecast never = planForecast(same, {.002, 20000});
+  EXPECT_TRUE(std::isinf(never.matte.contribution) && std::isinf(never.transport.beta));
+  LightingMatrix bright = same;
+  bright.colors = {Rgb(9, 0, 1), Rgb(1, 9, 0), Rgb(1, 9, 0), Rgb(9, 0, 1)};
+  const PlanForecast clips = planForecast(bright, {.002, 20000});
+  EXPECT_TRUE(std::isfinite(clips.matte.contribution));
+  ASSERT_FALSE(clips.conditioning.advice.empty());
+  EXPECT_THAT(clips.conditioning.advice.back(), testing::HasSubstr("clip"));
 }
 
 TEST(Plan, PredictsTheNoiseOfBadPlansToo) {
