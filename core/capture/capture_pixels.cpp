@@ -101,8 +101,48 @@ void warnOfOverscan(std::span<const CapturePicture> pictures, CapturePixels& pix
         "the photographs hold pixels outside of their display window (overscan): they are left out");
 }
 
+/// A photograph under a second name would count as taken under other lights. One of a single colour (a lens
+/// cap) says nothing.
+void checkNoneTwice(const Capture& capture, std::span<const CapturePicture> pictures) {
+  const auto planeEnds = [](const Image& image, int c) {
+    return std::pair(image.plane(c), image.plane(c) + image.pixelCount());
+  };
+  const auto isPlain = [&](const Image& image) {
+    for (int c = 0; c < 3; ++c) {
+      const auto [begin, end] = planeEnds(image, c);
+      if (std::any_of(begin, end, [first = *begin](float value) { return value != first; })) return false;
+    }
+    return true;
+  };
+  const auto isSame = [&](const Image& one, const Image& other) {
+    for (int c = 0; c < 3; ++c) {
+      const auto [begin, end] = planeEnds(one, c);
+      if (!std::equal(begin, end, other.plane(c))) return false;
+    }
+    return true;
+  };
+  for (size_t k = 0; k < capture.shots.size(); ++k)
+    for (size_t j = 0; j < k; ++j)
+      if (capture.shots[j].lightColors != capture.shots[k].lightColors &&
+          isSame(pictures[j].image, pictures[k].image) && !isPlain(pictures[k].image))
+        throw InputError(
+            "{}: holds the same picture as {}, which was taken under other colours. Every shot has a "
+            "photograph of its own: check the files.",
+            pictures[k].file.string(), pictures[j].file.filename().string());
+}
+
+void checkHasNumbers(const CapturePicture& picture) {
+  for (int c = 0; c < 3; ++c) {
+    const float* values = picture.image.plane(c);
+    if (std::none_of(values, values + picture.image.pixelCount(),
+                     [](float value) { return std::isfinite(value); }))
+      throw InputError("{}: no pixel of it is a number. Export it again, or leave it out.",
+                       picture.file.string());
+  }
+}
+
 /// Takes the dark picture off. Saturated pixels stay: they tell nothing but that they are saturated. Where
-/// the dark picture is not finite, nothing is taken off.
+/// the dark picture is not finite nobody knows what to take off: there the picture is none, either.
 void subtractDark(Image& image, const Image& dark, float clip) {
   parallelRows(image.height(), kRowsAtOnce, [&](int begin, int end) {
     const size_t first = static_cast<size_t>(begin) * static_cast<size_t>(image.width());
@@ -111,9 +151,20 @@ void subtractDark(Image& image, const Image& dark, float clip) {
       float* value = image.plane(c);
       const float* offset = dark.plane(c);
       for (size_t p = first; p < last; ++p)
-        if (value[p] < clip && std::isfinite(offset[p])) value[p] -= offset[p];
+        if (value[p] < clip) value[p] = std::isfinite(offset[p]) ? value[p] - offset[p] : NAN;
     }
   });
+}
+
+/// Where the ambient picture is no number, what the lamps give is not known: the shots are none there,
+/// either.
+void loseWhereAmbientIsLost(CapturePixels& pixels) {
+  Image& ambient = *pixels.ambient;
+  for (int c = 0; c < 3; ++c)
+    for (size_t p = 0; p < ambient.pixelCount(); ++p)
+      if (!std::isfinite(ambient.plane(c)[p]))
+        for (Image& shot : pixels.shots) shot.plane(c)[p] = NAN;
+  makeFinite(ambient);
 }
 
 void scaleDown(CapturePixels& pixels, double scale) {
@@ -202,6 +253,9 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
   std::vector<CapturePicture> pictures =
       readPictures(config, capture, response ? &*response : nullptr, progress);
   checkSizes(pictures);
+  checkNoneTwice(capture, pictures);
+  std::for_each(pictures.begin() + static_cast<ptrdiff_t>(capture.shots.size()), pictures.end(),
+                checkHasNumbers);
   const PixelRect whole = boundsOf(pictures.front().image);
 
   CapturePixels pixels;
@@ -228,7 +282,7 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
     for (size_t k = 0; k < shotCount; ++k) subtractDark(pixels.shots[k], dark, pixels.clipLevel[k]);
     if (pixels.ambient) subtractDark(*pixels.ambient, dark, kNoClip);
   }
-  if (pixels.ambient) makeFinite(*pixels.ambient);
+  if (pixels.ambient) loseWhereAmbientIsLost(pixels);
   if (capture.frame.scale != 1) scaleDown(pixels, capture.frame.scale);
   keepWindow(pictures, whole, pixels);
   warnOfOverscan(pictures, pixels);

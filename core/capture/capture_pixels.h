@@ -19,7 +19,8 @@ namespace swaplight {
 /// are NaN, infinite or negative stay so.
 struct CapturePixels {
   std::vector<Image> shots;
-  std::optional<Image> ambient;  ///< at the first shot's exposure; 0 where the file's is no number
+  std::optional<Image>
+      ambient;  ///< at exposure_stops 0; 0 where the file's is no number, where no shot is one
   /// A shot's value at and above which the sensor was saturated; infinity where nothing clips. For integer
   /// files just below their largest value; for floating point see floatClipLevel.
   std::vector<float> clipLevel;
@@ -64,7 +65,8 @@ struct CapturePixels {
 [[nodiscard]] std::string linearSpaceOf(const std::string& colorSpace);
 
 /// Reads the pictures and brings them to linear light: see linearSpaceOf. Throws InputError: missing or
-/// broken file, sizes that differ (both named with their sizes), data windows with nothing in common, unknown
+/// broken file, sizes that differ (both named with their sizes), one photograph under two files' names and
+/// other colours, an ambient or dark picture without a number, data windows with nothing in common, unknown
 /// colour space (the known ones listed).
 [[nodiscard]] CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& capture,
                                               const Progress& progress = {});

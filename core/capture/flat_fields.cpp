@@ -9,6 +9,7 @@
 #include "core/capture/left_out.h"
 #include "core/capture/no_such_light.h"
 #include "core/file/json_fields.h"
+#include "core/image/io/image_io.h"
 
 namespace swaplight {
 namespace {
@@ -25,8 +26,19 @@ std::map<std::string, std::string> lampsIn(const Json& object) {
   return {};
 }
 
+/// It shows the field that the shots show: one of another size may be another part of it.
+void checkSizeOfFlat(const Capture& capture, const std::string& name) {
+  const std::filesystem::path file = capture.folder / name;
+  const std::filesystem::path shot = capture.folder / capture.shots.front().image;
+  const ImageSpec flat = readImageSpec(file), wanted = readImageSpec(shot);
+  if (flat.width != wanted.width || flat.height != wanted.height)
+    throw InputError("{} is {} x {} pixels, {} is {} x {}. Export all pictures of a capture at one size.",
+                     file.string(), flat.width, flat.height, shot.string(), wanted.width, wanted.height);
+}
+
 /// In linear light; what was saturated is not a number.
 Image flatPicture(const ColorConfig& config, const Capture& capture, const std::string& name) {
+  checkSizeOfFlat(capture, name);
   Capture flat;
   flat.folder = capture.folder;
   flat.file = capture.file;

@@ -48,7 +48,7 @@ struct FlatFields {
 };
 
 /// Reads a capture's flat pictures, which are coded, cropped and scaled as its shots are. Throws InputError
-/// as loadCapturePixels and colorFieldOf do.
+/// as loadCapturePixels and colorFieldOf do, and where one has another size than the first shot.
 [[nodiscard]] FlatFields loadFlatFields(const ColorConfig& config, const Capture& capture,
                                         const Progress& progress = {});
 

@@ -188,6 +188,41 @@ TEST(CapturePixels, TheDarkPictureIsTakenOffExceptFromSaturatedValues) {
   EXPECT_NEAR(pixels.ambient->plane(1)[0], 0.2F, 2e-5F);
 }
 
+TEST(CapturePixels, WhereTheDarkOrAmbientPictureIsNoNumberNothingIsKnown) {
+  Set set(0.7F);
+  set.capture.dark = "dark.exr";
+  set.capture.ambient = "ambient.exr";
+  Image dark(ImageSpec::rgb(96, 64), 0.1F), ambient(ImageSpec::rgb(96, 64), 0.3F);
+  dark.plane(0)[5] = std::nanf("");
+  ambient.plane(1)[6] = kInfinity;
+  writeImage(dark, set.folder / "dark.exr", as("float"));
+  writeImage(ambient, set.folder / "ambient.exr", as("float"));
+  const CapturePixels pixels = set.load(as("float"));
+  for (const Image& shot : pixels.shots) {
+    EXPECT_TRUE(std::isnan(shot.plane(0)[5]));
+    EXPECT_TRUE(std::isnan(shot.plane(1)[6]));
+    EXPECT_TRUE(std::isfinite(shot.plane(2)[5])) << "that channel is known";
+    EXPECT_TRUE(std::isfinite(shot.plane(1)[7]));
+  }
+  EXPECT_EQ(pixels.ambient->plane(1)[6], 0);
+  writeImage(Image(ImageSpec::rgb(96, 64), std::nanf("")), set.folder / "ambient.exr", as("float"));
+  EXPECT_THAT(set.error(), HasSubstr("ambient.exr: no pixel of it is a number"));
+}
+
+TEST(CapturePixels, OnePhotographUnderTwoNamesIsRefused) {
+  Set set;
+  (void)set.load();
+  std::filesystem::copy_file(set.folder / "one.exr", set.folder / "two.exr",
+                             std::filesystem::copy_options::overwrite_existing);
+  set.capture.shots[0].lightColors = {Rgb(1, 0, 0), Rgb(0, 0, 1)};
+  set.capture.shots[1].lightColors = {Rgb(0, 0, 1), Rgb(1, 0, 0)};
+  EXPECT_THAT(set.error(), AllOf(HasSubstr("two.exr: holds the same picture as one.exr"),
+                                 HasSubstr("a photograph of its own")));
+  set.capture.shots[1].lightColors = set.capture.shots[0].lightColors;
+  EXPECT_NO_THROW((void)loadCapturePixels(test::builtinColors(), set.capture))
+      << "taken twice, for less noise";
+}
+
 TEST(CapturePixels, GreyAlphaAndLayeredShotsHaveColours) {
   Set set;
   writeImage(Image(ImageSpec{96, 64, {"Y"}, "lin_rec709"}, 0.25F), set.folder / "one.exr");
