@@ -157,8 +157,8 @@ int run(const GradeCommand& arguments, Terminal& terminal) {
   if (arguments.changes() && arguments.output.empty() && !session)
     throw InputError("{}: say where the changed grade goes (-o FILE.cc)", arguments.source);
   std::vector<fs::path> inputs{arguments.from};
-  if (!arguments.output.empty() && arguments.output != arguments.source)
-    inputs.emplace_back(arguments.source);
+  // A session takes its grade itself; a file of corrections may hold others, which would be lost.
+  if (!session || arguments.output != arguments.source) inputs.emplace_back(arguments.source);
   if (session) inputs.push_back(session->document.source);
   if (!arguments.output.empty()) checkOutput(arguments.output, inputs);
   if (arguments.changes() || !arguments.output.empty()) write(grade, session, arguments, terminal);

@@ -106,6 +106,14 @@ class GradeTest(cli.CliTest):
         with open(self.cc) as file:
             self.assertIn('acescct', file.read())
 
+    def test_a_collection_is_not_replaced_by_one_of_its_corrections(self):
+        self.succeed('grade', self.cc, '-o', self.path('a.ccc'))
+        with open(self.path('a.ccc')) as file:
+            kept = file.read()
+        self.deny('grade', self.path('a.ccc'), '--gain', 1.1, '-o', self.path('a.ccc'), naming='a.ccc')
+        with open(self.path('a.ccc')) as file:
+            self.assertEqual(file.read(), kept)
+
     def test_bad_input_is_said_in_a_line(self):
         for arguments, word in (
                 (['relight', self.solved, '--cdl', self.path('no.cc'), '-o', self.path('x.exr')], 'no such file'),
