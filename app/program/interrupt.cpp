@@ -55,6 +55,9 @@ void catchInterrupts() {
   handle(SIGALRM, endNow);
   handle(SIGINT, onSignal);
   handle(SIGTERM, onSignal);
+  // A terminal that is closed; whoever was started by nohup goes on.
+  struct sigaction hangUp {};
+  if (::sigaction(SIGHUP, nullptr, &hangUp) == 0 && hangUp.sa_handler != SIG_IGN) handle(SIGHUP, onSignal);
 }
 
 const std::atomic<bool>& interrupted() {

@@ -60,7 +60,7 @@ class StopTest(cli.CliTest):
         os.mkfifo(self.path('pipe.json'))
         keep = os.open(self.path('pipe.json'), os.O_RDWR)
         self.addCleanup(os.close, keep)
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             code, words, seconds = self.stop(number, 'info', self.path('pipe.json'))
             self.assertEqual(code, 128 + number)
             self.assertEqual(words, 'swaplight: stopped\n')
