@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -139,7 +140,12 @@ int run(const ShadowsCommand& arguments, Terminal& terminal) {
   const std::vector<std::string> names = chosenLights(arguments, set.capture);
   ShadowOptions options = optionsOfEdits(arguments, set, terminal);
   options.threshold = given.threshold;
-  for (const auto& [light, threshold] : given.thresholds) options.thresholds[light] = threshold;
+  for (const auto& [light, threshold] : given.thresholds) {
+    if (std::find(names.begin(), names.end(), light) == names.end())
+      throw InputError("--threshold {}=…: {} is none of the lights asked for ({})", light, light,
+                       fmt::join(names, ", "));
+    options.thresholds[light] = threshold;
+  }
   applyLabels(places, names, options);
   const std::vector<LightShadows> all = detectShadows(set, options, progress.part(.4f, .95f));
 

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/color/chromaticity.h"
 
 namespace swaplight {
@@ -28,6 +29,8 @@ std::vector<size_t> lightsFromText(const Rig& rig, const std::string& text) {
   Rig known = rig;  // findLight lists the names
   for (std::string name; std::getline(names, name, ',');)
     named[size_t(&findLight(known, name) - known.lights.data())] = true;
+  if (names.str().empty() && text != "all")
+    throw InputError("--lights \"{}\": names no light: give all, names as in key,fill, or all-but:key", text);
   std::vector<size_t> chosen;
   for (size_t i = 0; i < named.size(); ++i)
     if (named[i] != allBut) chosen.push_back(i);

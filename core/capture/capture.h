@@ -71,8 +71,8 @@ struct Capture {
   KeptJson extra;
   std::vector<std::string> warnings;  ///< unknown keys and the like, in words
 
-  /// What messages call it: its file's name, or its own where it was read from none.
-  [[nodiscard]] std::string calledName() const { return file.empty() ? name : file.filename().string(); }
+  /// What messages call it: its file, or its own name where it was read from none.
+  [[nodiscard]] std::string calledName() const { return file.empty() ? name : file.string(); }
   [[nodiscard]] int lightCount() const { return static_cast<int>(lights.size()); }
   [[nodiscard]] int shotCount() const { return static_cast<int>(shots.size()); }
   /// The index of a light by name, or -1.

@@ -17,6 +17,9 @@ bool isNameCharacter(char c) {
   return isLetter(c) || (c >= '0' && c <= '9') || c == '_';
 }
 
+// EXR allows 255 bytes for a channel's name, which has more in it than the light's.
+constexpr size_t kLongestName = 200, kShownOfLong = 40;
+
 /// The nearest name that is allowed.
 std::string suggestion(std::string name) {
   for (char& c : name)
@@ -36,6 +39,10 @@ void checkLightName(const std::string& name, const std::string& where) {
         "{}: the light name \"{}\" is not allowed: a letter, then letters, digits and underscores. "
         "Call it \"{}\".",
         where, name, suggestion(name));
+  if (name.size() > kLongestName)
+    throw InputError(
+        "{}: the light name \"{} …\" has {} letters, at most {} are allowed. Give it a shorter one.", where,
+        name.substr(0, kShownOfLong), name.size(), kLongestName);
   const std::string lower = lowerCase(name);
   if (lower == "ambient" || lower == "beta" || lower == "quality")
     throw InputError(

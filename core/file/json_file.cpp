@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -35,10 +36,14 @@ class Budget : public nlohmann::json_sax<Json> {
   bool start_array(size_t) override { return enter(); }
   bool end_object() override { return leave(); }
   bool end_array() override { return leave(); }
-  bool key(string_t&) override {
-    if (++m_keys.back() > kMostKeys)
+  bool key(string_t& name) override {
+    std::set<std::string>& keys = m_keys.back();
+    if (keys.size() == kMostKeys)
       throw InputError("{}: has an object of more than {} keys, which this kind of file never has.", m_name,
                        kMostKeys);
+    // JSON leaves open which one counts.
+    if (!keys.insert(name).second)
+      throw InputError("{}: has \"{}\" twice in one object. Leave one of them out.", m_name, name);
     return true;
   }
   /// The parser says it better.
@@ -52,7 +57,7 @@ class Budget : public nlohmann::json_sax<Json> {
     return true;
   }
   bool enter() {
-    m_keys.push_back(0);
+    m_keys.emplace_back();
     if (m_keys.size() > kDeepest + 1)
       throw InputError("{}: is nested deeper than {} levels.", m_name, kDeepest);
     return value();
@@ -63,7 +68,7 @@ class Budget : public nlohmann::json_sax<Json> {
   }
 
   const std::string& m_name;
-  std::vector<size_t> m_keys;  ///< of each object that is open
+  std::vector<std::set<std::string>> m_keys;  ///< of each object that is open
   size_t m_values = 0;
 };
 

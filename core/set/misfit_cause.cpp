@@ -68,6 +68,13 @@ double spokenSize(const CauseEvidence& evidence) {
   return 100 * evidence.size;
 }
 
+std::string foundWords(const CauseEvidence& evidence) {
+  // An S about the middle leaves it no power of light to speak of.
+  if (evidence.cause == Cause::Tone && std::abs(evidence.size) < .005)
+    return "a tone curve that was not told (more or less contrast)";
+  return fmt::format(fmt::runtime(textOf(evidence.cause).found), spokenSize(evidence));
+}
+
 /// What of a cause goes unseen, rounded up.
 std::string unseenOf(const CauseSight& sight) {
   const double from = sight.from.value_or(0);
@@ -162,7 +169,7 @@ std::string wordsFor(const MisfitCauses& causes, const TriedRemedies& tried) {
     const auto evidence = std::find_if(causes.all.begin(), causes.all.end(),
                                        [&](const CauseEvidence& one) { return one.cause == cause; });
     if (evidence == causes.all.end()) continue;
-    found.push_back(fmt::format(fmt::runtime(textOf(cause).found), spokenSize(*evidence)));
+    found.push_back(foundWords(*evidence));
     remedies.emplace_back(remedyOf(cause, causes, tried));
   }
   if (found.empty() && causes.unnamed)

@@ -14,7 +14,7 @@ namespace {
 constexpr float kDarkest = 1e-4F, kBrightest = 1e6F;  // half a decade within what was measured to solve well
 constexpr float kLeastLight = 1e-30F, kMostLight = 1e22F;
 constexpr size_t kSample = 100000;
-constexpr double kLevel = 0.99;
+constexpr double kLevel = 0.95;  // hot pixels are fewer
 constexpr int kGrain = 1 << 16;
 
 /// 0 where all is black or broken.

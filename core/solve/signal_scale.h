@@ -8,7 +8,7 @@ namespace swaplight {
 
 /// What a capture's values have to be multiplied with so that they lie around 1, where solving is accurate
 /// (its noise models and tolerances are in units of full scale). A power of two, so that nothing is rounded;
-/// 1 for whatever is near enough. The level is the 99th percentile of the finite values: hot pixels do not
+/// 1 for whatever is near enough. The level is the 95th percentile of the finite values: hot pixels do not
 /// count. Throws InputError that begins with `where` for values that no light has (beyond 1e22, all below
 /// 1e-30).
 [[nodiscard]] float signalScale(const CapturePixels& pixels, const std::string& where);

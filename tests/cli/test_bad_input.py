@@ -37,6 +37,26 @@ class BadInputTest(cli.CliTest):
         cli.write_image(self.shot(), self.capture.shots[1][:7])
         self.refuse('shot_01.exr', 'shot_02.exr', '16', '12', '7')
 
+    def test_one_photograph_under_two_names(self):
+        shutil.copy(self.shot('shot_01.exr'), self.shot())
+        self.refuse('shot_02.exr', 'the same picture as shot_01.exr')
+
+    def test_a_card_of_another_size(self):
+        cli.write_image(self.shot('lens.exr'), self.capture.shots[1][:7] * 0 + .5)
+        self.change(vignetting='lens.exr')
+        self.refuse('lens.exr', '7 pixels', 'at one size')
+
+    def test_a_key_that_stands_there_twice(self):
+        with open(self.capture.path) as file:
+            text = file.read()
+        with open(self.capture.path, 'w') as file:
+            file.write(text.replace('{', '{"color_space": "srgb", ', 1))
+        self.refuse('capture.json', '"color_space" twice')
+
+    def test_a_light_with_a_long_name(self):
+        self.change(lights=[{'name': 'k' * 300, 'role': 'key'}, {'name': 'fill', 'role': 'fill'}])
+        self.refuse('capture.json', '300 letters', '200')
+
     def test_shot_that_is_no_image(self):
         with open(self.shot(), 'w') as file:
             file.write('not a picture')
