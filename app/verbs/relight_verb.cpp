@@ -14,8 +14,8 @@
 #include "core/export/provenance.h"
 #include "core/file/frame_range.h"
 #include "core/file/same_file.h"
-#include "core/image/half.h"
 #include "core/image/io/image_io.h"
+#include "core/image/layer_parts.h"
 #include "core/measure/luminance_histogram.h"
 #include "core/relight/relight.h"
 #include "core/relight/setting.h"
@@ -66,13 +66,9 @@ void warnOfClipping(const ColorConfig& config, const RelightCommand& arguments, 
                     const Rig& rig, Terminal& terminal) {
   if (arguments.output.write.pixelType != "half") return;
   const Image frame = relight(set, rigFactors(config, rig, set.colorSpace()), rig.ambient);
-  for (int c = 0; c < frame.channelCount(); ++c)
-    if (!fitsHalf(frame.plane(c), frame.pixelCount())) {
-      terminal.say(
-          "warning: {}: light brighter than half float can hold (65504) is clipped; leave out --type",
-          arguments.frame);
-      return;
-    }
+  if (!fitsHalf(frame))
+    terminal.say("warning: {}: light brighter than half float can hold (65504) is clipped; leave out --type",
+                 arguments.frame);
 }
 
 /// A still has its number where its file's name has a place for one.

@@ -6,9 +6,9 @@
 #include "core/base/error.h"
 #include "core/export/png_cicp.h"
 #include "core/file/atomic_file.h"
-#include "core/image/half.h"
 #include "core/image/io/image_format.h"
 #include "core/image/io/image_write_progress.h"
+#include "core/image/layer_parts.h"
 #include "core/ocio/icc_profile.h"
 #include "core/ocio/luminance.h"
 
@@ -18,8 +18,7 @@ namespace {
 /// An EXR that is to be half float by default becomes float where light is brighter than half can hold.
 void keepInHalf(const Image& frame, const std::filesystem::path& file, WriteOptions& write) {
   if (!write.pixelType.empty() || imageFormatForWriting(file) != "openexr") return;
-  for (int c = 0; c < frame.channelCount(); ++c)
-    if (!fitsHalf(frame.plane(c), frame.pixelCount())) write.pixelType = "float";
+  if (!fitsHalf(frame)) write.pixelType = "float";
 }
 
 /// An EXR's colour is multiplied by its alpha; other formats hold it as it is.

@@ -11,8 +11,8 @@
 #include "core/export/filtered_frame.h"
 #include "core/export/layer_names.h"
 #include "core/file/json_file.h"
-#include "core/image/half.h"
 #include "core/image/io/image_write.h"
+#include "core/image/layer_parts.h"
 #include "core/ocio/color_config.h"
 #include "core/ocio/luminance.h"
 #include "core/relight/relative_light.h"
@@ -22,11 +22,10 @@ namespace {
 
 constexpr int kGrain = 64;  // rows
 constexpr const char* kViewLayer = "ViewLayer";
-constexpr std::array<const char*, 3> kColors = {"R", "G", "B"};
 
-/// Every layer as it will be read, and their sum.
+/// Every layer, and their sum as it will be read.
 struct Layers {
-  std::vector<Image> pictures;
+  std::vector<Image> pictures;    ///< of each light, and what no light explains
   std::vector<Image> highlights;  ///< of each light; empty: none are written
   Image sum;
   Image seen;  ///< the sum under the camera look; empty where there is none
@@ -74,47 +73,10 @@ std::vector<Image> shining(const ColorConfig& config, const SolvedSet& set,
   return pictures;
 }
 
-bool allFitHalf(std::span<const Image> pictures) {
-  for (const Image& picture : pictures)
-    for (int c = 0; c < 3; ++c)
-      if (!fitsHalf(picture.plane(c), picture.pixelCount())) return false;
-  return true;
-}
-
-Layers layersOf(std::vector<Image> pictures, PixelType type) {
-  const ImageSpec spec = pictures.front().spec();
-  Layers layers{std::move(pictures), {}, Image(spec, 0), {}};
-  const int width = layers.sum.width();
-  parallelRows(layers.sum.height(), kGrain, [&](int begin, int end) {
-    const ptrdiff_t first = ptrdiff_t{begin} * width;
-    const ptrdiff_t last = ptrdiff_t{end} * width;
-    for (int c = 0; c < 3; ++c) {
-      float* sum = layers.sum.plane(c);
-      for (Image& picture : layers.pictures) {
-        float* values = picture.plane(c);
-        for (ptrdiff_t p = first; p < last; ++p) {
-          if (type == PixelType::Half) values[p] = roundedToHalf(values[p]);
-          sum[p] += values[p];
-        }
-      }
-    }
-  });
-  return layers;
-}
-
-PartToWrite colorPart(const std::string& name, const Image& picture, PixelType type) {
-  PartToWrite part{name, {}};
-  for (size_t c = 0; c < kColors.size(); ++c)
-    part.channels.push_back({kColors[c], picture.plane(static_cast<int>(c)), type});
-  return part;
-}
-
-PartToWrite dataPart(const std::string& name, const Image& image, const std::vector<std::string>& channels,
-                     PixelType type) {
-  PartToWrite part{name, {}};
-  for (size_t c = 0; c < channels.size(); ++c)
-    part.channels.push_back({channels[c], image.plane(static_cast<int>(c)), type});
-  return part;
+std::vector<const Image*> pointersTo(const std::vector<Image>& images) {
+  std::vector<const Image*> pointers;
+  for (const Image& image : images) pointers.push_back(&image);
+  return pointers;
 }
 
 /// The sum as the camera look shows it, as light of this colour space.
@@ -137,10 +99,11 @@ std::vector<std::string> lightLayers(const SolvedSet& set) {
 
 /// A layer a part; the first is the sum.
 std::vector<PartToWrite> partsOf(const SolvedSet& set, const Layers& layers, const LayerOptions& options) {
+  const std::array<std::string, 3> quality = {"residual", "sigma", "flags"};
   const bool blender = options.naming == LayerNaming::Blender;
   const std::vector<std::string> names = exportedLayers(set, options);
   std::vector<PartToWrite> parts = {
-      colorPart(blender ? std::string(kViewLayer) + ".Combined" : "rgb", layers.sum, options.pictures)};
+      colorPart(blender ? std::string(kViewLayer) + ".Combined" : kSumPart, layers.sum, options.pictures)};
   for (size_t i = 0; i < names.size(); ++i)
     parts.push_back(colorPart(names[i], layers.pictures[i], options.pictures));
   const std::vector<std::string> highlights = highlightLayerNames(names, blender ? '_' : '.');
@@ -148,25 +111,13 @@ std::vector<PartToWrite> partsOf(const SolvedSet& set, const Layers& layers, con
     parts.push_back(colorPart(highlights[i], layers.highlights[i], options.pictures));
   const std::string prefix = blender ? std::string(kViewLayer) + "." : "";
   if (!layers.seen.empty()) {
-    const bool fits = allFitHalf({&layers.seen, 1});
-    parts.push_back(
-        colorPart(prefix + "camera_look", layers.seen, fits ? options.pictures : PixelType::Float));
+    const PixelType type = typeThatHolds({&layers.seen, 1}, options.pictures);
+    parts.push_back(colorPart(prefix + "camera_look", layers.seen, type));
   }
-  if (options.beta) parts.push_back(dataPart(prefix + "beta", set.beta, lightLayers(set), options.data));
+  if (options.beta) parts.push_back(imagePart(prefix + "beta", set.beta, lightLayers(set), options.data));
   if (options.quality && !set.quality.empty())
-    parts.push_back(dataPart(prefix + "quality", set.quality, {"residual", "sigma", "flags"}, options.data));
+    parts.push_back(imagePart(prefix + "quality", set.quality, quality, options.data));
   return parts;
-}
-
-/// One part; the parts' names become layers. The first one's are plain where it is called rgb.
-PartToWrite merged(const std::vector<PartToWrite>& parts) {
-  PartToWrite all;
-  for (const PartToWrite& part : parts)
-    for (ChannelToWrite channel : part.channels) {
-      if (part.name != "rgb") channel.name = part.name + "." + channel.name;
-      all.channels.push_back(std::move(channel));
-    }
-  return all;
 }
 
 void check(const LayerOptions& options, const std::filesystem::path& file, const PixelRect& window,
@@ -203,10 +154,11 @@ PixelType exportLayers(const ColorConfig& config, const SolvedSet& set, const Ri
   check(options, file, options.dataWindow.value_or(PixelRect{0, 0, set.width(), set.height()}), set);
   progress.update(0, "relighting");
   const std::string& colorSpace = options.colorSpace.empty() ? set.colorSpace() : options.colorSpace;
-  std::vector<Image> pictures = shining(config, set, sourcesOf(config, set, rig), colorSpace);
+  Layers layers;
+  layers.pictures = shining(config, set, sourcesOf(config, set, rig), colorSpace);
   LayerOptions written = options;
-  if (!allFitHalf(pictures)) written.pictures = PixelType::Float;
-  Layers layers = layersOf(std::move(pictures), written.pictures);
+  written.pictures = typeThatHolds(layers.pictures, options.pictures);
+  layers.sum = sumOfLayers(pointersTo(layers.pictures), written.pictures);
   layers.sum.setColorSpace(colorSpace);
   if (options.highlights)
     layers.highlights = shining(config, set, highlightSources(config, set, rig), colorSpace);
@@ -219,7 +171,7 @@ PixelType exportLayers(const ColorConfig& config, const SolvedSet& set, const Ri
     written.text["swaplight/cameraLook"] = jsonText(jsonFromPipeline(options.cameraLook->pipeline()));
   }
   std::vector<PartToWrite> parts = partsOf(set, layers, written);
-  if (!options.multipart) parts = {merged(parts)};
+  if (!options.multipart) parts = {mergedParts(parts)};
   FileToWrite contents{set.width(), set.height(),        std::move(parts),
                        colorSpace,  options.compression, written.text};
   contents.dataWindow = options.dataWindow;

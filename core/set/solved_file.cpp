@@ -14,6 +14,7 @@
 #include "core/image/half.h"
 #include "core/image/io/image_io.h"
 #include "core/image/io/image_write.h"
+#include "core/image/layer_parts.h"
 #include "core/set/dynamic_range.h"
 
 namespace swaplight {
@@ -35,26 +36,6 @@ std::vector<const Image*> layersOf(const SolvedSet& set) {
   return layers;
 }
 
-/// The sum of the layers as a reader of the file will see them: each rounded first, so that the rounded sum
-/// equals what a compositor gets by adding them up.
-Image sumAsWritten(const SolvedSet& set, bool half) {
-  Image sum(ImageSpec::rgb(set.width(), set.height()), 0);
-  parallelRows(sum.height(), kGrain, [&](int begin, int end) {
-    const ptrdiff_t first = ptrdiff_t{begin} * sum.width();
-    const ptrdiff_t count = ptrdiff_t{end} * sum.width() - first;
-    for (const Image* layer : layersOf(set))
-      for (int c = 0; c < 3; ++c) {
-        float* out = sum.plane(c) + first;
-        const float* in = layer->plane(c) + first;
-        if (half)
-          for (ptrdiff_t p = 0; p < count; ++p) out[p] += roundedToHalf(in[p]);
-        else
-          for (ptrdiff_t p = 0; p < count; ++p) out[p] += in[p];
-      }
-  });
-  return sum;
-}
-
 /// Whether half float holds the sum to a thousandth of full scale. Where lamps in the picture are brighter
 /// than that allows, R G B is written as float even where half was asked for: it stays the sum of its layers.
 bool halfIsEnough(const Image& sum) {
@@ -74,7 +55,7 @@ bool halfIsEnough(const Image& sum) {
 
 /// Whether half float holds the lights: none is brighter than it can be (65504), and the set is not so dark
 /// that its steps (6e-8) show.
-bool fitHalf(const SolvedSet& set) {
+bool lightsFitHalf(const SolvedSet& set) {
   constexpr double kDarkest = 1e-3;  // of the mean: a hundredth of it is still held to 0.3 %
   double sum = 0;
   for (const Image* layer : layersOf(set))
@@ -84,15 +65,6 @@ bool fitHalf(const SolvedSet& set) {
     }
   const double mean = sum / (3 * double(set.beta.pixelCount()) / 16);
   return sum == 0 || mean >= kDarkest;
-}
-
-/// Channels `names` of an image as a part.
-PartToWrite partOf(const std::string& name, const Image& image, std::span<const std::string> names,
-                   PixelType type) {
-  PartToWrite part{name, {}};
-  for (size_t c = 0; c < names.size(); ++c)
-    part.channels.push_back({names[c], image.plane(static_cast<int>(c)), type});
-  return part;
 }
 
 std::vector<std::string> lightNames(const Capture& capture) {
@@ -105,33 +77,25 @@ std::string highlightLayer(const std::string& light) {
   return light + ".spec";
 }
 
-/// The file as one part a layer.
-std::vector<PartToWrite> partsOf(const SolvedSet& set, const Image& sum, const SolvedFileOptions& options) {
-  const PixelType pictures = options.floatPictures ? PixelType::Float : PixelType::Half;
-  const PixelType sumType = options.halfSum && halfIsEnough(sum) ? PixelType::Half : PixelType::Float;
-  const std::vector<std::string> colors(std::begin(kColors), std::end(kColors));
-  const std::vector<std::string> lights = lightNames(set.capture);
-  std::vector<PartToWrite> parts = {partOf("rgb", sum, colors, sumType)};
-  for (size_t i = 0; i < lights.size(); ++i)
-    parts.push_back(partOf(lights[i], set.contributions[i], colors, pictures));
-  for (size_t i = 0; i < set.highlights.size(); ++i)
-    parts.push_back(partOf(highlightLayer(lights[i]), set.highlights[i], colors, pictures));
-  if (set.ambient) parts.push_back(partOf("ambient", *set.ambient, colors, pictures));
-  parts.push_back(partOf("beta", set.beta, lights, PixelType::Float));
-  const std::vector<std::string> quality(kQuality, kQuality + set.quality.channelCount());
-  parts.push_back(partOf("quality", set.quality, quality, PixelType::Float));
-  return parts;
+PixelType picturesIn(const SolvedFileOptions& options) {
+  return options.floatPictures ? PixelType::Float : PixelType::Half;
 }
 
-/// One part, the parts' names as layers.
-PartToWrite merged(const std::vector<PartToWrite>& parts) {
-  PartToWrite all;
-  for (const PartToWrite& part : parts)
-    for (ChannelToWrite channel : part.channels) {
-      if (&part != parts.data()) channel.name = part.name + "." + channel.name;
-      all.channels.push_back(std::move(channel));
-    }
-  return all;
+/// The file as one part a layer.
+std::vector<PartToWrite> partsOf(const SolvedSet& set, const Image& sum, const SolvedFileOptions& options) {
+  const PixelType pictures = picturesIn(options);
+  const PixelType sumType = options.halfSum && halfIsEnough(sum) ? PixelType::Half : PixelType::Float;
+  const std::vector<std::string> lights = lightNames(set.capture);
+  std::vector<PartToWrite> parts = {colorPart(kSumPart, sum, sumType)};
+  for (size_t i = 0; i < lights.size(); ++i)
+    parts.push_back(colorPart(lights[i], set.contributions[i], pictures));
+  for (size_t i = 0; i < set.highlights.size(); ++i)
+    parts.push_back(colorPart(highlightLayer(lights[i]), set.highlights[i], pictures));
+  if (set.ambient) parts.push_back(colorPart("ambient", *set.ambient, pictures));
+  parts.push_back(imagePart("beta", set.beta, lights, PixelType::Float));
+  const std::vector<std::string> quality(kQuality, kQuality + set.quality.channelCount());
+  parts.push_back(imagePart("quality", set.quality, quality, PixelType::Float));
+  return parts;
 }
 
 /// Empty where the set has none, or its primaries are not known here.
@@ -293,10 +257,10 @@ void writeSolvedSet(const SolvedSet& set, const fs::path& file, const SolvedFile
                     const Progress& progress) {
   checkSolvedFile(file);
   SolvedFileOptions written = options;
-  if (!fitHalf(set)) written.floatPictures = true;
-  const Image sum = sumAsWritten(set, !written.floatPictures);
+  if (!lightsFitHalf(set)) written.floatPictures = true;
+  const Image sum = sumOfLayers(layersOf(set), picturesIn(written));
   std::vector<PartToWrite> parts = partsOf(set, sum, written);
-  if (!options.multipart) parts = {merged(parts)};
+  if (!options.multipart) parts = {mergedParts(parts)};
   FileToWrite contents{set.width(),      set.height(),        std::move(parts),
                        set.colorSpace(), options.compression, headerOf(set, file)};
   if (set.carried) addCarried(contents, *set.carried);
