@@ -102,13 +102,14 @@ std::vector<PartToWrite> partsOf(const SolvedSet& set, const Layers& layers, con
   const std::array<std::string, 3> quality = {"residual", "sigma", "flags"};
   const bool blender = options.naming == LayerNaming::Blender;
   const std::vector<std::string> names = exportedLayers(set, options);
-  std::vector<PartToWrite> parts = {
-      colorPart(blender ? std::string(kViewLayer) + ".Combined" : kSumPart, layers.sum, options.pictures)};
+  std::vector<PartToWrite> parts = {colorPart(blender ? std::string(kViewLayer) + ".Combined" : kSumPart,
+                                              layers.sum, typeThatHolds({&layers.sum, 1}, options.pictures))};
   for (size_t i = 0; i < names.size(); ++i)
     parts.push_back(colorPart(names[i], layers.pictures[i], options.pictures));
   const std::vector<std::string> highlights = highlightLayerNames(names, blender ? '_' : '.');
+  const PixelType ofHighlights = typeThatHolds(layers.highlights, options.pictures);
   for (size_t i = 0; i < layers.highlights.size(); ++i)
-    parts.push_back(colorPart(highlights[i], layers.highlights[i], options.pictures));
+    parts.push_back(colorPart(highlights[i], layers.highlights[i], ofHighlights));
   const std::string prefix = blender ? std::string(kViewLayer) + "." : "";
   if (!layers.seen.empty()) {
     const PixelType type = typeThatHolds({&layers.seen, 1}, options.pictures);

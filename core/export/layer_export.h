@@ -47,8 +47,9 @@ struct LayerOptions {
 /// Writes each light as it shines under the rig, and what no light explains, as layers of one EXR; R G B (or
 /// Combined) is their sum: layers are rounded to their type first and added in their order, in float, so that
 /// who adds them up gets it to the bit in float, and within half a step of its type in half. Scene-linear, in
-/// the primaries asked for. Half becomes float where light is brighter than half can hold. What the
-/// photographs' files held beside their colour goes along. Returns the type of the lights' layers. Throws
+/// the primaries asked for. Half becomes float where light is brighter than half can hold: of the lights, of
+/// their highlights, of the sum, of the camera look, each by itself. What the photographs' files held beside
+/// their colour goes along. Returns the type of the lights' layers. Throws
 /// InputError where it cannot be written.
 PixelType exportLayers(const ColorConfig& config, const SolvedSet& set, const Rig& rig,
                        const std::filesystem::path& file, const LayerOptions& options,
