@@ -5,6 +5,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/json.h"
 #include "core/edit/stack/beta_file.h"
+#include "core/file/atomic_file.h"
 #include "core/file/same_file.h"
 #include "core/ocio/chosen_config.h"
 #include "core/session/open_source.h"
@@ -23,10 +24,14 @@ int run(const BetaCommand& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolveFor(arguments.source);
   std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
   inputs.emplace_back(arguments.edits.file);
-  checkOutput(arguments.output, inputs);
+  checkWritable(arguments.output);
+  checkOutputs(betaMapFiles(arguments.output, {}), inputs);  // an EXR before the work; lights name the PNGs
   const SolvedSet set =
       arguments.edits.applyTo(openSource(*programConfig(), arguments.source, options, terminal.progress()));
   sayWarnings(set.capture.warnings, terminal);
+  std::vector<std::string> lights;
+  for (const Light& light : set.capture.lights) lights.push_back(light.name);
+  checkOutputs(betaMapFiles(arguments.output, lights), inputs);
   Json files = Json::array();
   for (const auto& file : writeBetaMaps(set, arguments.output)) {
     terminal.say("wrote {}", file.string());

@@ -56,6 +56,15 @@ std::vector<GalleryPicture> versionsOf(const ColorConfig& config, const std::sha
 
 }  // namespace
 
+std::vector<std::filesystem::path> exportedFiles(const Document& document, ExportKind kind,
+                                                 const std::filesystem::path& file) {
+  if (kind == ExportKind::Sequence) return {frameName(file.string(), CueTiming{}.firstFrame)};
+  if (kind != ExportKind::Beta) return {file};
+  std::vector<std::string> lights;
+  for (const LightSetting& light : document.rig.lights) lights.push_back(light.light);
+  return betaMapFiles(file, lights);
+}
+
 void checkExport(const ColorConfig& config, const ExportRequest& request) {
   const bool sequence = request.kind == ExportKind::Sequence;
   if (request.kind == ExportKind::Frame || sequence) checkFrame(config, request.file, request.frame);
@@ -82,7 +91,7 @@ std::vector<std::filesystem::path> exportDocument(const ColorConfig& config,
     return exportDocument(config, set, plain, request, progress);
   }
   if (request.kind == ExportKind::Sequence) return exportCues(config, set, document, request, progress);
-  checkOutput(request.file, filesOfDocument(document));
+  checkOutputs(exportedFiles(document, request.kind, request.file), filesOfDocument(document));
   const bool edited = document.edits != EditStack{};
   const SolvedSet withThem = edited ? withEdits(set, document.edits) : SolvedSet();
   const SolvedSet& shown = edited ? withThem : *set;

@@ -44,6 +44,11 @@ struct ExportRequest {
   std::shared_ptr<FrameFilter> cameraLook = {};
 };
 
+/// The files that an export of this name writes: beta maps as PNG are several; of a sequence, whose length
+/// the timing says, the first one.
+[[nodiscard]] std::vector<std::filesystem::path> exportedFiles(const Document& document, ExportKind kind,
+                                                               const std::filesystem::path& file);
+
 /// Says what is wrong before the work. Throws InputError.
 void checkExport(const ColorConfig& config, const ExportRequest& request);
 

@@ -131,6 +131,15 @@ class ShadowsTest(cli.CliTest):
         files = self.succeed_json('beta', self.solved, '-o', self.path('beta.png'))['files']
         self.assertEqual(len(files), 2)
 
+    def test_beta_maps_replace_nothing_that_is_read(self):
+        os.symlink(self.solved, self.path('beta.fill.png'))
+        with open(self.solved, 'rb') as file:
+            before = file.read()
+        self.deny('beta', self.solved, '-o', self.path('beta.png'), naming=['beta.fill.png', 'is read here'])
+        with open(self.solved, 'rb') as file:
+            self.assertEqual(file.read(), before)
+        self.assertFalse(os.path.exists(self.path('beta.key.png')), 'none is written before all are looked at')
+
     def test_light_that_is_shared_leaves_the_picture_as_it_was(self):
         edits = self.write('e.json', {'lights': ['key', 'fill'], 'operation': 'invert',
                                       'mask': [{'shape': 'ellipse', 'x': 60, 'y': 60, 'radius_x': 30, 'radius_y': 30}]})

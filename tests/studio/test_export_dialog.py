@@ -70,6 +70,27 @@ class ExportDialog(StudioTest):
         with open(solved, 'rb') as file:
             self.assertEqual(file.read(), before)
 
+    def test_beta_maps_as_png_replace_no_file_of_the_set_under_any_lights_name(self):
+        shutil.copytree(SAMPLE, self.path('set'))
+        solved = self.path('set/solved.exr')
+        subprocess.run([PROGRAM, 'solve', self.path('set'), '-o', solved, '-q'], check=True)
+        os.symlink(solved, self.path('maps.fill.png'))
+        with open(solved, 'rb') as file:
+            before = file.read()
+        studio = self.start(solved)
+        studio.wait_ready()
+        studio.key('ctrl+e')
+        studio.click('export.kind.beta')
+        studio.click('export.format.png')
+        studio.click('export.file')
+        studio.key('ctrl+a')
+        studio.type(self.path('maps.png'))
+        studio.click('export.accept')
+        studio.settle()
+        self.assertTrue(studio.has('export.file'), 'it asks for another name')
+        with open(solved, 'rb') as file:
+            self.assertEqual(file.read(), before)
+
     def test_every_kind_is_what_the_command_line_writes(self):
         self.open_sample()
         self.same(self.ask('frame.exr', 'export.kind.frame', 'export.format.exr'), 'relight', SAMPLE)

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/lower_case.h"
 #include "core/cue/cue_timeline.h"
+#include "core/export/document_export.h"
 #include "core/file/frame_range.h"
 #include "core/ocio/color_config.h"
 #include "core/session/version.h"
@@ -140,11 +141,6 @@ void ExportDialog::take(const std::string& file) {
   if (std::find(known.begin(), known.end(), extension) != known.end()) m_choices.format() = extension;
 }
 
-/// The file, or the first one of a sequence.
-std::string ExportDialog::firstFile() const {
-  return m_choices.kind == ExportKind::Sequence ? frameName(m_file, CueTiming{}.firstFrame) : m_file;
-}
-
 std::string ExportDialog::mistake() const {
   const fs::path file = m_file;
   std::error_code error;
@@ -159,7 +155,8 @@ std::string ExportDialog::mistake() const {
   const std::vector<std::string>& known = formatsOf(m_choices.kind);
   if (std::find(known.begin(), known.end(), lowerExtension(file)) == known.end())
     return "The name must end in " + fmt::format("{}", fmt::join(known, ", ")) + ".";
-  if (isInput(firstFile())) return "This file is part of the set and would be lost. Enter another name.";
+  if (std::any_of(m_written.begin(), m_written.end(), [&](const fs::path& f) { return isInput(f); }))
+    return "This file is part of the set and would be lost. Enter another name.";
   return {};
 }
 
@@ -324,13 +321,18 @@ void ExportDialog::drawFile(const Answers& answers) {
   tooltip("Choose folder and name.");
 }
 
-void ExportDialog::drawFooter(const Answers& answers) {
+void ExportDialog::drawFooter(const Document& document, const Answers& answers) {
+  m_written = exportedFiles(document, m_choices.kind, m_file);
   const std::string wrong = mistake();
-  std::error_code error;
-  const bool exists = wrong.empty() && fs::exists(firstFile(), error);
+  const bool exists =
+      wrong.empty() && std::any_of(m_written.begin(), m_written.end(), [](const fs::path& file) {
+        std::error_code error;  // what cannot be looked at is said when it is written
+        return fs::exists(file, error);
+      });
   ImGui::Dummy(ImVec2(0, px(4)));
   ImGui::AlignTextToFramePadding();
   const char* replaces = m_choices.kind == ExportKind::Sequence ? "Frames exist and will be replaced."
+                         : m_written.size() > 1                 ? "Files exist and will be replaced."
                                                                 : "The file exists and will be replaced.";
   const float button = px(110);
   const float buttons = ImGui::GetContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x;
@@ -378,7 +380,7 @@ void ExportDialog::draw(const ColorConfig& config, const Document& document, con
   drawCameraLook(document);
   drawGrade(document);
   drawFile(answers);
-  drawFooter(answers);
+  drawFooter(document, answers);
   if (!m_open) ImGui::CloseCurrentPopup();
   endTabStops();
   ImGui::EndPopup();

@@ -43,10 +43,9 @@ class ExportDialog {
   void drawFormats();
   void drawColorSpaces();
   void drawFile(const Answers& answers);
-  void drawFooter(const Answers& answers);
+  void drawFooter(const Document& document, const Answers& answers);
   void suggest();
   void take(const std::string& file);
-  [[nodiscard]] std::string firstFile() const;
   [[nodiscard]] bool isInput(const std::filesystem::path& file) const;
   [[nodiscard]] std::string mistake() const;
   void accept(const Answers& answers);
@@ -54,10 +53,11 @@ class ExportDialog {
   std::filesystem::path m_memory;  ///< the file that remembers
   ExportChoices m_choices;
   bool m_open = false;
-  bool m_focus = false;                         ///< the file's name is to be typed
-  std::string m_name;                           ///< of the session
-  std::vector<std::filesystem::path> m_inputs;  ///< what the session reads: not to be replaced
-  std::string m_file;                           ///< as typed
+  bool m_focus = false;                          ///< the file's name is to be typed
+  std::string m_name;                            ///< of the session
+  std::vector<std::filesystem::path> m_inputs;   ///< what the session reads: not to be replaced
+  std::string m_file;                            ///< as typed
+  std::vector<std::filesystem::path> m_written;  ///< what is written under that name
   bool m_galleryEmpty = false;
   std::string m_cueMistake;  ///< why the cue list makes no frames; empty: it does
 };

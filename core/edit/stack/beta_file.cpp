@@ -50,6 +50,10 @@ Image mapOf(const BetaChannels& file, size_t light, const ImageSpec& spec, const
   return beta;
 }
 
+bool isMapALight(const std::filesystem::path& file) {
+  return lowerExtension(file) == ".png";
+}
+
 void findSums(BetaMaps& beta) {
   const Image& first = beta.maps.front();
   const auto width = static_cast<size_t>(first.width());
@@ -67,24 +71,33 @@ void findSums(BetaMaps& beta) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> betaMapFiles(const std::filesystem::path& file,
+                                                std::span<const std::string> lights) {
+  if (!isMapALight(file)) return {file};
+  std::vector<std::filesystem::path> files;
+  for (const std::string& light : lights)
+    files.push_back(std::filesystem::path(file).replace_extension(light + ".png"));
+  return files;
+}
+
 std::vector<std::filesystem::path> writeBetaMaps(const SolvedSet& set, const std::filesystem::path& file) {
   WriteOptions options;
   if (set.carried)  // of the picture's channels none
     options.carried = std::make_shared<CarriedData>(
         CarriedData{set.carried->header, set.carried->pixelAspect, set.carried->dataWindow, {}, {}});
-  if (lowerExtension(file) != ".png") {
+  std::vector<std::string> lights;
+  for (const Light& light : set.capture.lights) lights.push_back(light.name);
+  std::vector<std::filesystem::path> files = betaMapFiles(file, lights);
+  if (!isMapALight(file)) {
     options.pixelType = "float";
     writeImage(set.beta, file, options);
-    return {file};
+    return files;
   }
   options.pixelType = "uint16";
-  std::vector<std::filesystem::path> files;
   for (int i = 0; i < set.lightCount(); ++i) {
     Image one(ImageSpec{set.width(), set.height(), {"Y"}, "data"});
     std::copy_n(set.beta.plane(i), one.pixelCount(), one.plane(0));
-    files.push_back(file);
-    files.back().replace_extension(set.capture.lights[static_cast<size_t>(i)].name + ".png");
-    writeImage(one, files.back(), options);
+    writeImage(one, files[static_cast<size_t>(i)], options);
   }
   return files;
 }

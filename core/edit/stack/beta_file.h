@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,14 @@
 
 namespace swaplight {
 
+/// The files that beta maps of these lights are written to: the file itself, or, where its name ends in .png,
+/// name.<light>.png a light, which is what may be replaced then.
+[[nodiscard]] std::vector<std::filesystem::path> betaMapFiles(const std::filesystem::path& file,
+                                                              std::span<const std::string> lights);
+
 /// Writes the beta maps of all lights for an image editor: an EXR with a channel beta.<light> each (float),
-/// or, where the name ends in .png, a 16-bit grey PNG a light (name.<light>.png; 65535 is 1). Returns the
-/// files written. Throws InputError where they cannot be written.
+/// or, where the name ends in .png, a 16-bit grey PNG a light (65535 is 1). Returns the files written
+/// (betaMapFiles). Throws InputError where they cannot be written.
 std::vector<std::filesystem::path> writeBetaMaps(const SolvedSet& set, const std::filesystem::path& file);
 
 /// Beta maps that were read from one file.

@@ -45,6 +45,15 @@ TEST(BetaFile, PngHasAFileALightAndSixteenBits) {
   for (size_t p = 0; p < beta.pixelCount(); ++p) ASSERT_NEAR(beta.plane(0)[p], set.beta.plane(1)[p], 1e-5);
 }
 
+TEST(BetaFile, ItsFilesAreKnownBeforeTheyAreWritten) {
+  const test::TemporaryFolder folder;
+  const SolvedSet set = test::smallSet(2, 4, 3);
+  const std::vector<std::string> lights = {"light1", "light2"};
+  for (const char* name : {"beta.exr", "beta.png", "beta.v2.PNG"})
+    EXPECT_EQ(betaMapFiles(folder / name, lights), writeBetaMaps(set, folder / name)) << name;
+  EXPECT_TRUE(betaMapFiles("beta.png", {}).empty()) << "the name itself is not written";
+}
+
 TEST(BetaFile, ChecksSizeChannelAndRange) {
   const test::TemporaryFolder folder;
   Image map(ImageSpec{4, 4, {"Y"}, "data"}, .5f);
