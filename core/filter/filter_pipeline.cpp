@@ -6,6 +6,7 @@
 #include "core/base/json.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
+#include "core/filter/filter_names.h"
 #include "core/filter/former_parameters.h"
 
 namespace swaplight {
@@ -88,6 +89,17 @@ FilterPipeline pipelineFromJson(const Json& json, const std::string& where) {
     throw InputError("{}: \"filters\" is empty, expected at least one filter", where);
   pipeline.kept = fields.unknown();
   return pipeline;
+}
+
+std::vector<std::filesystem::path> filesOfPipeline(const FilterPipeline& pipeline) {
+  std::vector<std::filesystem::path> files;
+  for (const FilterStage& stage : pipeline.stages) {
+    if (isFilterFile(stage.filter)) files.push_back(pipeline.folder / stage.filter);
+    for (const auto& [name, value] : stage.parameters)
+      if (const auto* text = std::get_if<std::string>(&value); text && !text->empty())
+        files.push_back(pipeline.folder / *text);
+  }
+  return files;
 }
 
 FilterPipeline readPipeline(const std::filesystem::path& file) {

@@ -40,6 +40,10 @@ struct FilterPipeline {
 /// filter, a parameter that is no value.
 [[nodiscard]] FilterPipeline pipelineFromJson(const Json& json, const std::string& where);
 
+/// Every file that the look may read, so that none is overwritten: filters of their own and pictures. Which
+/// texts are pictures only the filters know: others are among them, as names of files that nobody has.
+[[nodiscard]] std::vector<std::filesystem::path> filesOfPipeline(const FilterPipeline& pipeline);
+
 /// Reads and writes a .swaplook file. Throw InputError that names the file.
 [[nodiscard]] FilterPipeline readPipeline(const std::filesystem::path& file);
 void writePipeline(const FilterPipeline& pipeline, const std::filesystem::path& file);

@@ -71,10 +71,28 @@ std::vector<fs::path> filesOfSource(const fs::path& path) {
 std::vector<fs::path> filesOfDocument(const Document& document) {
   std::vector<fs::path> files = filesOfSource(document.source);
   files.emplace_back(document.colorConfig);
-  static_cast<void>(withFiles(document.edits, [&](const std::string& file) {
-    files.emplace_back(file);
-    return file;
-  }));
+  const auto addEdits = [&](const EditStack& edits) {
+    static_cast<void>(withFiles(edits, [&](const std::string& file) {
+      files.emplace_back(file);
+      return file;
+    }));
+  };
+  const auto addLook = [&](const FilterPipeline& look) {
+    const std::vector<fs::path> read = filesOfPipeline(look);
+    files.insert(files.end(), read.begin(), read.end());
+  };
+  addEdits(document.edits);
+  Edit next;
+  next.mask = document.selection;
+  EditStack restricted;
+  restricted.append(next);
+  addEdits(restricted);
+  addLook(document.cameraLook);
+  for (const SavedLook& look : document.looks)
+    if (look.scene) {
+      addEdits(look.scene->edits);
+      addLook(look.scene->cameraLook);
+    }
   return files;
 }
 

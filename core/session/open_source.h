@@ -27,7 +27,8 @@ enum class SourceKind { Capture, SolvedSet, Session, Folder, Other };
 /// lacks is for its reader to say. Throws InputError where it is no JSON.
 [[nodiscard]] std::vector<std::filesystem::path> filesOfSource(const std::filesystem::path& path);
 
-/// The same of all that a session's document reads: its set, configuration and edits.
+/// The same of all that a session's document reads: its set, its configuration, its edits, selection and
+/// camera look, and those of its versions.
 [[nodiscard]] std::vector<std::filesystem::path> filesOfDocument(const Document& document);
 
 /// A set from a solved file or, solving it, from a capture, whose pictures may be in any colour space of the

@@ -4,6 +4,7 @@
 
 #include "core/base/json.h"
 #include "core/file/json_file.h"
+#include "core/session/open_source.h"
 #include "core/session/session_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -55,6 +56,37 @@ TEST(Version, BringsEverythingBack) {
   const SavedLook version = versionOf(before, "Morning");
   const Document back = recalled(changed(before), version);
   EXPECT_TRUE(back == before);
+}
+
+TEST(Version, ItsFilesAreAmongThoseOfTheDocument) {
+  const auto pictureEdit = [](const std::string& file) {
+    Edit edit;
+    edit.operation = BetaMapOperation{file, ""};
+    return edit;
+  };
+  const auto lutIn = [](const std::filesystem::path& folder) {
+    FilterPipeline look;
+    look.folder = folder;
+    look.stages.resize(2);
+    look.stages[0].filter = "lut";
+    look.stages[0].parameters["table"] = std::string("table.cube");
+    look.stages[1].filter = "own.fs";
+    return look;
+  };
+  Document document = litDocument();
+  document.source = "/sets/kitchen/solved.exr";
+  document.edits.append(pictureEdit("/maps/kept.png"));
+  document.cameraLook = lutIn("/kept");
+  document.looks.push_back(versionOf(document, "Morning"));
+  document.edits = {};
+  document.edits.append(pictureEdit("/maps/now.png"));
+  document.cameraLook = lutIn("/now");
+  ImageShape matte;
+  matte.file = "/mattes/hero.png";
+  document.selection = {MaskShape{matte}};
+  EXPECT_THAT(filesOfDocument(document),
+              testing::IsSupersetOf({"/maps/kept.png", "/kept/table.cube", "/kept/own.fs", "/maps/now.png",
+                                     "/now/table.cube", "/now/own.fs", "/mattes/hero.png"}));
 }
 
 TEST(Version, BringsTheGradeBack) {
