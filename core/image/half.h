@@ -1,8 +1,10 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace swaplight {
 
@@ -34,6 +36,11 @@ inline uint16_t halfFromFloat(float value) {
 inline float clampedToHalf(float value) {
   constexpr float kLargest = 65504;
   return value > kLargest ? kLargest : (value < -kLargest ? -kLargest : value);
+}
+
+/// The same of finite values; an infinity stays one, so that what is broken shows as that.
+inline float finiteClampedToHalf(float value) {
+  return std::abs(value) <= std::numeric_limits<float>::max() ? clampedToHalf(value) : value;
 }
 
 /// Whether none of the values is too bright for half.

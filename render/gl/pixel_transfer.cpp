@@ -19,16 +19,20 @@ namespace {
 constexpr int kRowsPerBand = 32;
 constexpr int kPixelsPerUpload = 1 << 20;  // so that the interleaved copy stays small
 
-/// Planes as interleaved half floats R G B 1.
+/// Planes as interleaved half floats R G B 1. Light that half cannot hold becomes the brightest that it can:
+/// as an infinity it would be NaN under a light that is off (0 times infinity).
 void interleave(ImageView planes, std::vector<uint16_t>& pixels) {
   const auto width = static_cast<size_t>(planes.width);
   pixels.resize(width * static_cast<size_t>(planes.height) * 4);
   parallelRows(planes.height, kRowsPerBand, [&](int begin, int end) {
+    std::vector<float> held(width);
     std::vector<uint16_t> row(width * 3);
     for (int y = begin; y < end; ++y) {
-      for (int c = 0; c < 3; ++c)
-        halfFromFloat(planes.row(std::min(c, planes.channels - 1), y), &row[width * static_cast<size_t>(c)],
-                      width);
+      for (int c = 0; c < 3; ++c) {
+        const float* plane = planes.row(std::min(c, planes.channels - 1), y);
+        std::transform(plane, plane + width, held.begin(), finiteClampedToHalf);
+        halfFromFloat(held.data(), &row[width * static_cast<size_t>(c)], width);
+      }
       uint16_t* out = &pixels[static_cast<size_t>(y) * width * 4];
       for (size_t x = 0; x < width; ++x) {
         out[4 * x] = row[x];

@@ -74,6 +74,22 @@ TEST_F(RelightRendererTest, CarriesNegativeInfiniteAndUndefinedPixelsAsTheCpuDoe
   EXPECT_EQ(frame.plane(0)[257], std::numeric_limits<float>::infinity());
 }
 
+TEST_F(RelightRendererTest, LightThatHalfCannotHoldIsNoInfinityWhichWouldBeUndefinedWhereItIsOff) {
+  SolvedSet set = randomSet(64, 4, 2);
+  for (int c = 0; c < 3; ++c) {
+    set.contributions[0].plane(c)[5] = 1e6F;
+    set.contributions[0].plane(c)[6] = -std::numeric_limits<float>::max();
+  }
+  const std::vector<Rgb> off{{0, 0, 0}, {1, 1, 1}};
+  RelightRenderer renderer(set);
+  renderer.relight(off);
+  const Worst worst = worstDifference(renderer.readback(), relight(set, off));
+  EXPECT_LE(worst.difference, 2e-3F) << worst.where;
+  renderer.relight(std::vector<Rgb>{{0.5F, 0.5F, 0.5F}, {0, 0, 0}});
+  EXPECT_EQ(renderer.readback().plane(0)[5], 32752) << "half of the brightest";
+  EXPECT_EQ(renderer.readback().plane(0)[6], -32752);
+}
+
 TEST_F(RelightRendererTest, TiledEqualsUntiledToTheBit) {
   const SolvedSet set = randomSet(700, 530, 3, true);
   const std::vector<Rgb> factors = variedFactors(3);

@@ -62,5 +62,15 @@ TEST(Half, KnownValues) {
   }
 }
 
+TEST(Half, OnlyFiniteValuesAreClampedWhereInfinitiesAreToStay) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(finiteClampedToHalf(1e6F), 65504);
+  EXPECT_EQ(finiteClampedToHalf(-std::numeric_limits<float>::max()), -65504);
+  EXPECT_EQ(finiteClampedToHalf(-0.25F), -0.25F);
+  EXPECT_EQ(finiteClampedToHalf(kInfinity), kInfinity);
+  EXPECT_EQ(finiteClampedToHalf(-kInfinity), -kInfinity);
+  EXPECT_TRUE(std::isnan(finiteClampedToHalf(NAN)));
+}
+
 }  // namespace
 }  // namespace swaplight
