@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.h"
+
 namespace swaplight {
 namespace {
 
 constexpr const char* kTimecode = "smpte:TimeCode";
 constexpr PackedTime kDropFrame = 1U << 6;
-constexpr PackedTime kFlagBits = 0xc0U | 0x8000U | 0x800000U | 0xc0000000U;
+constexpr PackedTime kField = 1U << 15;
+constexpr PackedTime kFlagBits = 0xc0U | kField | 0x800000U | 0xc0000000U;
+constexpr int kMostCounted = 30;  // frames, or pairs of them, in a second
 
 /// Two decimal digits from bit `shift` on; `tens` bits hold the first of them.
 int digits(PackedTime time, int shift, int tens) {
@@ -22,7 +26,7 @@ PackedTime packed(int value, int shift) {
 }
 
 int framesPerSecond(const HeaderValues& header) {
-  constexpr int kUsual = 24, kMost = 60;
+  constexpr int kUsual = 24, kLargest = 10000;
   const auto found = header.find("FramesPerSecond");
   if (found == header.end()) return kUsual;
   const HeaderValue& value = found->second;
@@ -30,16 +34,27 @@ int framesPerSecond(const HeaderValues& header) {
   if (value.kind == HeaderValue::Kind::Rational && value.integers.size() == 2 && value.integers[1] != 0)
     rate = static_cast<double>(value.integers[0]) / value.integers[1];
   if (!value.floats.empty()) rate = value.floats.front();
-  return rate >= 1 && rate <= kMost ? static_cast<int>(std::lround(rate)) : kUsual;
+  return rate > 0 ? static_cast<int>(std::lround(std::min(rate, double{kLargest}))) : kUsual;
 }
 
 }  // namespace
 
+bool countsFrames(int fps) {
+  return fps >= 1 && (fps <= kMostCounted || (fps <= 2 * kMostCounted && fps % 2 == 0));
+}
+
 PackedTime advanced(PackedTime time, int frames, int fps) {
+  SWAPLIGHT_CHECK(countsFrames(fps));
+  if (fps > kMostCounted) {
+    const int64_t ofPair = int64_t{frames} + ((time & kField) != 0 ? 1 : 0);
+    const int64_t odd = ofPair & 1;
+    const PackedTime pair = advanced(time & ~kField, static_cast<int>((ofPair - odd) / 2), fps / 2);
+    return odd != 0 ? pair | kField : pair;
+  }
   constexpr int64_t kMinutes = 24 * 60;
   // Frames since midnight.
   const int hours = digits(time, 24, 2), minutes = digits(time, 16, 3), seconds = digits(time, 8, 3);
-  const int dropped = (time & kDropFrame) != 0 ? (fps > 30 ? 4 : 2) : 0;
+  const int dropped = (time & kDropFrame) != 0 ? 2 : 0;
   const int64_t minute = int64_t{hours} * 60 + minutes;
   int64_t count = (minute * 60 + seconds) * fps + digits(time, 0, 2) - dropped * (minute - minute / 10);
   const int64_t day = kMinutes * 60 * fps - dropped * (kMinutes - kMinutes / 10);
@@ -67,8 +82,13 @@ std::shared_ptr<const CarriedData> withTimecode(const std::shared_ptr<const Carr
   later->dataWindow = carried->dataWindow;
   if (carried->channels.channelCount() > 0) later->channels = carried->channels.clone();
   later->types = carried->types;
+  const int fps = framesPerSecond(carried->header);
+  if (!countsFrames(fps)) {
+    later->header.erase(kTimecode);
+    return later;
+  }
   int& time = later->header[kTimecode].integers.at(0);
-  time = static_cast<int>(advanced(static_cast<PackedTime>(time), frames, framesPerSecond(carried->header)));
+  time = static_cast<int>(advanced(static_cast<PackedTime>(time), frames, fps));
   return later;
 }
 

@@ -28,5 +28,53 @@ TEST(Timecode, DropFrameLeavesOutTwoNumbersAMinuteButNotEveryTenth) {
   }
 }
 
+constexpr PackedTime kSecondOfPair = 1U << 15;  // the field flag of OpenEXR's TV60 packing
+
+TEST(Timecode, AboveThirtyFramesASecondPairsAreCountedAndTheFieldFlagTellsTheirFrames) {
+  for (const int fps : {48, 50, 60}) {
+    PackedTime time = 0x01020300;
+    for (int i = 0; i < 3 * fps; ++i) {
+      const PackedTime pair = static_cast<PackedTime>(i % fps / 2);
+      const PackedTime expected = 0x01020300U + static_cast<PackedTime>(i / fps) * 0x100U +
+                                  (pair / 10 << 4 | pair % 10) + (i % 2 == 1 ? kSecondOfPair : 0);
+      ASSERT_EQ(time, expected) << fps << " a second, frame " << i;
+      ASSERT_EQ(advanced(0x01020300, i, fps), expected) << fps << " a second, frame " << i;
+      ASSERT_EQ(advanced(time, -i, fps), 0x01020300U) << fps << " a second, frame " << i;
+      time = advanced(time, 1, fps);
+    }
+  }
+  EXPECT_EQ(advanced(0x23595924 | kSecondOfPair, 1, 50), 0x00000000U) << "midnight";
+}
+
+TEST(Timecode, DropFrameAtSixtyLeavesOutTwoPairsAMinute) {
+  constexpr PackedTime drop = 1U << 6;
+  EXPECT_EQ(advanced(0x00005929 | drop | kSecondOfPair, 1, 60), 0x00010002U | drop);
+  EXPECT_EQ(advanced(0x00095929 | drop | kSecondOfPair, 1, 60), 0x00100000U | drop);
+  EXPECT_EQ(advanced(0x00000000 | drop, 35964, 60), 0x00100000U | drop) << "ten minutes at 59.94";
+}
+
+std::shared_ptr<const CarriedData> shotAt(int frames, int seconds) {
+  auto carried = std::make_shared<CarriedData>();
+  carried->header["smpte:TimeCode"] = {HeaderValue::Kind::Timecode, {}, {0x01020304, 0}, {}};
+  carried->header["FramesPerSecond"] = {HeaderValue::Kind::Rational, {}, {frames, seconds}, {}};
+  return carried;
+}
+
+TEST(Timecode, GoesOnAtTheRateOfTheHeader) {
+  const auto later = [](int frames, int seconds) {
+    return withTimecode(shotAt(frames, seconds), 61)->header.at("smpte:TimeCode").integers.at(0);
+  };
+  EXPECT_EQ(later(25, 1), 0x01020515);
+  EXPECT_EQ(later(60000, 1001), 0x01020404 | static_cast<int>(kSecondOfPair));
+}
+
+TEST(Timecode, ARateThatTimeCodesCannotCountGivesNone) {
+  for (const int fps : {45, 120}) {
+    const auto shot = shotAt(fps, 1);
+    EXPECT_EQ(withTimecode(shot, 0), shot);
+    EXPECT_FALSE(withTimecode(shot, 1)->header.contains("smpte:TimeCode")) << fps;
+  }
+}
+
 }  // namespace
 }  // namespace swaplight
