@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/json_integer.h"
 #include "core/chart/chart_shot.h"
 #include "core/color/chromaticities.h"
 #include "core/file/json_file.h"
@@ -66,7 +67,8 @@ CameraFile cameraFromJson(const Json& json) {
   if (!json.is_object() || json.value("format", Json()) != kCameraFormat)
     throw InputError("is no camera matrix: make one with swaplight chart PHOTO -o FILE.json");
   const Json version = json.value("version", Json());
-  if (!version.is_number_integer() || version.get<int64_t>() < 1 || version.get<int64_t>() > kCameraVersion)
+  const int number = integerOf(version).value_or(0);
+  if (number < 1 || number > kCameraVersion)
     throw InputError("has version {}, and this program reads versions up to {}", version.dump(),
                      kCameraVersion);
   CameraFile camera;

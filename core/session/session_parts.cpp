@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/json_integer.h"
 #include "core/file/json_fields.h"
 #include "core/ocio/grade_file.h"
 
@@ -88,10 +89,9 @@ Json jsonFromEdits(const EditStack& edits, const std::filesystem::path& folder) 
 EditStack editsFromJson(const Json& json, const std::filesystem::path& folder, const std::string& where) {
   JsonFields fields(json, where);
   const Json* size = fields.find("size");
-  const bool known = size && size->is_array() && size->size() == 2 && (*size)[0].is_number_integer() &&
-                     (*size)[1].is_number_integer();
-  const int width = known ? (*size)[0].get<int>() : 0;
-  const int height = known ? (*size)[1].get<int>() : 0;
+  const bool two = size && size->is_array() && size->size() == 2;
+  const int width = two ? integerOf((*size)[0]).value_or(0) : 0;
+  const int height = two ? integerOf((*size)[1]).value_or(0) : 0;
   if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide ||
       int64_t{width} * height > kMostPixels)
     throw InputError("{}: \"size\" is {}, expected [width, height] of the picture", where,

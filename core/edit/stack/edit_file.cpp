@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/json_integer.h"
 #include "core/file/json_file.h"
 
 namespace swaplight {
@@ -19,7 +20,8 @@ EditStack readEdits(const fs::path& file, int width, int height, std::vector<std
   if (!json.is_object() || json.value("format", Json()) != Json(kFormat))
     throw InputError("{}: is no file of edits: its \"format\" is not \"{}\".", name, kFormat);
   const Json version = json.value("version", Json());
-  if (!version.is_number_integer() || version.get<int>() < 1 || version.get<int>() > kVersion)
+  const int number = integerOf(version).value_or(0);
+  if (number < 1 || number > kVersion)
     throw InputError("{}: has version {}, and this program reads versions up to {}.", name, version.dump(),
                      kVersion);
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 #include "core/base/json.h"
+#include "core/base/json_integer.h"
 #include "core/base/machine_error.h"
 #include "core/base/out_of_memory.h"
 #include "core/image/io/image_format.h"
@@ -11,22 +13,20 @@
 namespace swaplight {
 namespace {
 
-/// A whole number that an int holds; a number of another kind is no conversion's business.
-int integerOf(const Json& json) {
-  if (!json.is_number_integer()) throw std::runtime_error("no whole number");
-  const auto number = json.get<int64_t>();
-  if (number != static_cast<int>(number)) throw std::runtime_error("too large a number");
-  return static_cast<int>(number);
+int wholeNumber(const Json& json) {
+  const std::optional<int> number = integerOf(json);
+  if (!number) throw std::runtime_error("no whole number, or too large a one");
+  return *number;
 }
 
 std::vector<int> integersOf(const Json& json) {
   std::vector<int> numbers;
-  for (const Json& number : json) numbers.push_back(integerOf(number));
+  for (const Json& number : json) numbers.push_back(wholeNumber(number));
   return numbers;
 }
 
 std::array<int, 4> fourOf(const Json& json) {
-  return {integerOf(json.at(0)), integerOf(json.at(1)), integerOf(json.at(2)), integerOf(json.at(3))};
+  return {wholeNumber(json.at(0)), wholeNumber(json.at(1)), wholeNumber(json.at(2)), wholeNumber(json.at(3))};
 }
 
 std::string bytesOf(const Json& json) {
@@ -53,7 +53,7 @@ PixelType pixelTypeAt(int number) {
 
 std::vector<PixelType> typesFrom(const Json& json) {
   std::vector<PixelType> types;
-  for (const Json& number : json) types.push_back(pixelTypeAt(integerOf(number)));
+  for (const Json& number : json) types.push_back(pixelTypeAt(wholeNumber(number)));
   return types;
 }
 
@@ -70,7 +70,7 @@ HeaderValues headerFrom(const Json& json) {
   for (const Json& one : json) {
     HeaderValue& value = values[one.at(0).get<std::string>()];
     value.kind =
-        static_cast<HeaderValue::Kind>(std::clamp(integerOf(one.at(1)), 0, static_cast<int>(Keycode)));
+        static_cast<HeaderValue::Kind>(std::clamp(wholeNumber(one.at(1)), 0, static_cast<int>(Keycode)));
     value.text = one.at(2).get<std::string>();
     value.integers = integersOf(one.at(3));
     value.floats = one.at(4).get<std::vector<float>>();
@@ -108,9 +108,9 @@ ImageFileInfo infoFrom(const Json& json) {
   ImageFileInfo info;
   info.format = json.at("format").get<std::string>();
   info.pixelType = json.at("pixelType").get<std::string>();
-  info.bits = integerOf(json.at("bits"));
+  info.bits = wholeNumber(json.at("bits"));
   info.isFloat = json.at("isFloat").get<bool>();
-  info.parts = integerOf(json.at("parts"));
+  info.parts = wholeNumber(json.at("parts"));
   info.statedColors = json.at("statedColors").get<std::string>();
   info.header = headerFrom(json.at("header"));
   info.pixelAspect = json.at("pixelAspect").get<float>();
@@ -172,7 +172,7 @@ std::string messageOf(const PictureRequest& request) {
 
 PictureRequest pictureRequestOf(const std::string& message) {
   const Json json = jsonOf(message);
-  return {json.at("file").get<std::string>(), integerOf(json.at("threads"))};
+  return {json.at("file").get<std::string>(), wholeNumber(json.at("threads"))};
 }
 
 std::string messageOf(const PictureAnswer& answer) {
@@ -190,11 +190,11 @@ PictureAnswer pictureAnswerOf(const std::string& message, const std::string& fil
   throwIfFailed(json);
   PictureAnswer answer;
   PictureContents& contents = answer.contents;
-  contents.spec.width = json.at("size").at(0).get<int>();
-  contents.spec.height = json.at("size").at(1).get<int>();
+  contents.spec.width = wholeNumber(json.at("size").at(0));
+  contents.spec.height = wholeNumber(json.at("size").at(1));
   contents.spec.channels = json.at("channels").get<std::vector<std::string>>();
   contents.spec.colorSpace = json.at("colorSpace").get<std::string>();
-  contents.orientation = integerOf(json.at("orientation"));
+  contents.orientation = wholeNumber(json.at("orientation"));
   contents.info = infoFrom(json.at("info"));
   checkImageFits(file, contents.spec.width, contents.spec.height, contents.spec.channelCount());
   size_t channels = 0, largest = 0;
@@ -220,8 +220,8 @@ std::string messageOf(const BandAnswer& answer) {
 BandAnswer bandAnswerOf(const std::string& message, const PictureAnswer& picture) {
   const Json json = jsonOf(message);
   if (json.is_object()) throwIfFailed(json);
-  const BandAnswer answer{{integerOf(json.at(0)), integerOf(json.at(1)), integerOf(json.at(2))},
-                          integerOf(json.at(3)),
+  const BandAnswer answer{{wholeNumber(json.at(0)), wholeNumber(json.at(1)), wholeNumber(json.at(2))},
+                          wholeNumber(json.at(3)),
                           json.at(4).get<bool>()};
   if (answer.last) return answer;
   const auto& parts = picture.contents.parts;

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/json_integer.h"
 #include "core/file/json_fields.h"
 #include "core/file/json_file.h"
 
@@ -69,10 +70,11 @@ Json jsonFromChoice(const OpenColorChoice& choice) {
 
 /// A pixel's coordinates from `first` on in a list. Throws InputError.
 std::array<int, 2> placeFromJson(const Json& list, size_t first, const std::string& where) {
-  if (!list.is_array() || list.size() != first + 2 || !list[first].is_number_integer() ||
-      !list[first + 1].is_number_integer())
-    throw InputError("{}: is {}, expected the x and y of a pixel", where, list.dump());
-  return {list[first].get<int>(), list[first + 1].get<int>()};
+  const bool known = list.is_array() && list.size() == first + 2;
+  const std::optional<int> x = known ? integerOf(list[first]) : std::nullopt;
+  const std::optional<int> y = known ? integerOf(list[first + 1]) : std::nullopt;
+  if (!x || !y) throw InputError("{}: is {}, expected the x and y of a pixel", where, list.dump());
+  return {*x, *y};
 }
 
 OpenColorChoice choiceFromJson(const Json& json, const std::string& where) {

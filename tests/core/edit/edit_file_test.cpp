@@ -40,6 +40,9 @@ TEST(EditFile, AnotherFileIsRefusedByName) {
   EXPECT_THROW(static_cast<void>(readEdits(folder.path() / "rig.json", 32, 32)), InputError);
   writeJson({{"format", "swaplight-edits"}, {"version", 9}}, folder.path() / "new.json");
   EXPECT_THROW(static_cast<void>(readEdits(folder.path() / "new.json", 32, 32)), InputError);
+  writeJson({{"format", "swaplight-edits"}, {"version", 4294967297}, {"edits", Json::array()}},
+            folder.path() / "newest.json");
+  EXPECT_THROW(static_cast<void>(readEdits(folder.path() / "newest.json", 32, 32)), InputError);
 }
 
 }  // namespace

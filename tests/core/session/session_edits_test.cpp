@@ -70,6 +70,19 @@ TEST(SessionEdits, StrokesNeedTheSizeOfThePicture) {
   EXPECT_THROW(static_cast<void>(sessionFromJson(json, "/", "a")), InputError);
 }
 
+TEST(SessionEdits, ASizeThatNoIntHoldsIsNotTakenForAnother) {
+  const auto sized = [](const char* width) {
+    const Json edits{{"edits", Json::array()}, {"size", {Json::parse(width), 64}}};
+    return sessionFromJson(
+               {{"format", "swaplight-session"}, {"version", 1}, {"source", "set.exr"}, {"edits", edits}},
+               "/", "a")
+        .document.edits.width;
+  };
+  EXPECT_EQ(sized("64"), 64);
+  for (const char* width : {"4294967360", "-4294967232", "18446744069414584384", "64.5"})
+    EXPECT_THROW(static_cast<void>(sized(width)), InputError) << width;
+}
+
 TEST(SessionEdits, AStrokeCostsTheHistoryOnlyTheTilesThatItTouches) {
   const Document before = documentWithStrokes(1);
   Document after = before;

@@ -57,6 +57,10 @@ TEST(SolveOptions, WhatSettlesAnOpenColourComesBackFromJson) {
                 static_cast<void>(solveOptionsFromJson({{"open_color", {{"grey", {1}}}}}));
               }),
               HasSubstr("grey"));
+  EXPECT_THAT(inputError([] {
+                static_cast<void>(solveOptionsFromJson({{"open_color", {{"grey", {1, 4294967297}}}}}));
+              }),
+              HasSubstr("4294967297"));
 }
 
 TEST(SolveOptions, AnUnknownDenoisingIsNotTakenForNone) {
