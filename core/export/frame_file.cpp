@@ -86,10 +86,10 @@ void writeCodes(Image codes, const std::filesystem::path& file, const DisplayCho
     writeImage(codes, file, write, progress);
     return;
   }
-  AtomicFile whole(file);
-  writeImage(codes, whole.temporary(), write, progress);
-  addCicp(whole.temporary(), *codePoints);
-  whole.commit();
+  constexpr size_t kLargestPng = size_t{4} << 30;
+  const AtomicFile plain(file);  // gives a name beside it
+  writeImage(codes, plain.temporary(), write, progress);
+  writeFile(file, withCicp(readFile(plain.temporary(), kLargestPng), *codePoints, file.string()));
 }
 
 void writeFrame(const ColorConfig& config, Image frame, const std::filesystem::path& file,

@@ -2,11 +2,9 @@
 
 #include <zlib.h>
 
-#include <fstream>
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/file/atomic_file.h"
 
 namespace swaplight {
 namespace {
@@ -36,17 +34,12 @@ std::optional<CodePoints> codePointsOf(const std::string& display) {
   return std::nullopt;
 }
 
-void addCicp(const std::filesystem::path& png, const CodePoints& points) {
+std::string withCicp(std::string png, const CodePoints& points, const std::string& name) {
   constexpr size_t kHeader = 8 + 4 + 4 + 13 + 4;  // signature; IHDR's length, type, data, check sum
-  constexpr size_t kLargest = size_t{4} << 30;
-  std::string bytes = readFile(png, kLargest);
-  if (bytes.size() < kHeader || std::string_view(bytes).substr(12, 4) != "IHDR")
-    throw InputError("{}: is no PNG.", png.string());
-  bytes.insert(kHeader, chunk(points));
-  std::ofstream out(png, std::ios::binary | std::ios::trunc);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) throw InputError("{}: cannot be written. Is the disk full?", png.string());
+  if (png.size() < kHeader || std::string_view(png).substr(12, 4) != "IHDR")
+    throw InputError("{}: is no PNG.", name);
+  png.insert(kHeader, chunk(points));
+  return png;
 }
 
 }  // namespace swaplight

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -15,8 +14,8 @@ using CodePoints = std::array<uint8_t, 4>;
 /// 1). Nothing for any other display: an ICC profile says it better.
 [[nodiscard]] std::optional<CodePoints> codePointsOf(const std::string& display);
 
-/// Puts a cICP chunk (PNG, third edition, 11.3.2.6), which OpenImageIO 2.4 does not write, after the header
-/// of a PNG. Throws InputError where the file is no PNG or cannot be written.
-void addCicp(const std::filesystem::path& png, const CodePoints& points);
+/// The bytes of a PNG with a cICP chunk (PNG, third edition, 11.3.2.6), which OpenImageIO 2.4 does not write,
+/// after its header. Throws InputError where they are no PNG; `name` begins the message.
+[[nodiscard]] std::string withCicp(std::string png, const CodePoints& points, const std::string& name);
 
 }  // namespace swaplight

@@ -1,6 +1,6 @@
 // Preloaded into the program (LD_PRELOAD): makes the k-th call of one kind fail, once, as a bad disk or a
 // full memory would. What to do stands in the environment:
-//   FAIL_CALL   open, write, fsync, rename, close, malloc
+//   FAIL_CALL   open, pread, write, fsync, rename, close, malloc
 //   FAIL_AT     which one, from 1
 //   FAIL_ERRNO  what errno is then
 //   FAIL_PATH   only files whose path holds this (not for malloc)
@@ -118,6 +118,11 @@ ssize_t pwrite(int file, const void* bytes, size_t count, off_t offset) {
   return fileFails("write", file) ? -1 : ::syscall(SYS_pwrite64, file, bytes, count, offset);
 }
 ssize_t pwrite64(int file, const void* bytes, size_t count, off_t offset) __attribute__((alias("pwrite")));
+
+ssize_t pread(int file, void* bytes, size_t count, off_t offset) {
+  return fileFails("pread", file) ? -1 : ::syscall(SYS_pread64, file, bytes, count, offset);
+}
+ssize_t pread64(int file, void* bytes, size_t count, off_t offset) __attribute__((alias("pread")));
 
 size_t fwrite(const void* bytes, size_t size, size_t count, FILE* stream) {
   static auto* real = next<size_t(const void*, size_t, size_t, FILE*)>("fwrite");

@@ -113,6 +113,21 @@ class FaultTest(cli.CliTest):
         for name in ('f.exr', 'f.png', 'f.tif', *more):
             self.every_call(name, 'relight', self.solved)
 
+    def test_a_frame_that_gets_a_chunk_of_its_own(self):
+        self.every_call('hdr.png', 'relight', self.solved, '--display', 'Rec.2100 PQ')
+
+    def test_a_frame_that_cannot_be_read_back_from_memory(self):
+        """A TIFF is made there; a failing read is not its end."""
+        command = ['relight', self.solved, '-o', self.path('out', 'f.tif')]
+        memory = {'FAIL_PATH': 'memfd:'}
+        count = self.count('pread', command, **memory)
+        self.assertGreater(count, 0)
+        for at in range(1, count + 1):
+            result, failed = self.run_failing('pread', errno.EIO, at, command, **memory)
+            self.assertIsNotNone(failed, 'there was no such call')
+            self.assertEqual(result.returncode, 3, result.stderr)
+            self.after(result, {}, {'f.tif': ''}, 'f.tif', (3,))
+
     def test_layers_and_maps(self):
         self.every_call('l.exr', 'export', self.solved)
         self.every_call('b.exr', 'beta', self.solved)

@@ -149,7 +149,8 @@ class Output {
   void close() {
     check();
     if (!m_output->close()) fail();
-    if (m_memory) m_memory->copyTo(m_proxy);
+    const int unread = m_memory ? m_memory->copyTo(m_proxy) : 0;
+    if (unread != 0) m_file.fail(unread);
     if (m_proxy.finish() != 0) m_file.fail(m_proxy.failure());
   }
   /// Throws where the writer has put another type in the place of one that was asked for: it would take the

@@ -15,12 +15,15 @@ MemoryFile::MemoryFile(const AtomicFile& file) : m_path(file.temporary().string(
 #endif
 }
 
-void MemoryFile::copyTo(FileProxy& disk) const {
-  if (!m_memory) return;
+int MemoryFile::copyTo(FileProxy& disk) const {
+  if (!m_memory) return 0;
   std::vector<char> block(size_t{1} << 20);
   off_t at = 0;
-  ssize_t got = 0;
-  while ((got = ::pread(m_memory.get(), block.data(), block.size(), at)) > 0) {
+  while (true) {
+    const ssize_t got = ::pread(m_memory.get(), block.data(), block.size(), at);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return errno;
+    if (got == 0) return 0;
     disk.write(block.data(), static_cast<size_t>(got));
     at += got;
   }

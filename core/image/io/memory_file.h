@@ -14,7 +14,8 @@ class MemoryFile {
  public:
   explicit MemoryFile(const AtomicFile& file);
   [[nodiscard]] const std::string& path() const { return m_path; }
-  void copyTo(FileProxy& disk) const;
+  /// The errno of what cannot be read of it; 0: all was handed over.
+  [[nodiscard]] int copyTo(FileProxy& disk) const;
 
  private:
   OwnedDescriptor m_memory;
