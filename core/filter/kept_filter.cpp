@@ -53,7 +53,8 @@ fs::path keepFilter(const ResolvedStage& stage, const fs::path& folder, const st
         filter.file.string());
   const std::string text = readFile(filter.file, kLargestFilter);
   FilterHeader header = headerOf(text, filter.file.string());
-  setDefaults(header.json["INPUTS"], stage);
+  if (const auto inputs = header.json.find("INPUTS"); inputs != header.json.end())
+    setDefaults(*inputs, stage);
   if (const auto own = header.json.find("SWAPLIGHT"); own != header.json.end() && own->contains("INPUTS"))
     setDefaults((*own)["INPUTS"], stage);
   std::error_code error;
