@@ -127,7 +127,7 @@ void writeExrZip(const FileToWrite& contents, const AtomicFile& file, const Prog
   ExrContext exr;
   check(exr.startWrite(file.temporary().c_str()), file);
   writeHeader(exr.get(), contents, file);
-  const auto total = static_cast<float>(contents.parts.size()) * static_cast<float>(contents.height);
+  const auto total = static_cast<float>(contents.parts.size()) * static_cast<float>(contents.window().height);
   int64_t written = 0;
   for (size_t i = 0; i < contents.parts.size(); ++i)
     writePart(exr.get(), static_cast<int>(i), contents, file, [&](int rows) {

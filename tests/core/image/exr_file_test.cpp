@@ -3,11 +3,13 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "core/image/exr/exr_zip.h"
 #include "core/image/half.h"
 #include "core/image/io/image_io.h"
+#include "core/image/io/image_write.h"
 #include "tests/support/temporary_folder.h"
 
 namespace swaplight {
@@ -72,6 +74,22 @@ TEST(ExrFile, OtherReadersSeeWhatWasWritten) {
         ASSERT_EQ(pixels[p * 5 + c], plane == 3 ? value : roundedToHalf(value)) << compression;
       }
     }
+  }
+}
+
+TEST(ExrFile, WritingAPartOfThePictureIsDoneAtTheEnd) {
+  const TemporaryFolder folder;
+  const Image image = randomImage(67, 45, {"Y"});
+  for (const char* compression : {"zip", "zips", "piz"}) {
+    FileToWrite contents{67,           45,          {{"", {{"Y", image.plane(0), PixelType::Half}}}},
+                         "lin_rec709", compression, {}};
+    contents.dataWindow = PixelRect{3, 20, 40, 10};
+    std::vector<float> said;
+    writeChannels(contents, folder / "a.exr",
+                  {[&](float fraction, std::string_view) { said.push_back(fraction); }});
+    ASSERT_FALSE(said.empty()) << compression;
+    EXPECT_EQ(said.back(), 1) << compression;
+    EXPECT_TRUE(std::is_sorted(said.begin(), said.end())) << compression;
   }
 }
 
