@@ -1,6 +1,7 @@
 #include "core/export/frame_file.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 #include "core/base/error.h"
@@ -15,10 +16,13 @@
 namespace swaplight {
 namespace {
 
-/// An EXR that is to be half float by default becomes float where light is brighter than half can hold.
+/// An EXR that is to be half float by default becomes float where light is brighter than half can hold, or
+/// the frame so dark that half's steps show.
 void keepInHalf(const Image& frame, const std::filesystem::path& file, WriteOptions& write) {
   if (!write.pixelType.empty() || imageFormatForWriting(file) != "openexr") return;
-  if (!fitsHalf(frame)) write.pixelType = "float";
+  const std::array<const Image*, 1> all{&frame};
+  const double mean = meanLight(all);
+  if (!fitsHalf(frame) || (mean > 0 && mean < kDarkestInHalf)) write.pixelType = "float";
 }
 
 /// An EXR's colour is multiplied by its alpha; other formats hold it as it is.

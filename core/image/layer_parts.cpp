@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -18,6 +19,19 @@ bool fitsHalf(const Image& image) {
   for (int c = 0; c < image.channelCount(); ++c)
     if (!fitsHalf(image.plane(c), image.pixelCount())) return false;
   return true;
+}
+
+double meanLight(std::span<const Image* const> images) {
+  constexpr size_t kStep = 16;
+  double sum = 0;
+  size_t count = 0;
+  for (const Image* image : images) {
+    count = 0;
+    for (int c = 0; c < std::min(image->channelCount(), 3); ++c)
+      for (size_t p = 0; p < image->pixelCount(); p += kStep, ++count)
+        if (const float value = image->plane(c)[p]; std::isfinite(value)) sum += double{std::abs(value)};
+  }
+  return count == 0 ? 0 : sum / double(count);
 }
 
 PixelType typeThatHolds(std::span<const Image> images, PixelType asked) {

@@ -57,14 +57,11 @@ bool halfIsEnough(const Image& sum) {
 /// that its steps (6e-8) show.
 bool lightsFitHalf(const SolvedSet& set) {
   constexpr double kDarkest = 1e-3;  // of the mean: a hundredth of it is still held to 0.3 %
-  double sum = 0;
-  for (const Image* layer : layersOf(set))
-    for (int c = 0; c < 3; ++c) {
-      if (!fitsHalf(layer->plane(c), layer->pixelCount())) return false;
-      for (size_t p = 0; p < layer->pixelCount(); p += 16) sum += double{std::abs(layer->plane(c)[p])};
-    }
-  const double mean = sum / (3 * double(set.beta.pixelCount()) / 16);
-  return sum == 0 || mean >= kDarkest;
+  const auto layers = layersOf(set);
+  if (!std::all_of(layers.begin(), layers.end(), [](const Image* layer) { return fitsHalf(*layer); }))
+    return false;
+  const double mean = meanLight(layers);
+  return mean == 0 || mean >= kDarkest;
 }
 
 std::vector<std::string> lightNames(const Capture& capture) {

@@ -35,6 +35,13 @@ class RelightTest(cli.CliTest):
         self.near(self.frame('--light', 'key=rgb:1/0.5/0', '--light', 'fill=off'), self.key * [1, .5, 0])
         self.near(self.frame('--light', 'key=+1st,x0.25', '--light', 'fill=-1st'), .5 * (self.key + self.fill))
 
+    def test_light_darker_than_half_can_hold_is_kept(self):
+        dim = ('--light', 'key=-20st', '--light', 'fill=-20st')
+        wanted = (self.key + self.fill) * 2.**-20
+        np.testing.assert_allclose(self.frame(*dim), wanted, rtol=1e-4, atol=1e-12)
+        self.succeed('export', self.solved, *dim, '-o', self.path('layers.exr'), '-q')
+        np.testing.assert_allclose(cli.read_rgb(self.path('layers.exr')), wanted, rtol=1e-4, atol=1e-12)
+
     def test_tone_mapping_as_a_view_and_as_a_still(self):
         bright = ('--light', 'key=+4st')  # below Hable's white
         plain = self.frame(*bright, name='plain.png')
