@@ -187,7 +187,7 @@ void checkAllFit(const Capture& capture, size_t pictures) {
   if (gigabytes > kShare * machineGigabytes())
     throw InputError(
         "{}: is {} x {} pixels, and there are {} pictures of that size: they take {:.1f} GB, this machine "
-        "has {:.1f} GB. Scale or crop them; swaplight solve --memory takes larger ones.",
+        "has {:.1f} GB. Scale or crop them (--memory of swaplight solve takes larger ones).",
         file.string(), spec.width, spec.height, pictures, gigabytes, machineGigabytes());
 }
 

@@ -30,7 +30,7 @@ SharedMemory::SharedMemory(size_t bytes) : m_descriptor(namelessMemory()), m_siz
     if (m_descriptor && errno == EFBIG)
       throw ResourceError(
           "a decoded picture is larger than this shell lets a file be (ulimit -f), memory that processes "
-          "share included; raise the limit, or give --trust-pictures");
+          "share included; raise the limit (--trust-pictures does without)");
     throw std::bad_alloc();
   }
 #ifdef __linux__

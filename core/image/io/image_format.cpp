@@ -99,7 +99,7 @@ void checkImageFits(const std::string& name, int width, int height, int channels
   if (gigabytes > (ImagesInFiles::areBounded() ? 8 : 0.5) * memory)
     throw InputError(
         "{}: is {} x {} pixels with {} channels: that takes {:.1f} GB, this machine has {:.1f} GB. "
-        "Scale or crop it; solve, relight and export take larger ones with --memory.",
+        "Scale or crop it (--memory of solve, relight and export takes larger ones).",
         name, width, height, channels, gigabytes, memory);
 }
 

@@ -19,13 +19,13 @@ namespace swaplight {
 Capture withAmbientLight(const Capture& capture, const std::string& where) {
   if (capture.ambient)
     throw InputError(
-        "{}: has an ambient picture, so there is no ambient light to solve for; leave out --solve-ambient",
+        "{}: has an ambient picture, so there is no ambient light to solve for; do not ask for it "
+        "(--solve-ambient)",
         where);
   if (capture.shotCount() <= capture.lightCount())
     throw InputError(
         "{}: to solve for ambient light takes more shots than lights, here {} of {}; photograph one more "
-        "(all "
-        "lights dimmed, or off), or leave out --solve-ambient",
+        "(all lights dimmed, or off), or do not ask for it (--solve-ambient)",
         where, capture.shotCount(), capture.lightCount());
   std::vector<Shot> leftOut = leftOutOf(capture);
   Capture all = capture;

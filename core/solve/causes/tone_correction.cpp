@@ -160,7 +160,7 @@ std::optional<FoundTone> findToneCorrection(const Capture& capture, const Captur
       if (!color)
         throw InputError(
             "{}: a light colour is unknown, so that no tone curve can be told from the photographs; tell the "
-            "colour, or leave out --tone auto",
+            "colour, or do not ask for one (--tone auto)",
             capture.calledName());
   const std::optional<SensorNoise> told = toldNoise(capture, noise);
   ToneCorrection with, without;

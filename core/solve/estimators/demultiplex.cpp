@@ -18,7 +18,8 @@ Demultiplex::Demultiplex(const EstimatorContext& context, Bound bound)
     : m_lights(context.lighting.lights), m_shots(context.lighting.shots), m_bound(bound), m_context(context) {
   if (m_shots < m_lights)
     throw InputError(
-        "{} lights cannot be demultiplexed from {} shots, one for each light is needed; use --model lambert",
+        "{} lights cannot be demultiplexed from {} shots, one for each light is needed; use the model "
+        "lambert (--model)",
         m_lights, m_shots);
   for (int c = 0; c < 3; ++c) {
     Eigen::MatrixXd matrix = context.lighting.matrix(c);

@@ -13,8 +13,8 @@ GlossFit::GlossFit(const EstimatorContext& context) : m_matte(context) {
   const LightingMatrix& lighting = context.lighting;
   if (!fits(lighting))
     throw InputError(
-        "model gloss needs {} shots of {} lights, there are {}: photograph more, or use --model lambert, "
-        "transport or auto",
+        "model gloss needs {} shots of {} lights, there are {}: photograph more, or use the model "
+        "lambert, transport or auto (--model)",
         (2 * lighting.lights + 4) / 3, lighting.lights, lighting.shots);
   for (int c = 0; c < 3; ++c) m_seen[size_t(c)] = !lighting.matrix(c).isZero();
   m_plan.lights = lighting.lights;

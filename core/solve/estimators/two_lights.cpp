@@ -38,7 +38,7 @@ TwoLights::TwoLights(const EstimatorContext& context, BetaSearch search, Reflect
   if (context.lighting.lights != 2 || context.lighting.shots != 2)
     throw InputError(
         "brute-force, published and closed-form need two lights in two photographs; this capture has {} in "
-        "{}: use --solver maximum-likelihood",
+        "{}: use the solver maximum-likelihood (--solver)",
         context.lighting.lights, context.lighting.shots);
   for (int k = 0; k < 2; ++k)
     for (int i = 0; i < 2; ++i)

@@ -54,7 +54,7 @@ void checkKnown(const Capture& capture) {
       if (!color)
         throw InputError(
             "{}: a light colour is unknown, so that no drift over the field can be told from the "
-            "photographs; tell the colour, or let the lamps count as even (without --field)",
+            "photographs; tell the colour, or let the lamps count as even (--field left out)",
             capture.calledName());
 }
 
