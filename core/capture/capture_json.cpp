@@ -332,7 +332,7 @@ Capture captureBy(const ColorConfig* config, const Json& json, const std::filesy
   if (!colorSpace) assumeColorSpace(config, capture, fields.where());
   capture.ambient = optionalPath(fields, "ambient");
   capture.dark = optionalPath(fields, "dark");
-  if (capture.ambient && capture.shots.front().exposureStops != 0)
+  if (config && capture.ambient && capture.shots.front().exposureStops != 0)
     capture.warnings.push_back(fmt::format(
         "{}: shot 1 has {:g} exposure_stops, which are over the first shot's: the ambient picture is "
         "taken as exposed at 0",

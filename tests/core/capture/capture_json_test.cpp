@@ -14,6 +14,7 @@ namespace {
 using test::inputError;
 using test::TemporaryFolder;
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -38,6 +39,18 @@ std::string errorOfText(const std::string& text) {
   const TemporaryFolder folder;
   test::writeBytes(folder / "capture.json", text);
   return inputError([&] { (void)readCapture(test::builtinColors(), folder / "capture.json"); });
+}
+
+TEST(CaptureJson, AnAmbientPictureOfAnUnclearExposureIsWarnedOf) {
+  const TemporaryFolder folder;
+  const auto warningsOf = [&](float stops) {
+    Json json = manifest();
+    json["shots"][0]["exposure_stops"] = stops;
+    test::writeBytes(folder / "capture.json", json.dump());
+    return readCapture(test::builtinColors(), folder / "capture.json").warnings;
+  };
+  EXPECT_THAT(warningsOf(0.5F), ElementsAre(HasSubstr("the ambient picture is taken as exposed at 0")));
+  EXPECT_THAT(warningsOf(0), IsEmpty());
 }
 
 TEST(CaptureJson, ReadsEveryFieldOfTheContract) {
