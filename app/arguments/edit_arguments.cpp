@@ -13,6 +13,14 @@ void EditArguments::addTo(CLI::App& verb) {
   verb.add_option("--edits", file, "Apply light edits first: a JSON file of edits")->type_name("FILE");
 }
 
+std::vector<std::filesystem::path> EditArguments::inputs() const {
+  if (file.empty()) return {};
+  // The size is that of painted strokes, and says nothing of files.
+  std::vector<std::filesystem::path> files = filesOfEdits(readEdits(file, 1, 1));
+  files.emplace_back(file);
+  return files;
+}
+
 SolvedSet EditArguments::applyTo(SolvedSet set, const EditStack& session,
                                  const std::string& sessionFile) const {
   if (leavesAlone(session)) return set;

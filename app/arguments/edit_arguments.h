@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/program/program.h"
 #include "core/edit/stack/edit.h"
@@ -14,6 +16,9 @@ struct EditArguments {
   std::string file;
 
   void addTo(CLI::App& verb);
+  /// The file and those that its edits read: nothing may be written over them. Throws InputError as readEdits
+  /// does.
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
   /// The set with a session's edits, if it has any, and the file's after them. Throws InputError that begins
   /// with the file, or the session's.
   [[nodiscard]] SolvedSet applyTo(SolvedSet set, const EditStack& session = {},

@@ -201,7 +201,9 @@ void LightingArguments::check(const ColorConfig& config, const std::optional<Ses
 
 std::vector<std::filesystem::path> LightingArguments::inputs(const std::optional<Session>& session) const {
   std::vector<std::filesystem::path> files = filesOfSource(source(session));
-  for (const std::string& file : {m_source, m_session, m_from, m_rig, m_edits.file}) files.emplace_back(file);
+  for (const std::string& file : {m_source, m_session, m_from, m_rig}) files.emplace_back(file);
+  const std::vector<std::filesystem::path> edits = m_edits.inputs();
+  files.insert(files.end(), edits.begin(), edits.end());
   if (session) {
     const std::vector<std::filesystem::path> read = filesOfDocument(session->document);
     files.insert(files.end(), read.begin(), read.end());

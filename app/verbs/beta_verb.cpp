@@ -23,7 +23,8 @@ struct BetaCommand {
 int run(const BetaCommand& arguments, Terminal& terminal) {
   const SolveOptions options = arguments.solve.resolveFor(arguments.source);
   std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
-  inputs.emplace_back(arguments.edits.file);
+  const std::vector<std::filesystem::path> edits = arguments.edits.inputs();
+  inputs.insert(inputs.end(), edits.begin(), edits.end());
   checkWritable(arguments.output);
   checkOutputs(betaMapFiles(arguments.output, {}), inputs);  // an EXR before the work; lights name the PNGs
   const SolvedSet set =

@@ -72,10 +72,8 @@ std::vector<fs::path> filesOfDocument(const Document& document) {
   std::vector<fs::path> files = filesOfSource(document.source);
   files.emplace_back(document.colorConfig);
   const auto addEdits = [&](const EditStack& edits) {
-    static_cast<void>(withFiles(edits, [&](const std::string& file) {
-      files.emplace_back(file);
-      return file;
-    }));
+    const std::vector<fs::path> read = filesOfEdits(edits);
+    files.insert(files.end(), read.begin(), read.end());
   };
   const auto addLook = [&](const FilterPipeline& look) {
     const std::vector<fs::path> read = filesOfPipeline(look);

@@ -42,6 +42,16 @@ class RelightTest(cli.CliTest):
         self.succeed('export', self.solved, *dim, '-o', self.path('layers.exr'), '-q')
         np.testing.assert_allclose(cli.read_rgb(self.path('layers.exr')), wanted, rtol=1e-4, atol=1e-12)
 
+    def test_no_frame_replaces_a_picture_that_the_edits_read(self):
+        mask = self.path('mask.png')
+        cli.write_image(mask, np.ones((12, 16, 3), np.float32), 'uint8')
+        shape = {'shape': 'picture', 'file': 'mask.png', 'x': 0, 'y': 0, 'width': 16, 'height': 12}
+        with open(self.path('edits.json'), 'w') as file:
+            json.dump({'format': 'swaplight-edits', 'version': 1,
+                       'edits': [{'lights': ['key'], 'operation': 'gain', 'gain': 2, 'mask': [shape]}]}, file)
+        self.frame('--edits', self.path('edits.json'))
+        self.deny('relight', self.solved, '--edits', self.path('edits.json'), '-o', mask, naming='mask.png')
+
     def test_tone_mapping_as_a_view_and_as_a_still(self):
         bright = ('--light', 'key=+4st')  # below Hable's white
         plain = self.frame(*bright, name='plain.png')

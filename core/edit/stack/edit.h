@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -63,6 +64,8 @@ struct EditStack {
 /// The stack with every file that it names by another name.
 [[nodiscard]] EditStack withFiles(const EditStack& stack,
                                   const std::function<std::string(const std::string&)>& rename);
+/// Every file that the stack names: pictures, beta maps.
+[[nodiscard]] std::vector<std::filesystem::path> filesOfEdits(const EditStack& stack);
 /// The stack for a picture of this size: strokes are painted again where it is another.
 [[nodiscard]] EditStack fitEdits(const EditStack& stack, int width, int height);
 /// What the stack says of how shadows are to be found.

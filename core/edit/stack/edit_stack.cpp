@@ -64,6 +64,15 @@ EditStack withFiles(const EditStack& stack, const std::function<std::string(cons
   return renamed;
 }
 
+std::vector<std::filesystem::path> filesOfEdits(const EditStack& stack) {
+  std::vector<std::filesystem::path> files;
+  static_cast<void>(withFiles(stack, [&](const std::string& file) {
+    files.emplace_back(file);
+    return file;
+  }));
+  return files;
+}
+
 EditStack fitEdits(const EditStack& stack, int width, int height) {
   EditStack fitted = stack;
   fitted.width = width;
