@@ -15,7 +15,7 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kMostCues = 1000;
+constexpr size_t kMostCues = 10000;
 constexpr double kHundred = 100;
 
 std::optional<int> hundredths(double number) {
@@ -68,7 +68,10 @@ const Cue* cueBefore(const CueList& cues, std::optional<int> number) {
 
 int freeCueNumber(const CueList& cues) {
   constexpr int kWhole = 100;
-  return cues.empty() ? kWhole : std::min((cues.back().number / kWhole + 1) * kWhole, kMostCueNumber);
+  if (cues.empty()) return kWhole;
+  int number = std::min((cues.back().number / kWhole + 1) * kWhole, kMostCueNumber);
+  while (findCue(cues, number)) --number;  // behind the last number there is none
+  return number;
 }
 
 CueList withCue(CueList cues, Cue cue) {

@@ -33,7 +33,7 @@ Json jsonFromSavedLooks(const std::vector<SavedLook>& looks) {
 }
 
 std::vector<SavedLook> savedLooksFromJson(const Json& json, const std::string& where) {
-  constexpr size_t kMost = 256;
+  constexpr size_t kMost = 16384;  // more than a cue list can have made
   if (!json.is_array()) throw InputError("{}: must be a list of looks", where);
   if (json.size() > kMost) throw InputError("{}s: are {}, expected at most {}", where, json.size(), kMost);
   std::vector<SavedLook> looks;

@@ -107,7 +107,8 @@ Rig withLevel(Rig rig, std::span<const size_t> lights, double level) {
     if (named(i))
       setLevel(light, level);
     else if (light.ratioLock && before > 0 && level > 0)
-      light.stops += static_cast<float>(std::log2(level / before));
+      light.stops =
+          std::clamp(light.stops + static_cast<float>(std::log2(level / before)), -kMostStops, kMostStops);
   }
   return rig;
 }

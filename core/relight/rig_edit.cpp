@@ -30,7 +30,7 @@ Rig rigOfShot(const ColorConfig& config, Rig rig, const SolvedSet& set, size_t s
     LightSetting& light = rig.lights[i];
     light.color = linearColor(
         convertColor(config, *taken.lightColors[i], linearSpaceOf(set.capture.colorSpace), "lin_rec709"));
-    light.stops = taken.exposureStops;
+    light.stops = std::clamp(taken.exposureStops, -kMostStops, kMostStops);
     light.multiplier = 1;
     light.on = true;
     light.solo = light.mute = false;
@@ -74,7 +74,9 @@ Rig addStops(Rig rig, std::span<const size_t> lights, float stops) {
       std::any_of(lights.begin(), lights.end(), [&](size_t i) { return rig.lights.at(i).ratioLock; });
   for (size_t i = 0; i < rig.lights.size(); ++i) {
     const bool named = std::find(lights.begin(), lights.end(), i) != lights.end();
-    if (named || (locked && rig.lights[i].ratioLock)) rig.lights[i].stops += stops;
+    float& light = rig.lights[i].stops;
+    if (named || (locked && rig.lights[i].ratioLock))
+      light = std::clamp(light + stops, -kMostStops, kMostStops);
   }
   return rig;
 }

@@ -55,6 +55,8 @@ TEST(CueList, StandsInTheOrderOfItsNumbers) {
   EXPECT_EQ(cueBefore(cues, {}), nullptr);
   EXPECT_EQ(freeCueNumber({}), 100);
   EXPECT_EQ(freeCueNumber({{250, "Day"}}), 300);
+  EXPECT_EQ(freeCueNumber({{kMostCueNumber - 1, "Day"}, {kMostCueNumber, "Night"}}), kMostCueNumber - 2)
+      << "the last number there is must not be replaced";
   EXPECT_EQ(withCue(cues, {250, "Other"})[2].look, "Other");
 }
 

@@ -92,6 +92,8 @@ TEST(RigEdit, LockedLightsKeepTheirRatio) {
   EXPECT_EQ(rig.lights[2].stops, 0);
   rig = addStops(rig, back, 1);
   EXPECT_EQ(rig.lights[0].stops, 1.5F);
+  EXPECT_EQ(addStops(rig, key, -30).lights[1].stops, -kMostStops) << "or the session could not be read again";
+  EXPECT_EQ(withLevel(rig, key, std::exp2(-30)).lights[1].stops, -kMostStops);
 }
 
 TEST(RigEdit, AGroupIsAFaderOverItsLights) {
