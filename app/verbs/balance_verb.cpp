@@ -165,7 +165,10 @@ int run(const BalanceCommand& arguments, Terminal& terminal) {
   work.photograph = arguments.photograph;
   checkFrame(*work.config, arguments.output, arguments.frame);
   std::vector<std::filesystem::path> inputs{arguments.photograph};
-  if (!arguments.set.empty()) inputs.emplace_back(arguments.set);
+  if (!arguments.set.empty()) {
+    const std::vector<std::filesystem::path> read = filesOfSource(arguments.set);
+    inputs.insert(inputs.end(), read.begin(), read.end());
+  }
   if (!arguments.camera.empty()) inputs.emplace_back(arguments.camera);
   checkOutputs(std::array<std::filesystem::path, 2>{arguments.output, arguments.map}, inputs);
   const WhitePoint white = whitePointFromText(arguments.white);

@@ -8,6 +8,8 @@
 #include "core/bench/solver_error.h"
 #include "core/bench/solver_speed.h"
 #include "core/bench/trade_off.h"
+#include "core/file/atomic_file.h"
+#include "core/image/io/image_format.h"
 #include "core/image/io/image_io.h"
 #include "core/ocio/chosen_config.h"
 #include "core/plot/plot.h"
@@ -115,6 +117,13 @@ Image paretoPlot(const std::vector<SolverError>& rows) {
 
 int run(const BenchCommand& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
+  if (!arguments.output.empty()) {
+    if (arguments.hardCases || (!arguments.tradeOff && arguments.captures.empty()))
+      throw InputError("-o {}: a picture is drawn of captures, or with --trade-off; leave it out",
+                       arguments.output);
+    static_cast<void>(imageFormatForWriting(arguments.output));
+    checkWritable(arguments.output);
+  }
   if (arguments.hardCases) {
     const Description suite = benchHardCases(arguments.captures, arguments.seed, arguments.quick, progress);
     terminal.result(suite.text, suite.json);

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "app/arguments/lighting_arguments.h"
 #include "app/arguments/sequence_arguments.h"
 #include "app/program/description.h"
@@ -57,8 +59,12 @@ int run(const CuesCommand& arguments, Terminal& terminal) {
   const std::string& output = arguments.output.empty() ? arguments.session : arguments.output;
   const std::vector<std::filesystem::path> inputs = {arguments.session, document.source, output};
   if (!arguments.keys.empty()) checkOutput(arguments.keys, inputs);
-  if (!arguments.lines.empty()) writeSession(session, output);
-  if (!arguments.lines.empty()) terminal.say("wrote {}", output);
+  if (!arguments.output.empty())
+    checkOutput(arguments.output, std::array{std::filesystem::path(document.source)});
+  if (!arguments.lines.empty() || !arguments.output.empty()) {
+    writeSession(session, output);
+    terminal.say("wrote {}", output);
+  }
   Json cues = jsonFromCues(document.cues);
   if (document.cues.empty() && arguments.keys.empty()) {
     terminal.result("The cue list is empty.\n", {{"cues", cues}});

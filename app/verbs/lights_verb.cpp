@@ -79,7 +79,8 @@ std::string unknownIn(const Json& lamps) {
 }
 
 int run(const LightsCommand& arguments, Terminal& terminal) {
-  const std::vector<std::filesystem::path> inputs{arguments.source, arguments.photograph};
+  std::vector<std::filesystem::path> inputs = filesOfSource(arguments.source);
+  inputs.emplace_back(arguments.photograph);
   if (!arguments.rig.empty()) checkOutput(arguments.rig, inputs);
   checkEnding(arguments.rig, std::array{".json"}, "a rig");
   LampReadingOptions options = arguments.options;
