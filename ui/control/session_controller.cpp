@@ -212,7 +212,10 @@ void SessionController::followWorkingSpace() {
 void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
   Document& document = pending.session.document;
   if (set) {
-    document.edits = fitEdits(document.edits, set->original->width(), set->original->height());
+    const int width = set->original->width(), height = set->original->height();
+    document.edits = fitEdits(document.edits, width, height);
+    for (SavedLook& look : document.looks)
+      if (look.scene) look.scene->edits = fitEdits(look.scene->edits, width, height);
     document.rig = fitRig(document.rig, withNewLights(set->original->capture, document.edits));
     for (const std::string& warning : set->original->capture.warnings) m_messages.warn(warning);
     if (sourceKind(document.source) == SourceKind::Capture) warnOfVerdict(*set->original, m_messages);

@@ -57,7 +57,7 @@ void SubjectPictures::update(Messages& messages) {
   const Taken taken = takeOrReport(m_job, messages, "this photograph", [this](Image image) {
     if (!m_stale) keep(m_reading, std::move(image));
   });
-  if (taken == Taken::Failed) m_failed.push_back(m_reading);
+  if (taken == Taken::Failed && !m_stale) m_failed.push_back(m_reading);
   m_illumination.update(messages);
 }
 

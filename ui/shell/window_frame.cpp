@@ -93,6 +93,7 @@ void StudioWindow::resetForNewSet() {
   if (m_originalShown.lock() != original) {
     m_editing.chosen = -1;
     m_editing.lamp = {};
+    m_editing.endDrags();  // they hold the document that is gone
   }
   m_originalShown = original;
 }
