@@ -95,18 +95,32 @@ void EditController::takeDrawn() {
     if (m_room.edited) m_room.edited->context().keep(m_drawingShape, *raster);
     keepDrawn(std::move(*raster));
   } catch (const Stopped&) {
-    keepDrawn(nullptr);
+    failDrawn();
   } catch (const InputError&) {
-    keepDrawn(nullptr);  // who asks for it is told why
+    failDrawn();  // who asks for it is told why
   } catch (const std::exception& error) {
-    keepDrawn(nullptr);  // or it would be begun again in every frame
+    failDrawn();  // or it would be begun again in every frame
     m_parts.messages.error(error.what());
   }
 }
 
+void EditController::failDrawn() {
+  if (!m_drawingStale) keepDrawn(nullptr);
+}
+
 void EditController::keepDrawn(std::shared_ptr<const MaskRaster> raster) {
   m_drawn.push_back({m_drawingShape, std::move(raster)});
-  if (m_drawn.size() > kDrawnKept) m_drawn.pop_front();
+}
+
+void EditController::dropDrawn(const EditStack& stack) {
+  const auto isWanted = [&](const Drawn& drawn) {
+    return std::any_of(stack.edits.begin(), stack.edits.end(), [&](const auto& edit) {
+      return std::any_of(edit->mask.begin(), edit->mask.end(),
+                         [&](const MaskShape& shape) { return shape.shape == drawn.shape.shape; });
+    });
+  };
+  for (auto drawn = m_drawn.begin(); m_drawn.size() > kDrawnKept && drawn != m_drawn.end();)
+    drawn = isWanted(*drawn) ? std::next(drawn) : m_drawn.erase(drawn);
 }
 
 bool EditController::isDrawn(const MaskShape& shape) {
@@ -131,6 +145,7 @@ void EditController::follow() {
   if (!m_room.edited && !(wanted.edits.empty() && wanted.newLights.empty())) return prepare();
   if (m_room.edited) {
     const EditStack stack = usable(wanted);
+    dropDrawn(stack);
     if (!isReady(stack)) return;  // the picture follows when it is
     setStack(stack);
     m_files.release();
@@ -242,7 +257,11 @@ void EditController::applyStack(const EditStack& stack) {
       good.edits.pop_back();
     }
   }
-  m_room.edited->setStack(good);
+  try {
+    m_room.edited->setStack(good);
+  } catch (const InputError&) {  // lights that cannot be added: without them there is nothing to edit
+    m_room.edited->setStack({});
+  }
 }
 
 void EditController::update(const PixelRect& visible) {

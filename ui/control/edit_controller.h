@@ -115,6 +115,10 @@ class EditController {
   void takeJobs();
   void takeDrawn();
   void keepDrawn(std::shared_ptr<const MaskRaster> raster);
+  /// The shape that was being drawn cannot be.
+  void failDrawn();
+  /// Of more than a few those that the stack does not need: all that it needs have to be there at once.
+  void dropDrawn(const EditStack& stack);
   [[nodiscard]] static Room makeRoom(std::shared_ptr<const SolvedSet> set,
                                      std::shared_ptr<FoundShadows> found,
                                      std::shared_ptr<FoundSurfaces> surfaces);
@@ -160,7 +164,7 @@ class EditController {
   std::string m_complaint;                  ///< about the edits, said already
   uint64_t m_revision = 0;
   int m_part = 0;             ///< of the picture that is computed next
-  std::deque<Drawn> m_drawn;  ///< the last ones: kept until somebody uses them
+  std::deque<Drawn> m_drawn;  ///< the last ones, and what is needed: kept until somebody uses them
   MaskShape m_drawingShape;
   bool m_drawingStale = false;  ///< the set or its shadows have changed since
   Job<std::shared_ptr<const MaskRaster>> m_drawing;

@@ -126,6 +126,33 @@ TEST(EditController, AnEditThatCannotBeAppliedIsSaidOnceAndTheOthersAre) {
   EXPECT_EQ(studio.errors(), 1U);
 }
 
+TEST(EditController, ManyMasksThatTakeTheirTimeAreNeededAtOnce) {
+  StudioParts studio;
+  studio.open(test::smallSet(2, 100, 80));
+  Document next = studio.editor.document();
+  for (int i = 0; i < 6; ++i) {
+    Edit edit = fill("light1", 0.25F);
+    edit.mask = {MaskShape{SimilarShape{SimilarShape::By::Color, 10 * i, 5, 0.05F, false}}};
+    next.edits.append(edit);
+  }
+  studio.editor.edit("As a session has them", next);
+  settle(studio);
+  EXPECT_LT(test::largestDifference(
+                solved(studio), applyEdits(*studio.session.set()->original, studio.editor.document().edits)),
+            1e-6F);
+}
+
+TEST(EditController, ALightThatTheSetHasByNowIsNotAddedAgain) {
+  StudioParts studio;
+  studio.open(test::smallSet(2, 100, 80));
+  Document next = studio.editor.document();
+  next.edits.newLights = {"light1"};
+  studio.editor.edit("From a session of another set", next);
+  settle(studio);
+  EXPECT_THAT(studio.said(), HasSubstr("light1"));
+  EXPECT_EQ(solved(studio).lightCount(), 2);
+}
+
 TEST(EditController, AnotherSetBeginsWithoutTheEditsOfTheLast) {
   StudioParts studio;
   studio.open(test::smallSet(2, 100, 80));
