@@ -45,6 +45,7 @@ void FileChooser::ask(Question question) {
   m_toField = true;
   m_name = m_question->name;
   m_confirm.clear();
+  m_wrong.clear();
   const fs::path begin = !m_question->folder.empty() ? m_question->folder : m_folder;
   std::error_code error;
   goTo(!begin.empty() && fs::is_directory(begin, error) ? begin : homeFolder());
@@ -54,6 +55,7 @@ void FileChooser::goTo(const fs::path& folder) {
   m_folder = folder.lexically_normal();
   m_entries.clear();
   m_error.clear();
+  m_wrong.clear();
   m_toField = true;  // what was typed into goes on being typed into
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, error)) {
@@ -185,15 +187,18 @@ bool FileChooser::drawEntries(float height) {
   ImGui::BeginChild("##entries", ImVec2(0, height), true);
   joinTabRound();
   if (!m_error.empty()) ImGui::TextWrapped("%s", m_error.c_str());
-  if (m_error.empty() && m_entries.empty())
-    ImGui::TextDisabled("%s",
-                        m_question->saving ? "No such files here." : "No files here that can be opened.");
+  if (m_error.empty() && m_entries.empty()) ImGui::TextDisabled("%s", nothingHere(*m_question));
   for (const Entry& entry : m_entries)
     if (drawEntry(entry)) taken = &entry;
   ImGui::EndChild();
   const bool file = taken && !taken->folder;
   if (taken && taken->folder) goTo(m_folder / taken->name);
   return file;
+}
+
+const char* FileChooser::nothingHere(const Question& question) {
+  if (question.forFolder) return "No folders and no photographs here.";
+  return question.saving ? "No such files here." : "No files here that can be opened.";
 }
 
 const char* FileChooser::fieldHint(const Question& question) {
@@ -205,7 +210,13 @@ void FileChooser::choose() {
   const fs::path typed = m_name;
   fs::path file = typed.is_absolute() ? typed : m_folder / typed;
   std::error_code ignored;
-  if (m_question->forFolder && !fs::is_directory(file, ignored)) file = m_folder;
+  if (m_question->forFolder && !fs::is_directory(file, ignored)) {
+    if (!fs::exists(file, ignored)) {
+      m_wrong = fmt::format("There is no folder {}.", file.lexically_normal().string());
+      return;
+    }
+    file = file.parent_path();  // a file of the list: its folder
+  }
   if (!m_question->forFolder && fs::is_directory(file, ignored)) {
     m_name.clear();
     goTo(file);
@@ -223,6 +234,13 @@ void FileChooser::choose() {
   m_question.reset();
   ImGui::CloseCurrentPopup();
   answer(file);
+}
+
+std::string FileChooser::footerWords() const {
+  if (!m_wrong.empty()) return m_wrong;
+  if (m_confirm.empty()) return {};
+  return fmt::format("{} already exists. Press {} again to replace it.",
+                     fs::path(m_confirm).filename().string(), m_question->button);
 }
 
 void FileChooser::draw() {
@@ -243,17 +261,20 @@ void FileChooser::draw() {
   beginTabStops();
   drawPlaces();
   drawPath();
-  const float footer = ImGui::GetFrameHeightWithSpacing() * (m_confirm.empty() ? 1.0F : 2.0F) + px(8);
+  const std::string words = footerWords();
+  const float footer = ImGui::GetFrameHeightWithSpacing() * (words.empty() ? 1.0F : 2.0F) + px(8);
   bool done = drawEntries(ImGui::GetContentRegionAvail().y - footer);
-  if (!m_confirm.empty())
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kChanged),
-                       "%s already exists. Press %s again to replace it.",
-                       fs::path(m_confirm).filename().c_str(), m_question->button.c_str());
+  if (!words.empty()) {
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kChanged), "%s", words.c_str());
+    markItem("chooser.words");
+    markState("chooser.words", words);
+  }
   const float button = px(110);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button + ImGui::GetStyle().ItemSpacing.x));
   if (std::exchange(m_toField, false)) ImGui::SetKeyboardFocusHere();
   ImGui::InputTextWithHint("##name", fieldHint(*m_question), &m_name, ImGuiInputTextFlags_AutoSelectAll);
   markItem("chooser.name");
+  if (ImGui::IsItemEdited()) m_wrong.clear();
   tooltip("A name, or a whole path.");
   m_opened = true;
   ImGui::SameLine();

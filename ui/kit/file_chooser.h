@@ -49,6 +49,9 @@ class FileChooser {
   bool drawEntry(const Entry& entry);
   bool drawEntries(float height);
   void choose();
+  [[nodiscard]] std::string footerWords() const;
+  /// What the list says that has no lines.
+  static const char* nothingHere(const Question& question);
   static const char* fieldHint(const Question& question);
 
   std::optional<Question> m_question;
@@ -59,6 +62,7 @@ class FileChooser {
   std::string m_tabStop;  ///< the entry that Tab comes to
   std::string m_error;
   std::string m_name;
+  std::string m_wrong;           ///< why what was typed was not taken
   std::string m_confirm;         ///< the existing file that the person was asked about
   std::string m_newFolder;       ///< the name of a folder that is being made
   std::string m_newFolderError;  ///< why it was not
