@@ -65,6 +65,32 @@ Stage StageFade::at(float amount) const {
   return {blendRigs(m_fromAll, m_toAll, amount), m_edits.at(amount)};
 }
 
+bool StageFade::movesBeside(const std::set<std::string>& lights) const {
+  if (m_from.edits != m_to.edits || m_from.rig.ambient != m_to.rig.ambient) return true;
+  return std::any_of(m_fromAll.lights.begin(), m_fromAll.lights.end(), [&](const LightSetting& light) {
+    return !lights.contains(light.light) && light != *lightNamed(m_toAll, light.light);
+  });
+}
+
+std::optional<std::set<std::string>> changedLights(const Rig& before, const Rig& now) {
+  Rig same = now;
+  if (before.lights.size() != now.lights.size()) return std::nullopt;
+  std::set<std::string> changed;
+  for (size_t i = 0; i < now.lights.size(); ++i) {
+    if (before.lights[i].light != now.lights[i].light) return std::nullopt;
+    if (before.lights[i] != now.lights[i]) changed.insert(now.lights[i].light);
+  }
+  same.lights = before.lights;
+  return same == before ? std::optional(changed) : std::nullopt;
+}
+
+Rig withLightsAsIn(const Rig& other, const std::set<std::string>& lights, Rig rig) {
+  for (LightSetting& light : rig.lights)
+    if (const LightSetting* set = lightNamed(other, light.light); set && lights.contains(light.light))
+      light = *set;
+  return rig;
+}
+
 Rig withoutGroups(Rig rig) {
   const Rig before = rig;
   for (size_t i = 0; i < rig.lights.size(); ++i) {

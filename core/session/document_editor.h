@@ -16,6 +16,8 @@ class DocumentEditor {
   /// Counts up whenever document() changes; for those who cache what they make of it.
   [[nodiscard]] uint64_t revision() const { return m_revision; }
   [[nodiscard]] bool inGesture() const { return m_inGesture; }
+  /// The name that the gesture was last previewed by.
+  [[nodiscard]] const std::string& gesture() const { return m_gesture; }
 
   /// Shows `next` without making a step yet. A preview of another name than the last begins another gesture.
   void preview(const std::string& name, Document next);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/lower_case.h"
 #include "core/look/look_place.h"
 #include "core/session/version.h"
 
@@ -81,9 +82,16 @@ void CuePlayer::begin(const LightsContext& studio, const std::string& name, cons
   const Stage from = stageOfDocument(studio.document());
   const uint64_t step = studio.editor.history().stepId();
   m_stood[step] = m_current;
-  m_fade = Fade{
-      name, StageFade(from, stageOf(look, from)), from, Clock::now(), seconds, 0, followSeconds, m_current,
-      step};
+  m_fade = Fade{.name = name,
+                .stages = StageFade(from, stageOf(look, from)),
+                .shown = from,
+                .began = Clock::now(),
+                .seconds = seconds,
+                .followSeconds = followSeconds,
+                .before = m_current,
+                .step = step,
+                .touched = {},
+                .lastStep = step};
 }
 
 const Cue* CuePlayer::next(const CueList& cues) const {
@@ -99,7 +107,13 @@ float CuePlayer::waitSeconds() const {
 void CuePlayer::show(const LightsContext& studio, float amount) {
   m_fade->amount = amount;
   m_fade->shown = m_fade->stages.at(amount);
-  studio.editor.preview("Go " + m_fade->name, withStage(studio.document(), m_fade->shown));
+  m_fade->shown.rig = withLightsAsIn(studio.document().rig, m_fade->touched, std::move(m_fade->shown.rig));
+  // While a hand moves something the fade goes on within its step.
+  const bool hand = studio.editor.inGesture() && !holdsGesture(studio.editor);
+  studio.editor.preview(hand ? studio.editor.gesture() : m_fade->stepName(),
+                        withStage(studio.document(), m_fade->shown));
+  m_fade->lastStep = studio.editor.history().stepId();
+  m_fade->gesture = studio.editor.inGesture();
 }
 
 void CuePlayer::update(const LightsContext& studio) {
@@ -115,7 +129,8 @@ void CuePlayer::update(const LightsContext& studio) {
   }
   if (m_fade) updateFade(studio);
   if (m_wait) updateWait(studio);
-  if (!m_fade) followHistory(studio);
+  // A gesture is no step of the history yet: what stands on its ground is known.
+  if (!m_fade && !studio.editor.inGesture()) followHistory(studio);
 }
 
 void CuePlayer::followHistory(const LightsContext& studio) {
@@ -134,19 +149,37 @@ void CuePlayer::followHistory(const LightsContext& studio) {
   m_list = cues;
 }
 
+bool CuePlayer::leaveTouched(const LightsContext& studio) {
+  const DocumentEditor& editor = studio.editor;
+  const uint64_t step = editor.history().stepId();  // the later the larger
+  const bool undone =
+      step < m_fade->lastStep || (step == m_fade->lastStep && m_fade->gesture && !editor.inGesture());
+  const Stage now = stageOfDocument(studio.document());
+  const auto changed =
+      now.edits == m_fade->shown.edits ? changedLights(m_fade->shown.rig, now.rig) : std::nullopt;
+  if (changed) m_fade->touched.insert(changed->begin(), changed->end());
+  if (!undone && changed && m_fade->stages.movesBeside(m_fade->touched)) return true;
+  stop(studio);
+  return false;
+}
+
+/// What came in does not stand. An undo that takes the whole fade back says so by itself.
+void CuePlayer::stop(const LightsContext& studio) {
+  if (studio.editor.inGesture() || studio.editor.history().stepId() != m_fade->step)
+    studio.messages.info(
+        fmt::format("{} stopped at {:.0f} %.", withCapital(m_fade->name), 100 * m_fade->amount));
+  m_current = m_fade->before;
+  m_fade.reset();
+}
+
 void CuePlayer::updateFade(const LightsContext& studio) {
-  if (stageOfDocument(studio.document()) != m_fade->shown) {  // somebody else has changed the lights
-    // An undo takes the whole fade back, and with it what came in.
-    if (!studio.editor.inGesture() && studio.editor.history().stepId() == m_fade->step)
-      m_current = m_fade->before;
-    m_fade.reset();
-    return;
-  }
+  if (stageOfDocument(studio.document()) != m_fade->shown && !leaveTouched(studio)) return;
+  m_stood.try_emplace(studio.editor.history().stepId(), m_fade->before);
   const std::chrono::duration<float> elapsed = Clock::now() - m_fade->began;
   const float amount = m_fade->seconds > 0 ? std::min(1.F, elapsed.count() / m_fade->seconds) : 1;
   show(studio, amount);
   if (amount < 1) return;
-  studio.editor.commit();
+  if (holdsGesture(studio.editor)) studio.editor.commit();
   if (m_fade->followSeconds && next(studio.document().cues)) {
     const auto wait = std::chrono::duration<float>(*m_fade->followSeconds);
     m_wait = Wait{m_fade->shown, Clock::now() + std::chrono::duration_cast<Clock::duration>(wait)};

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "core/cue/cue_command.h"
@@ -12,8 +13,10 @@
 namespace swaplight {
 
 /// Plays the cue list: GO, BACK and follows, each cue faded in as dimmers would do it (core/cue/stage.h).
-/// While there are no cues it goes through the gallery in the same way. A fade is one step of the history;
-/// whoever touches lights or edits meanwhile ends it, or the wait for the next cue, where it is.
+/// While there are no cues it goes through the gallery in the same way. A fade is one step of the history. A
+/// light that somebody touches meanwhile leaves it, and the others finish theirs (from then on in steps of
+/// their own); whoever touches edits, groups or all lights that move ends it where it is. Whoever touches
+/// anything of it ends the wait for the next cue.
 class CuePlayer {
  public:
   /// What follows `go` in a command (core/cue/cue_command.h); looks of the gallery by number or name. Returns
@@ -30,6 +33,10 @@ class CuePlayer {
   void update(const LightsContext& studio);
 
   [[nodiscard]] bool fading() const { return m_fade.has_value(); }
+  /// The gesture that is under way is the fade, not the hand of a person.
+  [[nodiscard]] bool holdsGesture(const DocumentEditor& editor) const {
+    return m_fade && editor.gesture() == m_fade->stepName();
+  }
   /// The next cue is going to come by itself.
   [[nodiscard]] bool waiting() const { return m_wait.has_value(); }
   /// How far the fade is, 0..1.
@@ -51,8 +58,12 @@ class CuePlayer {
     float seconds = 0;
     float amount = 0;
     std::optional<float> followSeconds;
-    std::optional<int> before;  ///< the cue that stood
-    uint64_t step = 0;          ///< of the history, on which it lies
+    std::optional<int> before;      ///< the cue that stood
+    uint64_t step = 0;              ///< of the history, on which it lies
+    std::set<std::string> touched;  ///< lights that somebody has taken out of it
+    uint64_t lastStep = 0;          ///< of the history, last time; and whether there was a gesture
+    bool gesture = false;
+    [[nodiscard]] std::string stepName() const { return "Go " + name; }
   };
   struct Wait {
     Stage stage;  ///< as the cue left it
@@ -64,6 +75,9 @@ class CuePlayer {
              std::optional<float> followSeconds);
   void show(const LightsContext& studio, float amount);
   void updateFade(const LightsContext& studio);
+  /// Takes lights out of the fade that somebody has changed. False where that ends it.
+  bool leaveTouched(const LightsContext& studio);
+  void stop(const LightsContext& studio);
   /// The cue that stands follows undo, redo and new numbers.
   void followHistory(const LightsContext& studio);
   void updateWait(const LightsContext& studio);

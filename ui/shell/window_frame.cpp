@@ -160,7 +160,7 @@ void StudioWindow::frame() {
   drawMainWindow();
   drawOverlays();
   // However it was made, a gesture ends when nothing is held any more: one gesture, one step.
-  if (m_editor.inGesture() && !ImGui::IsAnyItemActive() && !m_mixer.nudging && !m_cues.fading())
+  if (m_editor.inGesture() && !ImGui::IsAnyItemActive() && !m_mixer.nudging && !m_cues.holdsGesture(m_editor))
     m_editor.commit();
   markStates();
   endLayoutFrame();
