@@ -163,8 +163,7 @@ void warnOfMisfit(const LampReading& reading, std::vector<std::string>& warnings
   if (reading.misfit > kWorseThanAny && reading.misfit > 2 * reading.expectedMisfit)
     warnings.push_back(
         fmt::format("the photograph does not look like this set (it differs by {:.0f} %): is it the same "
-                    "camera position, "
-                    "and the right --color-space?",
+                    "camera position, and the right colour space (--color-space)?",
                     100 * reading.misfit));
   else if (reading.leftOut > kMostLeftOut)
     warnings.push_back(fmt::format(
