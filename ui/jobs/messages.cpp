@@ -1,6 +1,7 @@
 #include "ui/jobs/messages.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/option_hints.h"
 #include "core/diagnosis/program_log.h"
@@ -20,11 +21,24 @@ Clock::time_point endOf(Messages::Kind kind, const std::string& text) {
 
 }  // namespace
 
-void Messages::say(Kind kind, const std::string& text) {
-  logLine((kind == Kind::Error ? "error: " : kind == Kind::Warning ? "warning: " : "") + text);
-  const std::string shown = withoutOptionHints(text);
-  m_messages.push_back({kind, shown, endOf(kind, shown)});
+void Messages::say(Message message) {
+  const Kind kind = message.kind;
+  logLine((kind == Kind::Error ? "error: " : kind == Kind::Warning ? "warning: " : "") + message.text);
+  message.text = withoutOptionHints(message.text);
+  message.until = endOf(kind, message.text);
+  std::erase_if(m_messages,
+                [&](const Message& said) { return said.kind == kind && said.text == message.text; });
+  m_messages.push_back(std::move(message));
   if (m_messages.size() > kMostShown) m_messages.pop_front();
+}
+
+void Messages::succeeded(const void* work) {
+  std::erase_if(m_messages, [&](const Message& message) { return work && message.work == work; });
+}
+
+void Messages::forgetErrors() {
+  std::erase_if(m_messages,
+                [](const Message& message) { return message.kind == Kind::Error && !message.stays; });
 }
 
 bool Messages::expire() {

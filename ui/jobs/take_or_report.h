@@ -18,20 +18,22 @@ enum class Taken {
 };
 
 /// Hands a job's result on, once. What went wrong, in the work or in `onValue`, becomes a message. `purpose`:
-/// what there may be too little memory for, as "this export".
+/// what there may be too little memory for, as "this export". A job that has done its work takes back what it
+/// said when it last failed.
 template <typename Result, typename OnValue>
 Taken takeOrReport(Job<Result>& job, Messages& messages, const std::string& purpose, const OnValue& onValue) {
   try {
     auto value = job.take();
     if (!value) return Taken::Nothing;
     onValue(std::move(*value));
+    messages.succeeded(&job);
     return Taken::Value;
   } catch (const Stopped&) {
     return Taken::Stopped;
   } catch (const std::bad_alloc&) {
-    messages.error("There is not enough memory for " + purpose + ".");
+    messages.failed(&job, "There is not enough memory for " + purpose + ".");
   } catch (const std::exception& error) {
-    messages.error(error.what());
+    messages.failed(&job, error.what());
   }
   return Taken::Failed;
 }

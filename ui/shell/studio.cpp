@@ -87,7 +87,7 @@ void noteCircumstances(const ViewerContext& context) {
 
 void sayLastCrash(Messages& messages) {
   if (const auto report = unseenCrash(stateFolder() / "crash"))
-    messages.error(
+    messages.errorThatStays(
         "Swaplight crashed when it was last used. To report it, send this file and what "
         "\"swaplight doctor\" prints: " +
         report->string());

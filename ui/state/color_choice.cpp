@@ -37,7 +37,7 @@ std::shared_ptr<const ColorConfig> ColorChoice::configFor(const std::filesystem:
 }
 
 void ColorChoice::follow(const std::filesystem::path& wanted, Messages& messages) {
-  if (!m_said && !m_environmentTrouble.empty()) messages.error(m_environmentTrouble);
+  if (!m_said && !m_environmentTrouble.empty()) messages.errorThatStays(m_environmentTrouble);
   m_said = true;
   if (wanted == m_wanted) return;
   m_wanted = wanted;

@@ -110,6 +110,14 @@ TEST(SessionController, WhatCannotBeOpenedLeavesWhatIsOpen) {
   EXPECT_EQ(studio.editor.document().source.filename(), "set.exr");
 }
 
+TEST(SessionController, ErrorsOfBeforeGoOnceAnotherSetIsOpen) {
+  StudioParts studio;
+  studio.session.open(studio.folder / "missing.exr");
+  EXPECT_EQ(studio.errors(), 1U);
+  openAndWait(studio, solvedFile(studio));
+  EXPECT_EQ(studio.errors(), 0U) << studio.said();
+}
+
 TEST(SessionController, OpeningAnotherOneMeanwhileShowsTheLast) {
   StudioParts studio;
   const fs::path first = solvedFile(studio, "first.exr", 2), second = solvedFile(studio, "second.exr", 4);
