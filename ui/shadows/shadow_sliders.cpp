@@ -51,6 +51,7 @@ void removeButton(const ShadowSliders& sliders) {
 }
 
 /// Whose shadows are changed, and what does away with them.
+  if (gone) return tooltip("Brings the shadow back.");
 void target(const ShadowSliders& sliders) {
   const ShadowState& state = sliders.studio.editing.shadow;
   const bool one = state.chosen && state.light == sliders.light;
