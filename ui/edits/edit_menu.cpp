@@ -8,6 +8,7 @@
 #include "ui/control/light_edit.h"
 #include "ui/edits/edit_list.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/light_words.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
 #include "ui/tools/new_light.h"
@@ -54,6 +55,12 @@ Edit newEdit(const EditingContext& studio, const std::string& what, const Operat
   return edit;
 }
 
+std::vector<std::string> namesOf(const Rig& rig) {
+  std::vector<std::string> names;
+  for (const LightSetting& light : rig.lights) names.push_back(light.light);
+  return names;
+}
+
 /// The list will show all of the last edit.
 void openLast(EditingContext& studio, const EditStack& edits) {
   studio.editing.chosen = static_cast<int>(edits.edits.size()) - 1;
@@ -62,7 +69,20 @@ void openLast(EditingContext& studio, const EditStack& edits) {
   studio.editing.closesAt = 0;
 }
 
+/// An edit of lights that give nothing now is kept, and shows later; of one that keeps the total there is
+/// what it takes from the others.
+void sayWhatHides(EditingContext& studio, const Edit& edit) {
+  const Rig& rig = studio.document().rig;
+  std::string words = unseenEditWords(rig, edit.lights, "edits");
+  if (words.empty()) return;
+  const bool others = actsOnBeta(edit.operation) && edit.energy == EnergyMode::Redistribute &&
+                      unseenEditWords(rig, namesOf(rig), "edits").empty();
+  if (others) words += " What they take from other lights is seen now.";
+  studio.messages.info(words);
+}
+
 void append(EditingContext& studio, const std::string& what, Edit edit) {
+  sayWhatHides(studio, edit);
   EditStack edits = studio.document().edits;
   edits.append(std::move(edit));
   openLast(studio, edits);

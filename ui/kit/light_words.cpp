@@ -1,12 +1,14 @@
 #include "ui/kit/light_words.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
 #include "core/color/srgb.h"
+#include "core/relight/live_level.h"
 
 namespace swaplight {
 
@@ -26,6 +28,23 @@ LightColor hexColor(const Rgb& codes) {
   color.kind = LightColor::Kind::Hex;
   color.value = glm::clamp(codes, Rgb(0), Rgb(1));
   return color;
+}
+
+std::string unseenEditWords(const Rig& rig, const std::vector<std::string>& lights, const std::string& what) {
+  std::vector<std::string> titles;
+  HeldBack by = HeldBack::Nothing;
+  for (size_t i = 0; i < rig.lights.size(); ++i) {
+    if (std::find(lights.begin(), lights.end(), rig.lights[i].light) == lights.end()) continue;
+    const LiveLevel live = liveLevel(rig, i);
+    if (live.level > 0) return {};
+    titles.push_back(rig.lights[i].title());
+    by = live.by;
+  }
+  if (titles.empty()) return {};
+  if (titles.size() == 1)
+    return fmt::format("{} gives no light now ({}): {} on it show once it does.", titles.front(),
+                       heldBackWords(by), what);
+  return fmt::format("{} give no light now: {} on them show once they do.", fmt::join(titles, ", "), what);
 }
 
 std::string colorWords(const LightColor& color) {

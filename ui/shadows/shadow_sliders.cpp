@@ -8,6 +8,7 @@
 #include "core/color/srgb.h"
 #include "ui/control/shadow_edit.h"
 #include "ui/kit/layout_probe.h"
+#include "ui/kit/light_words.h"
 #include "ui/kit/panel_controls.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/widgets.h"
@@ -26,7 +27,13 @@ struct ShadowSliders {
   EditingContext& studio;
   const std::string& light;
 
+  /// Edits of the shadows of a light that gives nothing now are kept, and show later.
+  void sayWhatHides() const {
+    const std::string words = unseenEditWords(studio.document().rig, {light}, "shadow edits");
+    if (!words.empty()) studio.messages.info(words);
+  }
   void preview(const char* what, const ShadowKinds& kinds, const ShadowOperation& operation) const {
+    if (!studio.editor.inGesture()) sayWhatHides();
     studio.editor.preview("Shadows of " + light + ": " + what,
                           withShadowOperation(studio, light, kinds, operation));
   }
@@ -39,10 +46,12 @@ void removeButton(const ShadowSliders& sliders) {
   if (ImGui::Button(gone ? "Restore" : "Remove", ImVec2(px(kRemoveWidth), 0))) {
     operation.kind = Kind::Lighten;
     operation.amount = gone ? 0 : 1;
+    sliders.sayWhatHides();
     sliders.studio.editor.edit("Shadows of " + sliders.light + (gone ? ": brought back" : ": removed"),
                                withShadowOperation(sliders.studio, sliders.light, kinds, operation));
   }
   markItem("shadows.remove");
+  if (gone) return tooltip("Brings the shadow back.");
   tooltip(
       "Fills the shadow with an estimate of the missing light, from its ratio to the other lights around the "
       "shadow. What lies outside a spot's cone, or beyond all that the light reaches, stays as it is: click "
@@ -51,7 +60,6 @@ void removeButton(const ShadowSliders& sliders) {
 }
 
 /// Whose shadows are changed, and what does away with them.
-  if (gone) return tooltip("Brings the shadow back.");
 void target(const ShadowSliders& sliders) {
   const ShadowState& state = sliders.studio.editing.shadow;
   const bool one = state.chosen && state.light == sliders.light;

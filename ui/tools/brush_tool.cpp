@@ -1,14 +1,12 @@
 #include "ui/tools/brush_tool.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/edit/guide/edge_guide.h"
 #include "core/edit/mask/selection.h"
-#include "core/relight/live_level.h"
 #include "ui/control/light_edit.h"
+#include "ui/kit/light_words.h"
 #include "ui/kit/over_picture.h"
 #include "ui/kit/theme.h"
 #include "ui/tools/new_light.h"
@@ -103,11 +101,8 @@ void showStroke(EditingContext& studio) {
 /// Paint on a light that gives nothing now is kept, and shows later.
 void sayWhatHides(EditingContext& studio) {
   const Rig& rig = studio.document().rig;
-  const size_t light = shownLight(studio);
-  const LiveLevel live = liveLevel(rig, light);
-  if (live.level <= 0)
-    studio.messages.info(fmt::format("{} gives no light now ({}): strokes on it show once it does.",
-                                     rig.lights[light].title(), heldBackWords(live.by)));
+  const std::string words = unseenEditWords(rig, {rig.lights[shownLight(studio)].light}, "strokes");
+  if (!words.empty()) studio.messages.info(words);
 }
 
 void beginStroke(EditingContext& studio, const StrokePoint& at) {
