@@ -123,7 +123,10 @@ void drawWheelRow(ViewerContext& studio, const Wheel& wheel) {
   changed |= channels(wheel, values);
   ImGui::EndGroup();
   ImGui::PopID();
-  if (changed) setGrade(studio.editor, step, withLiftGammaGain(grade, all), true);
+  if (!changed) return;
+  ColorGrade graded = withLiftGammaGain(grade, all);
+  graded.on = true;  // whoever grades wants to see it
+  setGrade(studio.editor, step, graded, true);
 }
 
 void drawSaturation(ViewerContext& studio) {
@@ -146,6 +149,7 @@ void drawSaturation(ViewerContext& studio) {
       changedDot("##reset saturation", grade.saturation != 1, "Changed: click for 1, which changes nothing.");
   markItem("grade.saturation.reset");
   if (!changed && !reset) return;
+  grade.on = true;
   grade.saturation = reset ? 1 : std::clamp<double>(shown, 0, kMostGrade);
   setGrade(studio.editor, "Grade: saturation", grade, !reset);
 }
