@@ -82,6 +82,10 @@ class Mixer(StudioTest):
         studio.type('a window with a name too long')
         studio.key('Return')
         studio.screenshot('mixer_four_lights')
+        studio.settle()
+        shown = studio.state('mixer.fill.title')
+        self.assertTrue(shown.startswith('a window') and shown.endswith('\u2026'), shown)
+        self.assertLess(studio.item('mixer.fill.live')[2], studio.item('mixer.fill.mute')[0], 'the level is in sight')
 
     def test_three_lights_have_wide_rows_in_the_same_window(self):
         studio = self.open_sample()

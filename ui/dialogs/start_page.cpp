@@ -51,10 +51,11 @@ std::string nameOf(const fs::path& file) {
                                                      : file.stem().string());
 }
 
-/// Words in one line, cut at the end.
+/// Words in one line, with dots where they are cut.
 void line(ImVec2 at, float width, ImU32 color, ImFont* font, const std::string& text) {
-  const ImVec4 clip(at.x, at.y, at.x + width, at.y + font->FontSize * 1.5F);
-  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, color, text.c_str(), nullptr, 0, &clip);
+  ImGui::PushFont(font);
+  ImGui::GetWindowDrawList()->AddText(at, color, cutToWidth(text, width).c_str());
+  ImGui::PopFont();
 }
 
 bool wideButton(const char* icon, const std::string& text, float width) {

@@ -185,6 +185,18 @@ void hint(const std::string& text) {
   ImGui::PopFont();
 }
 
+std::string cutToWidth(const std::string& text, float width) {
+  const auto widthOf = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; };
+  if (widthOf(text) <= width) return text;
+  std::string cut = text;
+  do {
+    while (!cut.empty() && (cut.back() & 0xC0) == 0x80) cut.pop_back();  // the rest of a letter
+    if (!cut.empty()) cut.pop_back();
+    while (!cut.empty() && cut.back() == ' ') cut.pop_back();
+  } while (!cut.empty() && widthOf(cut + "\u2026") > width);
+  return cut.empty() && widthOf("\u2026") > width ? cut : cut + "\u2026";
+}
+
 void splitter(const char* id, bool vertical, float thickness, float extent, float* length, float low,
               float high, float sign) {
   const ImVec2 at = ImGui::GetCursorScreenPos();

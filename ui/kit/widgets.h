@@ -33,6 +33,9 @@ void popChosen();
 /// Text in the faint colour and the small font.
 void hint(const std::string& text);
 
+/// Text in the present font, cut with dots where it is wider than there is room; nothing where the dots are.
+[[nodiscard]] std::string cutToWidth(const std::string& text, float width);
+
 /// A tooltip where the pointer is.
 void tooltipAtOnce(const char* text);
 /// One for the widget before, after the usual delay.

@@ -1,5 +1,6 @@
 #include "ui/mixer/fader_row.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -32,7 +33,8 @@ void groupName(LightsContext& studio, const LightGroup& group, const MixerCard& 
   const ImVec2 clip = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(clip, ImVec2(clip.x + px(kNameWidth), clip.y + card.size().y), true);
   ImGui::PushFont(fonts().strong);
-  ImGui::Text("%s  %s", kIconLayers, group.name.c_str());
+  ImGui::TextUnformatted(
+      cutToWidth(fmt::format("{}  {}", kIconLayers, group.name), px(kNameWidth - kFaderGap)).c_str());
   ImGui::PopFont();
   ImGui::PopClipRect();
   markItem({"mixer.group.", group.name});

@@ -37,7 +37,7 @@ std::string underName(const LightSetting& setting) {
 /// The level that comes out of the light, or why nothing does.
 std::string liveWords(const LiveLevel& live, bool unlit) {
   if (live.by != HeldBack::Nothing) return heldBackWords(live.by);
-  if (unlit) return "gives no light yet";
+  if (unlit) return "no light yet";
   return live.level < 9.995 ? fmt::format("{:.0f} %", 100 * live.level) : fmt::format("×{:.0f}", live.level);
 }
 
@@ -90,6 +90,13 @@ void nameField(LightsContext& studio, size_t light, float width) {
   mixer.renaming = -1;
 }
 
+float smallWidth(const std::string& words) {
+  ImGui::PushFont(fonts().small);
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  ImGui::PopFont();
+  return width;
+}
+
 /// The live level and the light's colour, below its name.
 void secondLine(const LightSetting& setting, const LiveLevel& live, bool unlit, ImVec2 at, float width) {
   ImGui::SetCursorPos(at);
@@ -103,8 +110,11 @@ void secondLine(const LightSetting& setting, const LiveLevel& live, bool unlit, 
   markItem({"mixer.", setting.light, ".live"});
   markState("mixer." + setting.light + ".live", words);
   ImGui::SameLine(0, px(8));
-  ImGui::TextUnformatted(underName(setting).c_str());
+  const std::string under = underName(setting),
+                    cut = cutToWidth(under, at.x + width - ImGui::GetCursorPosX());
+  ImGui::TextUnformatted(cut.c_str());
   ImGui::PopFont();
+  if (cut != under) tooltip(under.c_str());
   ImGui::PopClipRect();
 }
 
@@ -128,8 +138,13 @@ void name(LightsContext& studio, size_t light, const LightSetting& setting, ImVe
     markItem({"mixer.", setting.light, ".number_of_light"});
     ImGui::SameLine(0, px(6));
     ImGui::PushFont(fonts().strong);
-    ImGui::TextUnformatted(setting.title().c_str());
+    const float lock = setting.ratioLock ? ImGui::CalcTextSize(kIconLink).x + px(4) : 0;
+    const std::string title = setting.title();
+    const std::string cut = cutToWidth(title, at.x + width - lock - ImGui::GetCursorPosX());
+    ImGui::TextUnformatted(cut.c_str());
     ImGui::PopFont();
+    markState("mixer." + setting.light + ".title", cut);
+    if (cut != title) tooltip(title.c_str());
     if (setting.ratioLock) {
       ImGui::SameLine(0, px(4));
       ImGui::TextDisabled("%s", kIconLink);
@@ -249,7 +264,9 @@ void drawLightRow(LightsContext& studio, size_t light, const RowShape& shape) {
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, alpha);
   // In a narrow row the name is in the middle of its line, and what is else under it stands beside it.
   const float nameDown = shape.narrow ? px(shape.under) : 0;
-  name(studio, light, setting, card.at(nameAt, nameDown), nameWidth);
+  // What comes out of the light is read at a glance: a long name gives way.
+  const float nameRoom = shape.narrow ? nameWidth - smallWidth(liveWords(live, unlit)) - px(8) : nameWidth;
+  name(studio, light, setting, card.at(nameAt, nameDown), nameRoom);
   const float nameEnd =
       shape.narrow ? ImGui::GetItemRectMax().x - corner.x + px(8) : px(kCardPadding) + nameAt;
   ImGui::PopStyleVar();
