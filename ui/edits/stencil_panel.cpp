@@ -75,7 +75,7 @@ void drawStencilPanel(EditingContext& studio) {
     Edit edit = *chosen;
     edit.mask.front() = withStencil(edit.mask.front(), state.stencil);
     edit.mask.front().invert = state.invert;
-    const std::string step = edit.name + ": stencil";
+    const std::string step = edit.name + ": gobo";
     previewEdit(studio, static_cast<size_t>(studio.editing.chosen), step, std::move(edit));
   }
   const Edit* placed = chosenStencil(studio);
