@@ -109,6 +109,9 @@ bool lightsAreAlike(const Rig& rig) {
 /// What happens to the other lights.
 void energyMode(const Parameters& of) {
   label("Mode");
+  const float most = 2 * std::max(ImGui::CalcTextSize("Keep total").x, ImGui::CalcTextSize("Add light").x);
+  // Beside a scroll bar they begin before the column that the other values stand in.
+  if (ImGui::GetContentRegionAvail().x < most + px(4 + 8)) ImGui::SameLine(0, px(8));
   const float width = std::floor((ImGui::GetContentRegionAvail().x - px(4)) / 2);
   const auto button = [&](const char* words, EnergyMode energy, const char* mark, const char* tip) {
     if (choiceButton(words, of.edit.energy == energy, width, mark, tip) && of.edit.energy != energy) {

@@ -80,7 +80,9 @@ void drawStencilPanel(EditingContext& studio) {
   }
   const Edit* placed = chosenStencil(studio);
   const bool movable = placed && !handlesOf(placed->mask.front()).empty();
+  ImGui::PushTextWrapPos(0);
   hint(movable ? "Drag it or its handles, or drag elsewhere for another" : "Drag in the picture to place it");
+  ImGui::PopTextWrapPos();
 }
 
 }  // namespace swaplight

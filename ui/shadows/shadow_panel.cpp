@@ -145,10 +145,16 @@ void thresholdLine(EditingContext& studio, const std::string& light, size_t inde
 /// Says of places what they are, where the search cannot tell or is wrong.
 void labels(EditingContext& studio, const std::string& light) {
   const float room = ImGui::GetContentRegionAvail().x;
-  const float half = std::floor((room - px(kGap)) / 2);
-  actionTextButton(studio.actions, "shadows.mark_shadow", "This is shadow", half);
+  constexpr const char* kShadow = "This is shadow";
+  constexpr const char* kLit = "This is lit";
+  const float words = ImGui::CalcTextSize(kShadow).x + ImGui::CalcTextSize(kLit).x;
+  const float air = (room - px(kGap) - words) / 2;  // each as wide as its words need
+  const float shadow = std::floor(ImGui::CalcTextSize(kShadow).x + air);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(2), ImGui::GetStyle().FramePadding.y));
+  actionTextButton(studio.actions, "shadows.mark_shadow", kShadow, shadow);
   ImGui::SameLine(0, px(kGap));
-  actionTextButton(studio.actions, "shadows.mark_lit", "This is lit", room - half - px(kGap));
+  actionTextButton(studio.actions, "shadows.mark_lit", kLit, room - shadow - px(kGap));
+  ImGui::PopStyleVar();
   const ShadowController::Shown* shown = studio.shadows.shown();
   const float untold = shown ? shown->untold.share() : 0;
   const size_t made = shadowMarksOf(studio.document(), light).size();
