@@ -351,7 +351,8 @@ void CaptureWizard::drawGuess() {
       "must be known.");
   ImGui::SameLine(0, px(10));
   ImGui::AlignTextToFramePadding();
-  drawInRestOfLine(m_guess.empty() ? "Enter the first photograph's colours to guess the others." : m_guess);
+  const char* needed = first ? "" : "Enter the first photograph's colours to guess the others.";
+  drawInRestOfLine(m_guess.empty() ? needed : m_guess);
   if (!m_guess.empty()) markState("wizard.guess_words", m_guess);
 }
 
