@@ -118,7 +118,10 @@ std::vector<std::string> pictureWarnings(const CaptureDraft& draft, const Captur
       warnings.push_back(fmt::format(
           "{}: the camera {} by {:.1f} pixels against {}: align the photographs when solving", shots[k].file,
           shifts[k].isTurned() ? "moved and turned" : "moved", moved, shots[0].file));
-  for (std::string& warning : shiftWarnings(shifts)) warnings.push_back(std::move(warning));
+  std::vector<std::string> files;
+  for (const FoundShot& shot : shots) files.push_back(shot.file);
+  if (farthestMove(shifts, pixels.width(), pixels.height()) > kMovedPixels)  // aligning is advised
+    for (std::string& warning : shiftWarnings(shifts, files)) warnings.push_back(std::move(warning));
   exposureWarnings(draft, warnings);
   return warnings;
 }

@@ -54,7 +54,6 @@ SolvedSet solve(const Capture& capture, const CapturePixels& photographs, const 
   const float farthest = farthestMove(shifts, photographs.width(), photographs.height());
   const bool seenBefore = !set.report->causes.all.empty();
   if (seenBefore ? farthest < kFarApart : farthest == 0) {
-    for (std::string& warning : shiftWarnings(shifts)) set.report->warnings.push_back(std::move(warning));
     set.report->shifts = std::move(shifts);
     progress.update(1, "Solved");
     return set;

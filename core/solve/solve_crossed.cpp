@@ -157,7 +157,7 @@ SolvedSet solveAroundOne(const Capture& capture, CapturePixels photographs, cons
     set.report->warnings.emplace_back(
         "the crossed photographs are brighter than the others: they seem to be the ones with the highlights "
         "(\"polarisation\"), or their exposure was not told");
-  const std::vector<std::string> lost = shiftWarnings(shifts);
+  const std::vector<std::string> lost = shiftWarnings(shifts, capture);
   set.report->warnings.insert(set.report->warnings.end(), lost.begin(), lost.end());
   if (moved) {
     flagOutside(shifts, set);

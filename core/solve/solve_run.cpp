@@ -108,7 +108,7 @@ SolveRun::SolveRun(const Capture& given, const CapturePixels& photographs, const
   m_report.conditioning = conditioningOf(m_context.lighting);
   warn(m_capture.warnings);
   warn(photographs.warnings);
-  warn(shiftWarnings(movedBy));
+  warn(shiftWarnings(movedBy, given));
 }
 
 SolvedSet SolveRun::run() {
@@ -143,7 +143,7 @@ void SolveRun::warn(const std::vector<std::string>& warnings) {
 void SolveRun::alignShots() {
   m_progress.update(0.02F, "Aligning the photographs");
   m_report.shifts = shiftsOfShots(m_given, m_photographs, m_options.noise, m_progress);
-  warn(shiftWarnings(m_report.shifts));
+  if (m_options.align == Remedy::On || isAligned()) warn(shiftWarnings(m_report.shifts, m_given));
   if (isAligned()) m_aligned = movedShots(m_photographs, m_report.shifts);
 }
 

@@ -134,15 +134,22 @@ float farthestMove(const std::vector<ShotShift>& shifts, int width, int height) 
   return farthest;
 }
 
-std::vector<std::string> shiftWarnings(const std::vector<ShotShift>& shifts) {
+std::vector<std::string> shiftWarnings(const std::vector<ShotShift>& shifts,
+                                       const std::vector<std::string>& files) {
   std::vector<std::string> warnings;
   for (size_t k = 0; k < shifts.size(); ++k)
     if (!shifts[k].found)
       warnings.push_back(fmt::format(
-          "shot {} could not be aligned to the first: their edges do not match. It is used as it is; check "
+          "shot {}{} could not be aligned to the first: their edges do not match. It is used as it is; check "
           "that it shows the same picture",
-          k + 1));
+          k + 1, k < files.size() && !files[k].empty() ? fmt::format(" ({})", files[k]) : ""));
   return warnings;
+}
+
+std::vector<std::string> shiftWarnings(const std::vector<ShotShift>& shifts, const Capture& capture) {
+  std::vector<std::string> files;
+  for (const Shot& shot : capture.shots) files.push_back(shot.image);
+  return shiftWarnings(shifts, files);
 }
 
 }  // namespace swaplight

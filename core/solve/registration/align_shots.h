@@ -28,7 +28,10 @@ namespace swaplight {
 /// How far the corner is displaced, in pixels, that moves farthest of all shots worth moving; 0: none is.
 [[nodiscard]] float farthestMove(const std::vector<ShotShift>& shifts, int width, int height);
 
-/// What a person must know: shots that were not found.
-[[nodiscard]] std::vector<std::string> shiftWarnings(const std::vector<ShotShift>& shifts);
+/// What a person must know who wants the shots aligned: those that were not found, by their files.
+[[nodiscard]] std::vector<std::string> shiftWarnings(const std::vector<ShotShift>& shifts,
+                                                     const std::vector<std::string>& files);
+[[nodiscard]] std::vector<std::string> shiftWarnings(const std::vector<ShotShift>& shifts,
+                                                     const Capture& capture);
 
 }  // namespace swaplight

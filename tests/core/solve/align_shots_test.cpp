@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <random>
@@ -248,6 +249,17 @@ TEST(AlignShots, AShotOfSomethingElseIsLeftWhereItIsAndNamed) {
   EXPECT_FALSE(set.report->shifts[1].found);
   ASSERT_FALSE(set.report->warnings.empty());
   EXPECT_NE(set.report->warnings[0].find("shot 2"), std::string::npos);
+  const auto aboutAligning = [&](const SolveOptions& asked, const std::string& file) {
+    Capture named = capture;
+    named.shots[1].image = file;
+    const SolvedSet solved = solve(named, pixels, asked);
+    return std::ranges::count_if(solved.report->warnings, [](const std::string& warning) {
+      return warning.find("could not be aligned") != std::string::npos &&
+             warning.find("(door.exr)") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(aboutAligning(options, "door.exr"), 1);
+  EXPECT_EQ(aboutAligning({}, "door.exr"), 0) << "nobody asked for aligning";
 }
 
 TEST(AlignShots, SaturatedAndBrokenValuesStaySoWhenAShotMoves) {
