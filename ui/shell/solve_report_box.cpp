@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/option_hints.h"
 #include "core/set/solve_verdict.h"
@@ -44,12 +47,34 @@ void figure(const char* label, const std::string& value, const char* tip) {
   ImGui::TextUnformatted(value.c_str());
 }
 
+/// Of a contribution over a photograph; a channel that cannot tell the lights apart has none.
 std::string timesText(double times) {
-  return std::isfinite(times) ? fmt::format("{:.2f}", times) : "none";
+  return std::isfinite(times) ? fmt::format("{:.2f} times", times) : "lights not told apart";
+}
+
+std::string channelsText(const std::array<double, 3>& channels) {
+  constexpr std::array<const char*, 3> kNames = {"red", "green", "blue"};
+  std::string text;
+  for (size_t c = 0; c < 3; ++c)
+    if (std::isfinite(channels.at(c)))
+      text += fmt::format("{}{} {:.2f}", text.empty() ? "" : ", ", kNames.at(c), channels.at(c));
+  return text.empty() ? "lights not told apart" : text;
+}
+
+/// What a model takes surfaces to be.
+std::string surfaceWords(const std::string& model) {
+  constexpr std::array<std::pair<const char*, const char*>, 5> kWords = {
+      {{"auto", "what each pixel shows them to be"},
+       {"single", "lit by one light each"},
+       {"lambert", "matte"},
+       {"gloss", "matte, with highlights"},
+       {"transport", "of any kind"}}};
+  const auto* known =
+      std::find_if(kWords.begin(), kWords.end(), [&](const auto& one) { return model == one.first; });
+  return known == kWords.end() ? model : known->second;
 }
 
 void figures(const SolveReport& report) {
-  const std::array<double, 3>& channels = report.conditioning.amplification;
   const bool known = std::isfinite(report.sigmaMedian);
   figure("Error of a contribution",
          known ? fmt::format("{:.1f} % of the pixel", 100 * report.sigmaMedian) : "all of it",
@@ -62,12 +87,38 @@ void figures(const SolveReport& report) {
       "Of the light in bright pixels: up to 10 % is good, up to 20 % fair, unless lamps shone one by one.");
   figure("Noise amplified, all channels", timesText(report.conditioning.matteAmplification),
          "Noise of a contribution over that of a photograph, for matte surfaces.");
-  figure("R, G, B alone",
-         fmt::format("{}, {}, {}", timesText(channels[0]), timesText(channels[1]), timesText(channels[2])),
-         "The same where surfaces are not matte; none: this channel cannot tell the lights apart.");
+  figure("Noise amplified, one channel alone", channelsText(report.conditioning.amplification),
+         "The same where surfaces are not matte. A channel that is not named cannot tell the lights apart by "
+         "itself.");
   figure("Disagreement of the photographs", fmt::format("{:.1f} x their noise", report.residualMedian),
          "Of the median pixel. Above 3 something has moved, or the colours are others.");
-  figure("Model, solver", report.model + ", " + report.solver, "How it was solved.");
+  figure("Surfaces taken to be", surfaceWords(report.model), "How they reflect the lights, for the solve.");
+}
+
+bool isAmong(const std::vector<std::string>& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+void takeOut(const std::string& part, std::string& words) {
+  if (const size_t at = words.find(part); at != std::string::npos) words.erase(at, part.size());
+}
+
+/// The report's paragraph without what the reasons have said, and without names that the figures explain.
+std::string paragraphOf(const SolveReport& report, const SolveVerdict& verdict) {
+  std::string words = report.message;
+  takeOut(fmt::format(" ({}, {})", report.model, report.solver), words);
+  for (const std::string& reason : verdict.reasons) takeOut(" Note: " + reason + ".", words);
+  return withoutOptionHints(words);
+}
+
+/// Warnings that nothing above has said.
+std::vector<std::string> furtherWarnings(const SolveReport& report, const SolveVerdict& verdict) {
+  std::vector<std::string> further;
+  for (const std::string& warning : report.warnings)
+    if (!isAmong(verdict.reasons, warning) && !isAmong(further, withoutOptionHints(warning)) &&
+        report.message.find(warning) == std::string::npos)
+      further.push_back(withoutOptionHints(warning));
+  return further;
 }
 
 void drawReport(const SolveReport& report, const SolveVerdict& verdict) {
@@ -82,16 +133,20 @@ void drawReport(const SolveReport& report, const SolveVerdict& verdict) {
     ImGui::TextUnformatted(withoutOptionHints(reason).c_str());
   }
   ImGui::Separator();
-  ImGui::TextUnformatted(withoutOptionHints(report.message).c_str());
+  ImGui::TextUnformatted(paragraphOf(report, verdict).c_str());
   if (const std::string unseen = unseenWords(report.causes); !unseen.empty())
     ImGui::TextUnformatted(unseen.c_str());
-  ImGui::Separator();
-  figures(report);
-  if (!report.warnings.empty()) ImGui::Separator();
-  for (const std::string& warning : report.warnings)
-    if (std::find(verdict.reasons.begin(), verdict.reasons.end(), warning) == verdict.reasons.end())
-      ImGui::TextUnformatted(withoutOptionHints(warning).c_str());
+  const std::vector<std::string> further = furtherWarnings(report, verdict);
+  if (!further.empty()) ImGui::Separator();
+  for (const std::string& warning : further) {
+    ImGui::Bullet();
+    ImGui::TextUnformatted(warning.c_str());
+  }
   ImGui::PopTextWrapPos();
+  ImGui::Separator();
+  const bool open = ImGui::TreeNodeEx("Figures", ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  markItem("status.figures");
+  if (open) figures(report);
 }
 
 }  // namespace
@@ -107,6 +162,13 @@ void drawSolveWord(const SolveReport& report) {
   markItem("status.solve");
   markState("status.solve_word", verdictWord(verdict.word));
   tooltip((withoutOptionHints(verdictLine(verdict)) + "\nClick for the figures.").c_str());
+  // Upwards from the word, whatever of it is unfolded.
+  const ImVec2 word = ImGui::GetItemRectMin();
+  const float most =
+      ImGui::GetIO().DisplaySize.x - px(kWidth) - 2 * (ImGui::GetStyle().WindowPadding.x + px(4));
+  ImGui::SetNextWindowPos(ImVec2(std::max(px(4), std::min(word.x, most)), word.y - px(4)), ImGuiCond_Always,
+                          ImVec2(0, 1));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(FLT_MAX, word.y - px(8)));
   if (!ImGui::BeginPopup("##solve report")) return;
   ImGui::PushStyleColor(ImGuiCol_Text, kText);  // the status bar's is faint
   drawReport(report, verdict);
