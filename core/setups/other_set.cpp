@@ -47,6 +47,7 @@ class Conversion {
     rig = fitRig(rig, all);
   }
 
+  [[nodiscard]] bool complete() const { return m_missing.empty() && m_notes.empty(); }
   [[nodiscard]] std::vector<std::string> notes() const {
     std::vector<std::string> notes;
     if (!m_missing.empty())
@@ -67,10 +68,22 @@ class Conversion {
   std::vector<std::string> m_notes;
 };
 
+void checkCommonLight(const Document& from, const std::filesystem::path& source, const Capture& capture) {
+  std::vector<std::string> here;
+  for (const LightSetting& light : from.rig.lights) {
+    if (capture.lightIndex(light.light) >= 0) return;
+    here.push_back(light.light);
+  }
+  if (here.empty()) return;
+  throw InputError("{}: its lights are {}, none of which is among {}. Choose a set of the same lights.",
+                   source.string(), fmt::join(namesOf(capture), ", "), fmt::join(here, ", "));
+}
+
 }  // namespace
 
 OtherSetDocument documentForSet(const Document& from, const std::filesystem::path& source,
                                 const Capture& capture) {
+  checkCommonLight(from, source, capture);
   OtherSetDocument result{from, {}};
   Document& document = result.document;
   document.source = source;
@@ -84,6 +97,7 @@ OtherSetDocument documentForSet(const Document& from, const std::filesystem::pat
       conversion.convert(look.rig, from.edits.newLights, document.edits);
   }
   result.notes = conversion.notes();
+  result.complete = conversion.complete();
   return result;
 }
 

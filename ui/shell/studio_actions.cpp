@@ -45,7 +45,7 @@ void StudioWindow::addFileActions() {
       {"file.use_on_set", "Use these versions on another set …", "",
        "Open another set of the same lights (wide, close) with this lighting, gallery and cues: a new "
        "session.",
-       [this] { whenSaved([this] { askForOtherSet(); }); }, [this] { return m_session.set() != nullptr; }});
+       [this] { askForOtherSet(); }, [this] { return m_session.set() != nullptr; }});
   m_actions.add({"file.save", "Save", "Ctrl+S", "Save the session.",
                  [this] {
                    if (m_session.file().empty())

@@ -86,6 +86,7 @@ class StudioWindow {
   void askAboutWaitingSet();
   void askForFile();
   void askForOtherSet();
+  void useOnSet(const std::filesystem::path& file);
   void askForPhotographs();
   void askForChart(const CaptureWizard::ChartQuestion& question);
   void askForSaveName(const std::function<void()>& then);

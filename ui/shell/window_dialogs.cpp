@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/session/open_source.h"
+#include "core/setups/other_set.h"
 #include "ui/shell/studio_window.h"
 
 // The studio's dialogs: what they ask for, and what is done with the answer.
@@ -57,7 +58,21 @@ void StudioWindow::askForOtherSet() {
                  false,
                  "",
                  m_editor.document().source.parent_path(),
-                 [this](const fs::path& file) { m_session.useOnSet(file); }});
+                 [this](const fs::path& file) { useOnSet(file); }});
+}
+
+/// Asks about what is unsaved only where some of it would stay behind.
+void StudioWindow::useOnSet(const fs::path& file) {
+  const auto use = [this, file] { m_session.useOnSet(file); };
+  m_editor.commit();
+  try {
+    const fs::path source = sourceFile(file);
+    if (documentForSet(m_editor.document(), source, captureOfSource(*m_colors.config(), source)).complete)
+      return use();
+  } catch (const std::exception&) {
+    return use();  // which says why it cannot be
+  }
+  whenSaved(use);
 }
 
 void StudioWindow::askForPhotographs() {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/setups/place_free_edits.h"
 
 namespace swaplight {
@@ -94,7 +95,8 @@ TEST(OtherSet, LightsAreFoundByTheirNamesInTheGalleryToo) {
   night.scene->edits.append(editOf("word", {"key"}, FillOperation{1}, {{TextShape{}, false}}));
   night.scene->edits.append(editOf("dim", {"key"}, GainOperation{0.5F, 0}));
   document.looks = {night, {"Plain", "", document.rig}};
-  const auto [other, notes] = documentForSet(document, "/close.exr", close);
+  const auto [other, notes, complete] = documentForSet(document, "/close.exr", close);
+  EXPECT_FALSE(complete);
   EXPECT_EQ(other.source, "/close.exr");
   EXPECT_THAT(other.selection, IsEmpty());
   EXPECT_EQ(other.cues, document.cues);
@@ -109,6 +111,35 @@ TEST(OtherSet, LightsAreFoundByTheirNamesInTheGalleryToo) {
   EXPECT_EQ(other.looks[1].rig.lights[2].light, "lamp");
   EXPECT_THAT(notes, ElementsAre("not in this set, left out: rim", "only in this set, as captured: lamp",
                                  "Night: light edits of the other picture are left out: word"));
+}
+
+TEST(OtherSet, AllOfALightingWithoutPlacedEditsComesAlong) {
+  Capture wide, close;
+  wide.lights = {{"key", Role::Key}, {"fill", Role::Fill}};
+  close.lights = {{"fill", Role::Fill}, {"key", Role::Key}, {"lamp", Role::Practical}};
+  Document document;
+  document.rig = defaultRig(wide);
+  document.edits.append(editOf("dim", {"key"}, GainOperation{0.5F, 0}));
+  EXPECT_TRUE(documentForSet(document, "/close.exr", close).complete);
+  document.edits.append(editOf("word", {"key"}, FillOperation{1}, {{TextShape{}, false}}));
+  EXPECT_FALSE(documentForSet(document, "/close.exr", close).complete);
+}
+
+TEST(OtherSet, ASetOfOtherLightsIsRefused) {
+  Capture wide, kitchen;
+  wide.lights = {{"key", Role::Key}, {"fill", Role::Fill}};
+  kitchen.lights = {{"window", Role::Other}, {"lamp", Role::Practical}};
+  Document document;
+  document.rig = defaultRig(wide);
+  try {
+    static_cast<void>(documentForSet(document, "/kitchen.exr", kitchen));
+    ADD_FAILURE() << "it was taken";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "/kitchen.exr: its lights are window, lamp, none of which is among key, fill. Choose a set of the "
+        "same lights.");
+  }
 }
 
 }  // namespace
