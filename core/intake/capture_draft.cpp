@@ -31,7 +31,8 @@ std::vector<Light> lightsOf(const CaptureDraft& draft) {
   return lights;
 }
 
-/// Over the first shot, in steps of a twentieth of a stop: files round their times.
+}  // namespace
+
 std::vector<float> exposuresOf(const CaptureDraft& draft) {
   if (!draft.brackets.stops.empty()) return draft.brackets.stops;
   const ShotFolder& folder = draft.folder;
@@ -43,8 +44,6 @@ std::vector<float> exposuresOf(const CaptureDraft& draft) {
         std::round(20 * (*folder.shots[k].exposureStops - *folder.shots[0].exposureStops)) / 20);
   return stops;
 }
-
-}  // namespace
 
 CaptureDraft draftOf(const ShotFolder& folder, const std::vector<std::string>& lights) {
   checkLightNames(lights, "the lights");
@@ -91,7 +90,7 @@ ShotColor colorOfCard(const CaptureDraft& draft, const CapturePixels& pixels, si
   for (const size_t k : longestFirst) {
     card = colorOfCard(pixels.shots[k], x, y);
     const Rgb seen = *card.color;
-    if (length > 1) card = shotColorFromRgb(seen * std::exp2(-exposures[k]));
+    if (exposures[k] != 0) card = shotColorFromRgb(seen * std::exp2(-exposures[k]));
     // A mean this near to the clip level has clipped pixels in it.
     if (constexpr float kSafe = 0.9F; std::max({seen.r, seen.g, seen.b}) < kSafe * pixels.clipLevel[k]) break;
   }

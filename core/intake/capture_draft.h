@@ -42,6 +42,10 @@ void setBrackets(CaptureDraft& draft, Brackets brackets);
 /// one where there are several: it is the same in each.
 void setLighting(CaptureDraft& draft, size_t lighting, std::vector<ShotColor> colors);
 
+/// Stops of each shot over the first: those of the brackets, else of the files where all say them, in steps
+/// of a twentieth (files round their times); else 0.
+[[nodiscard]] std::vector<float> exposuresOf(const CaptureDraft& draft);
+
 /// colorOfCard in a lighting: in its longest exposure that is not clipped there, over that exposure.
 [[nodiscard]] ShotColor colorOfCard(const CaptureDraft& draft, const CapturePixels& pixels, size_t lighting,
                                     int x, int y);

@@ -121,12 +121,17 @@ void CaptureWizard::takeCard(size_t row, int x, int y) {
     CaptureDraft card = emptyDraft({"light"});
     std::vector<size_t> shots = m_rows[row].photographs;
     const std::vector<size_t> used = usedPhotographs(m_rows);
+    CaptureDraft all = card;
+    all.brackets = m_brackets;
+    all.folder.shots.clear();
+    for (const size_t shot : used) all.folder.shots.push_back(m_found->folder.shots[shot]);
+    const std::vector<float> exposures = exposuresOf(all);
     // The lighting by itself: only its pictures are looked at.
     Brackets own{static_cast<int>(shots.size()), {}, {}};
     std::vector<FoundShot> files;
     for (const size_t shot : shots) {
       const auto place = std::find(used.begin(), used.end(), shot) - used.begin();
-      if (!m_brackets.stops.empty()) own.stops.push_back(m_brackets.stops[static_cast<size_t>(place)]);
+      own.stops.push_back(exposures[static_cast<size_t>(place)]);
       files.push_back(m_found->folder.shots[shot]);
     }
     card.folder.shots = std::move(files);

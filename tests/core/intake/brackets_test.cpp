@@ -190,6 +190,17 @@ TEST(Brackets, HaveOneLightingsColours) {
   }
 }
 
+TEST(Brackets, ACardIsReadOverItsExposureWithoutBracketsToo) {
+  CapturePixels pixels = photographed(bracketed(2, {0}));
+  for (size_t k = 0; k < 2; ++k)
+    for (int c = 0; c < 3; ++c)
+      std::fill_n(pixels.shots[k].plane(c), pixels.shots[k].pixelCount(), k == 0 ? 0.2F : 0.4F);
+  CaptureDraft draft =
+      draftOf(folderOf(2, {0, 1}), {"key", "fill"});  // the second photograph took twice as long
+  for (size_t k = 0; k < 2; ++k) EXPECT_NEAR(colorOfCard(draft, pixels, k, 20, 20).color->g, 0.2F, 1e-3) << k;
+  EXPECT_EQ(captureOf(draft).shots[1].exposureStops, 1) << "by which the solve multiplies the colour";
+}
+
 TEST(Brackets, ACardIsReadWhereItIsNotClipped) {
   Capture capture = bracketed(2, {0, 2});
   CapturePixels pixels = photographed(capture);
