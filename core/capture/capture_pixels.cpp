@@ -124,6 +124,7 @@ void checkNoneTwice(const Capture& capture, std::span<const CapturePicture> pict
   for (size_t k = 0; k < capture.shots.size(); ++k)
     for (size_t j = 0; j < k; ++j)
       if (capture.shots[j].lightColors != capture.shots[k].lightColors &&
+          capture.shots[j].crossed == capture.shots[k].crossed &&  // the solve of those says more
           isSame(pictures[j].image, pictures[k].image) && !isPlain(pictures[k].image))
         throw InputError(
             "{}: holds the same picture as {}, which was taken under other colours. Every shot has a "

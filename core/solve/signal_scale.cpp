@@ -63,6 +63,7 @@ CapturePixels scaledSignal(const CapturePixels& pixels, float scale) {
   if (scaled.ambient) multiply(*scaled.ambient, scale);
   for (float& clip : scaled.clipLevel) clip *= scale;
   for (float& step : scaled.quantum) step *= scale;
+  for (ValueVariance& at : scaled.rounding) at.value *= scale;  // its variance is over that of the last step
   for (ValueVariance& at : scaled.codingError) at = {at.value * scale, at.variance * scale * scale};
   return scaled;
 }

@@ -191,6 +191,13 @@ CapturePixels croppedPixels(CapturePixels photographs, const PixelRect& window) 
   return photographs;
 }
 
+/// Places are told in the whole picture.
+SolveOptions optionsWithin(SolveOptions options, const PixelRect& window) {
+  if (auto& lamp = options.openColor.oneLamp) lamp->x -= window.x, lamp->y -= window.y;
+  if (auto& grey = options.openColor.grey) (*grey)[0] -= window.x, (*grey)[1] -= window.y;
+  return options;
+}
+
 /// A set of the window as one of the whole picture: outside there is no light, and nothing to doubt.
 SolvedSet placedSet(SolvedSet set, const PixelRect& window, int width, int height) {
   const auto place = [&](Image& image) { image = placedImage(image, window, width, height); };
@@ -210,7 +217,8 @@ SolvedSet solvePhotographs(const Capture& capture, CapturePixels photographs, co
   if (!window) return WholePhotographs(capture, std::move(photographs), fields, options, progress).solved();
   const int width = photographs.width(), height = photographs.height();
   const FlatFields within = fields.within(*window, width, height);
-  WholePhotographs seen(capture, croppedPixels(std::move(photographs), *window), within, options, progress);
+  const SolveOptions there = optionsWithin(options, *window);
+  WholePhotographs seen(capture, croppedPixels(std::move(photographs), *window), within, there, progress);
   return placedSet(seen.solved(), *window, width, height);
 }
 
