@@ -118,10 +118,11 @@ bool isRig(const BalanceCommand& arguments) {
 /// A rig's lights become white: what the studio's Neutralize does.
 int balanceRig(const BalanceCommand& arguments, Terminal& terminal) {
   if (!arguments.set.empty() || !arguments.colors.empty() || !arguments.method.empty() ||
-      !arguments.grey.empty() || arguments.chart || !arguments.camera.empty())
+      !arguments.grey.empty() || arguments.chart || !arguments.camera.empty() || !arguments.map.empty() ||
+      !arguments.noise.empty() || !arguments.colorSpace.empty())
     throw InputError(
         "{}: is a rig: its lights have colours of their own; leave out --beta, --colors, --method, --grey, "
-        "--chart and --camera",
+        "--chart, --camera, --map, --noise and --color-space",
         arguments.photograph);
   const std::vector<std::filesystem::path> inputs{arguments.photograph};
   checkOutput(arguments.output, inputs);
@@ -153,6 +154,8 @@ void checkArguments(const BalanceCommand& arguments) {
     throw InputError("--chart: says what is grey, and the camera's matrix: leave out --grey and --camera");
   if (arguments.lights != "all" && arguments.set.empty())
     throw InputError("--lights: only a solved set tells lamps apart: give --beta SOLVED");
+  if (!arguments.noise.empty() && arguments.set.empty())
+    throw InputError("--noise: is of a photograph that a set's lamps are read from: give --beta SOLVED");
   if (!arguments.map.empty() && (!arguments.set.empty() || arguments.colors.empty()))
     throw InputError("--map: is of --colors without --beta; a solved set has its beta maps already");
 }

@@ -117,6 +117,10 @@ Image paretoPlot(const std::vector<SolverError>& rows) {
 
 int run(const BenchCommand& arguments, Terminal& terminal) {
   const Progress progress = terminal.progress();
+  if (arguments.hardCases && arguments.tradeOff)
+    throw InputError("--hard-cases and --trade-off: give one of them");
+  if (arguments.tradeOff && !arguments.captures.empty())
+    throw InputError("--trade-off: has a scene of its own; leave out {}", arguments.captures.front());
   if (!arguments.output.empty()) {
     if (arguments.hardCases || (!arguments.tradeOff && arguments.captures.empty()))
       throw InputError("-o {}: a picture is drawn of captures, or with --trade-off; leave it out",

@@ -42,7 +42,7 @@ CapturePixels photograph(const Capture& capture, const std::vector<Image>& truth
             for (size_t i = 0; i < truth.size(); ++i)
               value += exposure * (*shot.lightColors[i])[c] * truth[i].plane(c)[p];
             if (capture.noise)
-              value += gauss(random) * std::sqrt(value / float(capture.noise->fullWell) +
+              value += gauss(random) * std::sqrt(std::max(value, 0.0F) / float(capture.noise->fullWell) +
                                                  float(capture.noise->read * capture.noise->read));
             image.plane(c)[p] = value;
           }

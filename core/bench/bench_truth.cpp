@@ -15,7 +15,17 @@ SolvedSet benchTruth(const Capture& capture) {
       throw InputError("{}: has no truth for light {}; the benchmark needs a capture with \"truth\"",
                        capture.file.string(), light.name);
     truth.contributions.push_back(rgbImage(readImage(capture.folder / path->second).image, path->second));
+    const Image &first = truth.contributions.front(), &last = truth.contributions.back();
+    if (last.width() != first.width() || last.height() != first.height())
+      throw InputError("{}: the truth of light {} is {} x {} pixels, of others {} x {}",
+                       capture.file.string(), light.name, last.width(), last.height(), first.width(),
+                       first.height());
   }
+  for (const Shot& shot : capture.shots)
+    for (const auto& color : shot.lightColors)
+      if (!color)
+        throw InputError("{}: the colour of a light is unknown; the benchmark photographs known ones",
+                         capture.file.string());
   updateBeta(truth);
   return truth;
 }

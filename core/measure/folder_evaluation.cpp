@@ -28,7 +28,12 @@ Files picturesBelow(const fs::path& folder) {
        fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied)) {
     if (!entry.is_regular_file() || extensions.count(lowerExtension(entry.path())) == 0) continue;
     const fs::path name = fs::relative(entry.path(), folder).replace_extension();
-    files.emplace(name.generic_string(), entry.path());
+    const auto [known, isNew] = files.emplace(name.generic_string(), entry.path());
+    if (!isNew)
+      throw InputError(
+          "{}: {} has the same name but for the extension: which of both is to be compared? Keep "
+          "one of them in the folder.",
+          entry.path().string(), known->second.filename().string());
   }
   return files;
 }

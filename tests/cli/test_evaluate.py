@@ -147,6 +147,13 @@ class EvaluateTest(cli.CliTest):
         cli.write_image(broken, pixels)
         self.deny('evaluate', broken, self.reference, '--region', 'corner=0,0,4,4', naming=['broken.exr', 'corner', 'finite'])
 
+    def test_two_pictures_of_one_name_are_not_chosen_from_by_chance(self):
+        for folder in ('ours', 'theirs'):
+            os.makedirs(self.path(folder))
+            cli.write_image(self.path(folder, 'frame.exr'), np.full((20, 20, 3), .5, np.float32))
+        cli.write_image(self.path('ours', 'frame.png'), np.full((20, 20, 3), .7, np.float32), 'uint8')
+        self.deny('evaluate', self.path('ours'), self.path('theirs'), naming=['frame.', 'the same name'])
+
     def test_folders_that_cannot_be_compared_are_said(self):
         test, reference = self.folders()
         self.deny('evaluate', test, self.path('reference', 'a.exr'), naming='two folders')
