@@ -47,6 +47,7 @@ void EditController::beginFrame() {
     m_drawn.clear();
     m_followed = false;
     m_complaint.clear();
+    m_refused.clear();
     m_foundFor = {};
     m_surfacesBy = m_surfacingBy = {};
     m_needsShadows = m_stopped = false;
@@ -227,13 +228,13 @@ EditStack EditController::usable(const EditStack& wanted) {
 
 void EditController::setStack(const EditStack& stack) {
   if (m_room.edited->stack().newLights == stack.newLights) return applyStack(stack);
+  m_parts.subjects.editsChanged();
   {
     LiveSet::Writing writing = m_room.live->write();
     applyStack(stack);
     writing.lightsChanged();
   }
   m_parts.session.lightsChanged();
-  m_parts.subjects.editsChanged();
   ++m_revision;
 }
 
@@ -246,30 +247,42 @@ void EditController::applyStack(const EditStack& stack) {
     if (m_complaint != error.what()) m_parts.messages.error(error.what());
     m_complaint = error.what();
   }
-  // All but those that cannot be applied.
+  // All but those that cannot be applied: the same as last time, if that is so. What is put together anew
+  // prepares every edit again.
   EditStack good = stack;
+  const auto isRefused = [&](const auto& edit) {
+    return std::find(m_refused.begin(), m_refused.end(), edit) != m_refused.end();
+  };
+  std::erase_if(good.edits, isRefused);
+  if (good.edits.size() < stack.edits.size() && tryStack(good)) return;
+  m_refused.clear();
   good.edits.clear();
   for (const auto& edit : stack.edits) {
     good.edits.push_back(edit);
-    try {
-      m_room.edited->setStack(good);
-    } catch (const InputError&) {
-      good.edits.pop_back();
-    }
+    if (tryStack(good)) continue;
+    good.edits.pop_back();
+    m_refused.push_back(edit);
   }
+  // Lights that cannot be added: without them there is nothing to edit.
+  if (!tryStack(good)) m_room.edited->setStack({});
+}
+
+bool EditController::tryStack(const EditStack& stack) {
   try {
-    m_room.edited->setStack(good);
-  } catch (const InputError&) {  // lights that cannot be added: without them there is nothing to edit
-    m_room.edited->setStack({});
+    m_room.edited->setStack(stack);
+    return true;
+  } catch (const InputError&) {
+    return false;
   }
 }
 
 void EditController::update(const PixelRect& visible) {
   EditedSet& edited = *m_room.edited;
   if (!edited.staleTile()) return;
-  // Scopes may be counting: they need a moment.
+  // Scopes may be counting: they need a moment. Those who need longer give way.
   std::optional<LiveSet::Writing> writing = m_room.live->tryWrite();
   if (!writing) {
+    m_parts.subjects.editsChanged();
     m_wake();
     return;
   }

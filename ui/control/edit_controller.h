@@ -138,6 +138,8 @@ class EditController {
   void setStack(const EditStack& stack);
   /// As much of the stack as can be applied.
   void applyStack(const EditStack& stack);
+  /// Whether it could be applied.
+  bool tryStack(const EditStack& stack);
   void update(const PixelRect& visible);
   void refresh(LiveSet::Writing& writing, const std::vector<PixelRect>& changed, const LightIndices& lights);
 
@@ -157,11 +159,12 @@ class EditController {
   ShadowOptions m_foundFor;                                                  ///< what they were found for
   ShadowOptions m_findingFor;                                                ///< what they are looked for
   std::shared_ptr<FoundSurfaces> m_surfaces = std::make_shared<FoundSurfaces>();  ///< of m_set
-  SurfacesFor m_surfacesBy, m_surfacingBy;  ///< what they were, are found by
-  bool m_needsShadows = false;              ///< somebody has asked for them
-  bool m_stopped = false;                   ///< the person has stopped the search
-  bool m_filesStale = false;                ///< files of edits have to be read again
-  std::string m_complaint;                  ///< about the edits, said already
+  SurfacesFor m_surfacesBy, m_surfacingBy;             ///< what they were, are found by
+  bool m_needsShadows = false;                         ///< somebody has asked for them
+  bool m_stopped = false;                              ///< the person has stopped the search
+  bool m_filesStale = false;                           ///< files of edits have to be read again
+  std::string m_complaint;                             ///< about the edits, said already
+  std::vector<std::shared_ptr<const Edit>> m_refused;  ///< those that could not be applied last time
   uint64_t m_revision = 0;
   int m_part = 0;             ///< of the picture that is computed next
   std::deque<Drawn> m_drawn;  ///< the last ones, and what is needed: kept until somebody uses them

@@ -34,8 +34,11 @@ class IlluminationPictures {
   }
   /// To be called often: takes what was found.
   void update(Messages& messages);
-  /// The set's pixels have changed.
-  void editsChanged() { m_stale = true; }
+  /// The set's pixels have changed, or are going to: what reads them for long gives way.
+  void editsChanged() {
+    m_stale = true;
+    m_job.cancel();
+  }
   /// Another set is open.
   void forget();
   [[nodiscard]] bool busy() const { return m_job.running(); }

@@ -126,6 +126,22 @@ TEST(EditController, AnEditThatCannotBeAppliedIsSaidOnceAndTheOthersAre) {
   EXPECT_EQ(studio.errors(), 1U);
 }
 
+TEST(EditController, AnEditThatCannotBeAppliedLeavesTheOthersPrepared) {
+  StudioParts studio;
+  studio.open(test::smallSet(2, 100, 80));
+  studio.append(fill("light1", 0.25F));
+  studio.append(fill("nobody", 1));
+  settle(studio);
+  const Edit& first = *studio.editor.document().edits.edits.front();
+  const auto prepared = studio.edits.prepared(first);
+  ASSERT_TRUE(prepared);
+  studio.append(fill("light2", 0.5F));
+  settle(studio);
+  EXPECT_EQ(studio.edits.prepared(first), prepared)
+      << "or its masks would be drawn at every step of a slider";
+  EXPECT_EQ(studio.errors(), 1U);
+}
+
 TEST(EditController, ManyMasksThatTakeTheirTimeAreNeededAtOnce) {
   StudioParts studio;
   studio.open(test::smallSet(2, 100, 80));
