@@ -15,7 +15,7 @@
 namespace swaplight {
 namespace {
 
-constexpr size_t kMostCues = 10000;
+constexpr size_t kMostCues = 1000;
 constexpr double kHundred = 100;
 
 std::optional<int> hundredths(double number) {

@@ -22,6 +22,12 @@ std::string freeLookName(const std::vector<SavedLook>& looks, const std::string&
   }
 }
 
+void addLook(std::vector<SavedLook>& looks, SavedLook look) {
+  if (looks.size() >= kMostLooks)
+    throw InputError("The gallery has {} looks, and takes no more. Remove one first.", looks.size());
+  looks.push_back(std::move(look));
+}
+
 Json jsonFromSavedLooks(const std::vector<SavedLook>& looks) {
   Json json = Json::array();
   for (const SavedLook& look : looks) {
@@ -33,9 +39,9 @@ Json jsonFromSavedLooks(const std::vector<SavedLook>& looks) {
 }
 
 std::vector<SavedLook> savedLooksFromJson(const Json& json, const std::string& where) {
-  constexpr size_t kMost = 16384;  // more than a cue list can have made
   if (!json.is_array()) throw InputError("{}: must be a list of looks", where);
-  if (json.size() > kMost) throw InputError("{}s: are {}, expected at most {}", where, json.size(), kMost);
+  if (json.size() > kMostLooks)
+    throw InputError("{}s: are {}, expected at most {}", where, json.size(), kMostLooks);
   std::vector<SavedLook> looks;
   for (const Json& entry : json) {
     const std::string which = fmt::format("{} {}", where, looks.size() + 1);

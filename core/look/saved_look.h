@@ -35,6 +35,11 @@ struct SavedLook {
 /// The look of this name (see sameLookName), or nullptr.
 [[nodiscard]] const SavedLook* findSavedLook(const std::vector<SavedLook>& looks, const std::string& name);
 
+/// What a session can be read with.
+inline constexpr size_t kMostLooks = 256;
+/// Throws InputError where there are that many already.
+void addLook(std::vector<SavedLook>& looks, SavedLook look);
+
 /// Names, notes and lightings; what versions hold beside them stands in files whose folder matters: see
 /// core/session/gallery_json.h.
 [[nodiscard]] Json jsonFromSavedLooks(const std::vector<SavedLook>& looks);

@@ -50,7 +50,7 @@ RecordedCue recordCue(Document document, std::optional<int> number) {
     std::string name = "Cue " + cueNumberText(cue.number);
     if (findSavedLook(document.looks, name)) name = freeLookName(document.looks, name + " take");
     cue.look = name;
-    document.looks.push_back(versionOf(document, name));
+    addLook(document.looks, versionOf(document, name));
   }
   document.cues = withCue(std::move(document.cues), cue);
   return {std::move(document), cue.number};

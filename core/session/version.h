@@ -21,7 +21,7 @@ namespace swaplight {
 
 /// Makes a cue of what there is now: its version (named "Cue 2") is kept in the gallery. The cue of that
 /// number, where there is one, keeps its times, and its version is made anew. Without a number: a new cue at
-/// the end. Gives the document and the number.
+/// the end. Gives the document and the number. Throws InputError where the gallery takes no more looks.
 struct RecordedCue {
   Document document;
   int number = 0;

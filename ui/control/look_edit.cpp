@@ -70,18 +70,27 @@ void previewBlend(const LightsContext& lights, float amount) {
   lights.editor.preview(blend.name + ": amount", std::move(next));
 }
 
-void keepLook(const LightsContext& lights) {
+namespace {
+
+void keep(const LightsContext& lights, SavedLook look) {
   std::vector<SavedLook> looks = lights.document().looks;
-  const std::string name = freeLookName(looks);
-  looks.push_back({name, "", lights.document().rig});
-  editLooks(lights, "Keep " + name, std::move(looks));
+  const std::string step = "Keep " + look.name;
+  try {
+    addLook(looks, std::move(look));
+  } catch (const InputError& error) {
+    return lights.messages.warn(error.what());
+  }
+  editLooks(lights, step, std::move(looks));
+}
+
+}  // namespace
+
+void keepLook(const LightsContext& lights) {
+  keep(lights, {freeLookName(lights.document().looks), "", lights.document().rig});
 }
 
 void keepVersion(const LightsContext& lights) {
-  std::vector<SavedLook> looks = lights.document().looks;
-  const std::string name = freeLookName(looks, "Version");
-  looks.push_back(versionOf(lights.document(), name));
-  editLooks(lights, "Keep " + name, std::move(looks));
+  keep(lights, versionOf(lights.document(), freeLookName(lights.document().looks, "Version")));
 }
 
 void recallLook(const LightsContext& lights, const SavedLook& look) {

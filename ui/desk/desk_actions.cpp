@@ -39,8 +39,12 @@ void addDeskActions(ActionTable& actions, const LightsContext& studio, CommandLi
        "Keep all there is now (lights, light edits, view, camera look) as a version, and add it to the "
        "cue list.",
        [&studio, &cues] {
-         cues.stand(recordCueLine(studio, ""));
-         studio.layout.cues = true;
+         try {
+           cues.stand(recordCueLine(studio, ""));
+           studio.layout.cues = true;
+         } catch (const InputError& error) {
+           studio.messages.warn(error.what());
+         }
        },
        [&studio] { return studio.hasLights(); }});
 }

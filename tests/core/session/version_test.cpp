@@ -51,6 +51,16 @@ Session recordedSession() {
   return session;
 }
 
+TEST(Version, NoMoreAreRecordedThanASessionCanBeReadWith) {
+  Document document = litDocument();
+  for (size_t k = document.looks.size(); k < kMostLooks; ++k)
+    document = recordCue(std::move(document)).document;
+  EXPECT_EQ(document.looks.size(), kMostLooks);
+  EXPECT_THROW((void)recordCue(document), InputError);
+  EXPECT_EQ(recordCue(document, document.cues.back().number).document.looks.size(), kMostLooks)
+      << "made anew";
+}
+
 TEST(Version, BringsEverythingBack) {
   const Document before = litDocument();
   const SavedLook version = versionOf(before, "Morning");
