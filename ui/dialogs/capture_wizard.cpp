@@ -438,8 +438,10 @@ void CaptureWizard::draw(Messages& messages, const Answers& answers) {
     drawExposures();
     const float line = ImGui::GetFrameHeightWithSpacing();
     const std::vector<std::string> warned = warnings();
-    const float lines = std::max(1.F, static_cast<float>(warned.size() + (linearity() ? 2 : 0))) *
-                        ImGui::GetTextLineHeightWithSpacing();
+    // The answer to whether they hold light takes two lines and a tick.
+    const float answer = linearity() ? ImGui::GetFrameHeightWithSpacing() : 0;
+    const float lines = answer + std::max(1.F, static_cast<float>(warned.size() + (linearity() ? 2 : 0))) *
+                                     ImGui::GetTextLineHeightWithSpacing();
     const float room = std::min({px(96), 0.18F * ImGui::GetWindowHeight(), lines + px(6)});
     const std::string wrong = mistake();
     drawTable(ImGui::GetContentRegionAvail().y - 2 * line - footerHeight(wrong) - room - px(24));
