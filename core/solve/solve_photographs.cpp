@@ -193,8 +193,7 @@ CapturePixels croppedPixels(CapturePixels photographs, const PixelRect& window) 
 
 /// Places are told in the whole picture.
 SolveOptions optionsWithin(SolveOptions options, const PixelRect& window) {
-  if (auto& lamp = options.openColor.oneLamp) lamp->x -= window.x, lamp->y -= window.y;
-  if (auto& grey = options.openColor.grey) (*grey)[0] -= window.x, (*grey)[1] -= window.y;
+  if (options.openColor.oneLamp || options.openColor.grey) options.openColor.corner = {window.x, window.y};
   return options;
 }
 

@@ -18,12 +18,14 @@ namespace {
 
 /// The mean signal around a place, in both photographs and evened.
 std::array<Rgb, 2> signalAround(const ShotSignal& signal, const SwappedColor& swapped, const Evening& evening,
-                                const std::array<int, 2>& place, const char* what) {
+                                const OpenColorChoice& choice, const std::array<int, 2>& told,
+                                const char* what) {
   constexpr int kAround = 2;  // pixels to each side
   const int width = signal.pixels().width(), height = signal.pixels().height();
+  const std::array<int, 2> place{told[0] - choice.corner[0], told[1] - choice.corner[1]};
   if (place[0] < 0 || place[1] < 0 || place[0] >= width || place[1] >= height)
-    throw InputError("the {} at {},{} lies outside of the picture of {} x {} pixels", what, place[0],
-                     place[1], width, height);
+    throw InputError("the {} at {},{} lies outside of the picture of {} x {} pixels", what, told[0], told[1],
+                     width, height);
   std::array<Rgb, 2> sum{Rgb(0), Rgb(0)};
   std::vector<float> room;
   const int left = std::max(place[0] - kAround, 0), right = std::min(place[0] + kAround + 1, width);
@@ -37,7 +39,7 @@ std::array<Rgb, 2> signalAround(const ShotSignal& signal, const SwappedColor& sw
   }
   for (const Rgb& light : sum)
     if (!(std::min({light.r, light.g, light.b}) > 0))
-      throw InputError("the {} at {},{} is black: nothing can be read off it", what, place[0], place[1]);
+      throw InputError("the {} at {},{} is black: nothing can be read off it", what, told[0], told[1]);
   return sum;
 }
 
@@ -108,14 +110,14 @@ OpenColor chosenColor(const Capture& capture, const SwappedColor& swapped, const
     const auto& [light, x, y] = *choice.oneLamp;
     const auto index = static_cast<int>(placeOfLight(capture, light, "the place that one lamp alone lights"));
     const float share =
-        shareAround(line, signalAround(signal, swapped, evening, {x, y}, "place lit by one lamp"));
+        shareAround(line, signalAround(signal, swapped, evening, choice, {x, y}, "place lit by one lamp"));
     // Positive: lit by the lamp that had the known gel in the first photograph.
     if ((share > 0) != (index == swapped.lights[0])) line = line.opposite();
     if (line.most > 1) open.position = std::clamp((std::abs(share) - 1) / (line.most - 1), 0.0F, 1.0F);
     open.by = fmt::format("{} alone lights {},{}", light, x, y);
   } else if (choice.grey) {
     const auto& [x, y] = *choice.grey;
-    const auto light = signalAround(signal, swapped, evening, {x, y}, "grey place");
+    const auto light = signalAround(signal, swapped, evening, choice, {x, y}, "grey place");
     const auto bestTint = [&](const SwappedColorLine& tried) {
       const float best = bestPosition([&](float p) { return tried.tintOf(p, light[0] + light[1]); });
       return std::pair(tried.tintOf(best, light[0] + light[1]), best);

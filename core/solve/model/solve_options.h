@@ -48,6 +48,7 @@ struct OpenColorChoice {
   };
   std::optional<OneLamp> oneLamp;          ///< a pixel of the pictures that only this light reaches
   std::optional<std::array<int, 2>> grey;  ///< x, y of a grey surface
+  std::array<int, 2> corner{};             ///< of what is solved, in the picture that places are told of
   std::optional<float> luminance;  ///< of the unknown colour, bare lamps 1: the Y of a gel's data sheet
   std::optional<float> position;   ///< 0..1: from the colour nearest to the known one to the farthest
   bool exchanged = false;          ///< the lamps the other way round than is likelier

@@ -9,6 +9,7 @@
 #include "core/color/chromaticity.h"
 #include "core/solve/calibration/swapped_color.h"
 #include "core/solve/solve.h"
+#include "core/solve/solve_photographs.h"
 #include "tests/support/synthetic_capture.h"
 
 namespace swaplight {
@@ -221,6 +222,19 @@ TEST(UnknownColor, IsSettledByAGreyPlace) {
   EXPECT_LT(errorOf(swap.solved(choice).report->openColor->taken, swap.gel), .02F);
   choice.grey = {kWide, 0};
   EXPECT_THROW(static_cast<void>(swap.solved(choice)), InputError);
+}
+
+TEST(UnknownColor, IsSettledByAPlaceOfPhotographsThatHoldAPartOfThePicture) {
+  Swap swap(.1F);
+  const auto carried = std::make_shared<CarriedData>();
+  carried->dataWindow = PixelRect{7, 10, kWide - 7, kHigh - 10};
+  swap.pixels.carried = carried;
+  SolveOptions options;
+  options.openColor.grey = {kGreyX, kPlaceY};  // of the whole picture
+  const SolvedSet set =
+      solvePhotographs(withUnknown(swap.truth, swap.gel), std::move(swap.pixels), {}, options);
+  EXPECT_LT(errorOf(set.report->openColor->taken, swap.gel), .02F);
+  EXPECT_THAT(set.report->openColor->by, HasSubstr(std::to_string(kGreyX) + "," + std::to_string(kPlaceY)));
 }
 
 TEST(UnknownColor, IsSettledByHowMuchLightTheGelLetsThrough) {
