@@ -103,23 +103,21 @@ void warnOfOverscan(std::span<const CapturePicture> pictures, CapturePixels& pix
 
 /// A photograph under a second name would count as taken under other lights. One of a single colour (a lens
 /// cap) says nothing.
-void checkNoneTwice(const Capture& capture, std::span<const CapturePicture> pictures) {
-  const auto planeEnds = [](const Image& image, int c) {
-    return std::pair(image.plane(c), image.plane(c) + image.pixelCount());
+void checkPicturesDiffer(const Capture& capture, std::span<const CapturePicture> pictures) {
+  const auto inEachChannel = [](const Image& image, const auto& holds) {
+    for (int c = 0; c < 3; ++c)
+      if (!holds(std::span(image.plane(c), image.pixelCount()), c)) return false;
+    return true;
   };
   const auto isPlain = [&](const Image& image) {
-    for (int c = 0; c < 3; ++c) {
-      const auto [begin, end] = planeEnds(image, c);
-      if (std::any_of(begin, end, [first = *begin](float value) { return value != first; })) return false;
-    }
-    return true;
+    return inEachChannel(image, [](std::span<const float> values, int) {
+      return std::count(values.begin(), values.end(), values.front()) == std::ssize(values);
+    });
   };
   const auto isSame = [&](const Image& one, const Image& other) {
-    for (int c = 0; c < 3; ++c) {
-      const auto [begin, end] = planeEnds(one, c);
-      if (!std::equal(begin, end, other.plane(c))) return false;
-    }
-    return true;
+    return inEachChannel(one, [&](std::span<const float> values, int c) {
+      return std::equal(values.begin(), values.end(), other.plane(c));
+    });
   };
   for (size_t k = 0; k < capture.shots.size(); ++k)
     for (size_t j = 0; j < k; ++j)
@@ -254,7 +252,7 @@ CapturePixels loadCapturePixels(const ColorConfig& config, const Capture& captur
   std::vector<CapturePicture> pictures =
       readPictures(config, capture, response ? &*response : nullptr, progress);
   checkSizes(pictures);
-  checkNoneTwice(capture, pictures);
+  checkPicturesDiffer(capture, pictures);
   std::for_each(pictures.begin() + static_cast<ptrdiff_t>(capture.shots.size()), pictures.end(),
                 checkHasNumbers);
   const PixelRect whole = boundsOf(pictures.front().image);
