@@ -21,8 +21,7 @@ namespace {
 void keepInHalf(const Image& frame, const std::filesystem::path& file, WriteOptions& write) {
   if (!write.pixelType.empty() || imageFormatForWriting(file) != "openexr") return;
   const std::array<const Image*, 1> all{&frame};
-  const double mean = meanLight(all);
-  if (!fitsHalf(frame) || (mean > 0 && mean < kDarkestInHalf)) write.pixelType = "float";
+  if (!fitsHalf(frame) || isDarkerThan(kDarkestInHalf, all)) write.pixelType = "float";
 }
 
 /// An EXR's colour is multiplied by its alpha; other formats hold it as it is.

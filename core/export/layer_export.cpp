@@ -159,9 +159,9 @@ PixelType exportLayers(const ColorConfig& config, const SolvedSet& set, const Ri
   layers.pictures = shining(config, set, sourcesOf(config, set, rig), colorSpace);
   LayerOptions written = options;
   written.pictures = typeThatHolds(layers.pictures, options.pictures);
-  const double mean = meanLight(pointersTo(layers.pictures));
-  if (mean > 0 && mean < kDarkestInHalf) written.pictures = PixelType::Float;
-  layers.sum = sumOfLayers(pointersTo(layers.pictures), written.pictures);
+  const std::vector<const Image*> lights = pointersTo(layers.pictures);
+  if (isDarkerThan(kDarkestInHalf, lights)) written.pictures = PixelType::Float;
+  layers.sum = sumOfLayers(lights, written.pictures);
   layers.sum.setColorSpace(colorSpace);
   if (options.highlights)
     layers.highlights = shining(config, set, highlightSources(config, set, rig), colorSpace);

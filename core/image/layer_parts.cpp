@@ -21,7 +21,7 @@ bool fitsHalf(const Image& image) {
   return true;
 }
 
-double meanLight(std::span<const Image* const> images) {
+bool isDarkerThan(double mean, std::span<const Image* const> images) {
   constexpr size_t kStep = 16;
   double sum = 0;
   size_t count = 0;
@@ -31,7 +31,7 @@ double meanLight(std::span<const Image* const> images) {
       for (size_t p = 0; p < image->pixelCount(); p += kStep, ++count)
         if (const float value = image->plane(c)[p]; std::isfinite(value)) sum += double{std::abs(value)};
   }
-  return count == 0 ? 0 : sum / double(count);
+  return sum > 0 && sum < mean * double(count);
 }
 
 PixelType typeThatHolds(std::span<const Image> images, PixelType asked) {

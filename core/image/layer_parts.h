@@ -11,12 +11,13 @@ namespace swaplight {
 /// Whether half float holds the image: no value is NaN or beyond +-65504.
 [[nodiscard]] bool fitsHalf(const Image& image);
 
-/// The mean of the colours (the first three channels) of the sum of images of one size: by it one knows
-/// whether half float's steps (6e-8) show. Of a sample of the pixels; what is not finite is left out.
-[[nodiscard]] double meanLight(std::span<const Image* const> images);
+/// Whether the sum of images of one size is darker than this in the mean of its colours (the first three
+/// channels), and not black, so that half float's steps (6e-8) show. Of a sample of the pixels; what is not
+/// finite is left out.
+[[nodiscard]] bool isDarkerThan(double mean, std::span<const Image* const> images);
 
-/// Of a mean of this half float holds a tenth to 6 %, and the mean to .6 %: what is darker and not black is
-/// written as float.
+/// Of a frame of this mean half float holds the mean to .6 %, a tenth of it to 6 %: a darker one is written
+/// as float.
 inline constexpr double kDarkestInHalf = 1e-5;
 
 /// The type to write images in that belong together: the one asked for, or Float where that is Half and one

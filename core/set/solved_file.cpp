@@ -60,8 +60,7 @@ bool lightsFitHalf(const SolvedSet& set) {
   const auto layers = layersOf(set);
   if (!std::all_of(layers.begin(), layers.end(), [](const Image* layer) { return fitsHalf(*layer); }))
     return false;
-  const double mean = meanLight(layers);
-  return mean == 0 || mean >= kDarkest;
+  return !isDarkerThan(kDarkest, layers);
 }
 
 std::vector<std::string> lightNames(const Capture& capture) {
