@@ -210,7 +210,7 @@ void SessionController::followWorkingSpace() {
 }
 
 void SessionController::adopt(Pending pending, std::optional<OpenSet> set) {
-  m_messages.forgetErrors();
+  if (!pending.isOpen) m_messages.forgetErrors();
   Document& document = pending.session.document;
   if (set) {
     const int width = set->original->width(), height = set->original->height();

@@ -121,9 +121,12 @@ void CommandLine::drawAnswer(const LightsContext& studio) const {
   ImGui::PushTextWrapPos(0);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const bool refused = m_wrong && answers();
-  if (refused && ImGui::CalcTextSize(words.c_str(), nullptr, false, room.x).y > room.y)
+  if (refused && ImGui::CalcTextSize(words.c_str(), nullptr, false, room.x).y > room.y) {
     drawAbove(words, ImVec2(at.x, ImGui::GetWindowPos().y - px(4)), room.x);
-  ImGui::TextUnformatted(words.c_str());
+    ImGui::TextUnformatted("Refused: see above.");
+  } else {
+    ImGui::TextUnformatted(words.c_str());
+  }
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   ImGui::PopFont();
